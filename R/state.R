@@ -4,10 +4,10 @@
 # solver's; velocity: as position (m/s), or NULL where nothing moves; changed: whether the lattice
 # is not the one of the gear and si alone, as at a moment of a tow: then it is kept.
 #
-# A codend_state is a list of `gear`, `report`, `position`, `velocity` (NULL at rest), `si` (NULL for
-# the plan's), `lattice` or `mesh` (see mesh_recipe()), `levels` or `compared` (see levels_of()),
-# `time` and `step_accuracy` of a moment of a tow, and `handle`, which holds what computed_state()
-# gives and is empty in another process and after readRDS().
+# A codend_state is a list of `gear`, `report`, `position`, `velocity` (NULL at rest), `si` (NULL
+# for the plan's), `lattice` or `mesh` (see mesh_recipe()), `levels` or `compared` (see
+# levels_of()), `time` and `step_accuracy` of a moment of a tow, and `handle`, which holds what
+# computed_state() gives and is empty in another process and after readRDS().
 new_state <- function(gear, si, lattice, position, report, velocity = NULL, changed = FALSE) {
   state <- list(gear = gear["checked" != names(gear)], report = report,
     position = matrix(position, 3L))
@@ -21,7 +21,7 @@ new_state <- function(gear, si, lattice, position, report, velocity = NULL, chan
   state
 }
 
-# What a state of a gear has beside its plain data: list(gear, checked, si, lattice, velocity and the
+# What a state has beside its plain data: list(gear, with its check, si, lattice, velocity and the
 # forces on everything).
 computed_state <- function(state) {
   handle <- .subset2(state, "handle")
@@ -53,7 +53,9 @@ evaluated <- function(gear, si, lattice, state) {
 }
 
 # A state's places and forces as the engine reads them.
-shape_of <- function(state) c(list(position = state$position), computed_state(state))
+shape_of <- function(state) {
+  lapply(setNames(nm = c("position", computed_fields)), function(name) state[[name]])
+}
 
 #' @export
 `[[.codend_state` <- function(x, i, ...) {

@@ -14,7 +14,7 @@ compiled_functions <- c(
   "fill_places", "find_edge", "find_material", "find_panels", "find_parts", "finding_field",
   "finding_rows", "flow_axes", "found_by", "gather_trajectory", "gear_division", "gear_numbers",
   "ground_gear_rope", "has_field", "hung_line", "join_sections", "joined_labels",
-  "levels_through", "line_properties", "link_numbers", "load_table", "loose_netting",
+  "line_properties", "link_numbers", "load_table", "loose_netting",
   "map_named", "mesh_places", "model_numbers", "multiplied_numbers", "name_parts", "new_lattice",
   "new_state", "panel_numbers", "parse_place", "part_map", "part_table", "part_weight",
   "piece_area", "piece_body", "piece_numbers", "plain_groups", "plain_tree", "plan_field",

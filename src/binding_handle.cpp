@@ -14,7 +14,9 @@ void release(SEXP handle) {
 }  // namespace
 
 // Returns an empty handle.
-[[cpp11::register]] SEXP engine_handle() { return R_MakeExternalPtr(nullptr, R_NilValue, R_NilValue); }
+[[cpp11::register]] SEXP engine_handle() {
+  return R_MakeExternalPtr(nullptr, R_NilValue, R_NilValue);
+}
 
 // Returns what a handle holds, or NULL.
 [[cpp11::register]] SEXP engine_handle_value(SEXP handle) {

@@ -49,7 +49,7 @@ hung_shape <- function(x) lattice_of(x)$hung
 # nor of the other lattices that its errors follow from, which are functions too
 without_places <- function(x) {
   x$lattice$place <- NULL
-  x$levels <- NULL
+  x$levels <- x$handle <- NULL
   x
 }
 
