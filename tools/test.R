@@ -3,17 +3,21 @@
 #   Rscript tools/test.R '^s'   the files test-*.R whose names match this regular expression
 #   Rscript tools/test.R fast   all files except the slow ones
 
-# Files, test-*.R, that `fast` leaves out: they settle or tow many gears, draw many pages or start
-# R.
+# Files, test-*.R, that `fast` leaves out: they take more than 4.5 s each.
 slow <- c(
-  "command", "command-line", "draw-gear", "finding", "flume",
-  "kind-bottom-trawl", "kind-cage", "kind-purse-seine", "kind-set-nets", "measure-error",
-  "measure-turn", "operation-shooting", "operation-tow", "otter-boards", "paper-scheme",
-  "report",
-  "settle-from", "settle-levels", "shielding", "store-kept", "store-trajectory", "study-futures",
-  "study-slurm", "study-store", "study-vary", "tow-catch", "validation-cables", "validation-codend",
-  "validation-invariants",
-  "validation-published-cases", "validation-refinement"
+  "command", "command-line", "draw-gear", "engine-file", "export-vtk", "file-write", "finding",
+  "flume", "flume-form", "flume-shared", "flume-tow", "flume-words", "flume-worker", "gear",
+  "gear-check", "gear-new-plan", "input-current", "kind-beam-trawl", "kind-bottom-trawl",
+  "kind-cage", "kind-demersal-seine", "kind-longline", "kind-midwater-trawl", "kind-purse-seine",
+  "kind-set-nets", "kites", "measure-error", "measure-state", "measure-turn", "misuse",
+  "operation-shooting", "operation-tow", "otter-boards", "paper-scheme", "plan-check",
+  "plan-given", "plan-places", "plan-read", "plan-write", "plan-written", "report", "scene-drawn",
+  "settle-from", "settle-levels", "share", "shielding", "stiff-motion", "store-kept",
+  "store-state", "store-trajectory", "store-versions", "study-calibrate", "study-effects",
+  "study-futures", "study-optimise", "study-posterior", "study-sensitivities", "study-slurm",
+  "study-store", "study-uncertainty", "study-vary", "table-tidy", "text-plain", "tow-catch",
+  "validation-cables", "validation-codend", "validation-invariants", "validation-published-cases",
+  "validation-refinement", "view-3d"
 )
 
 # Tests that CRAN skips run too.
