@@ -45,8 +45,8 @@ start_of <- function(x) lattice_of(x)$start
 hung_shape <- function(x) lattice_of(x)$hung
 
 # A state or trajectory without the lattice's function that finds places, which is never identical
-# to another.
-# nor of the other lattices that its errors follow from, which are functions too
+# to another, without what it computed, and without the other lattices that its errors follow from,
+# which a file holds in another form.
 without_places <- function(x) {
   x$lattice$place <- NULL
   x$levels <- x$handle <- NULL

@@ -115,7 +115,7 @@ test_that("a record of a state goes into JSON and back", {
   expect_equal(unlist(back$measures), unlist(as.list(measures(state))))
 })
 
-test_that("a state of 3,700 nodes takes 0.3 MB in a file and is the same again", {
+test_that("a state of 3,700 nodes takes at most 0.3 MB in a file", {
   state <- settled("midwater_trawl", nodes = 3700)
   measures(state)
   expect_gt(state$lattice$nodes, 3500)
