@@ -9,10 +9,10 @@
 # levels_of()), `time` and `step_accuracy` of a moment of a tow, and `handle`, which holds what
 # computed_state() gives and is empty in another process and after readRDS().
 new_state <- function(gear, si, lattice, position, report, velocity = NULL, changed = FALSE) {
-  state <- list(gear = gear["checked" != names(gear)], report = report,
-    position = matrix(position, 3L))
+  plain <- gear
+  plain$checked <- NULL
+  state <- list(gear = plain, report = report, position = matrix(position, 3L))
   if (any(velocity != 0)) state$velocity <- matrix(velocity, 3L)
-  class(state$gear) <- class(gear)
   if (!identical(si, gear_si(gear))) state$si <- si
   if (changed) state$lattice <- lattice else state$mesh <- mesh_recipe(lattice)
   state$handle <- engine_handle()
@@ -44,10 +44,9 @@ evaluated <- function(gear, si, lattice, state) {
   velocity <- first_of(.subset2(state, "velocity"), 0 * position)
   found <- engine_evaluate(lattice$engine, as.double(position), as.double(velocity))
   three <- function(x) matrix(x, 3L)
-  lines <- paste0(c("bar", "u", "v", "straight"), rep(c("_tension", "_length"), each = 4L))
   c(
     list(gear = gear, si = si, lattice = lattice, velocity = velocity, force = three(found$force)),
-    found[lines],
+    found[line_fields],
     list(forces = lapply(found$forces, three), boards = found$plates)
   )
 }
@@ -64,20 +63,16 @@ shape_of <- function(state) {
   if (is.null(value) && i %in% computed_fields) computed_state(x)[[i]] else value
 }
 
-computed_fields <- c(
-  "gear", "si", "lattice", "velocity", "force", "bar_tension", "bar_length", "u_tension",
-  "u_length", "v_tension", "v_length", "straight_tension", "straight_length", "forces", "boards"
-)
+line_fields <- paste0(c("bar", "u", "v", "straight"), rep(c("_tension", "_length"), each = 4L))
+computed_fields <- c("gear", "si", "lattice", "velocity", "force", line_fields, "forces", "boards")
 
 # What a lattice is built again from, with the numbers of its gear: about how many nodes were asked
 # for, which panels are of bars, how everything is divided, wakes, and where a catch's front is.
 mesh_recipe <- function(lattice) {
-  c(
-    list(
-      nodes = lattice$counts$asked$nodes, bars = unname(lattice$counts$asked$bars),
-      counts = lattice$counts[lattice_counts], wake = lattice$engine$wake
-    ),
-    list(blocked = lattice$catch$blocked, let_go = lattice$let_go)
+  list(
+    nodes = lattice$counts$asked$nodes, bars = unname(lattice$counts$asked$bars),
+    counts = lattice$counts[lattice_counts], wake = lattice$engine$wake,
+    blocked = lattice$catch$blocked, let_go = lattice$let_go
   )
 }
 
