@@ -21,7 +21,11 @@ tow_asked <- function(state, said) {
 planned_tow <- function(state) {
   section <- tow_section(state$gear)
   if (!length(section)) abort_argument("The plan on screen has no section `tow`.")
-  section[setdiff(names(section), c("until", "every"))]
+  changing <- intersect(names(formals(tow_schedule)), names(section))
+  c(
+    list(schedule = do.call(tow_schedule, section[changing])),
+    section[intersect(c("scheme", "accuracy"), names(section))]
+  )
 }
 
 # ... and what the page says.
@@ -37,7 +41,7 @@ said_tow <- function(state, changes) {
       said_change(changes$warp_out, rope$length, "length", "warp_out")
     })
   }
-  Filter(Negate(is.null), given)
+  list(schedule = do.call(tow_schedule, given))
 }
 
 # A schedule of what stays as it is until `from`, then goes `over` some seconds to a value, or by so

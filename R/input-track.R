@@ -1,7 +1,7 @@
 #' A vessel's track as what a tow follows
 #'
-#' Turns positions of a vessel's log into the schedules of [tow()], and the depths below it into a
-#' sea bed.
+#' Turns positions of a vessel's log into the speed and course of a [tow_schedule()], and the depths
+#' below it into a sea bed.
 #'
 #' Positions scatter by metres, so speed and course are those of the chord from `every` seconds
 #' before to `every` seconds after: a shorter turn is smoothed. The bed is the plane that fits all
@@ -10,23 +10,23 @@
 #' @param log A table with `time` (s), `longitude` and `latitude` (rad) and, for a bed, `depth` (m),
 #'   from [read_sensor_log()] with the unit `deg` of positions.
 #' @param from,to Begin and end of the tow on the clock of `log`, s.
-#' @param every Time between the points of the schedules, s.
-#' @return A list: `speed`, `course` (data frames with `time`, s from `from`, and `value`, m/s over
-#'   ground and rad to starboard of the first), `bearing` of the first (rad clockwise from north,
-#'   for [current_profile()]), `until` (s), `distance` (m) and, where there are depths, `seabed`
-#'   (what a plan has under that name) and `bed_misfit` (the largest distance of a depth from it,
-#'   m). Wrong arguments are an error of class `codend_error_argument`.
+#' @param every Time between the points of the schedule, s.
+#' @return A list: `schedule`, of `speed` and `course` (data frames with `time`, s from `from`, and
+#'   `value`, m/s over ground and rad to starboard of the first), `bearing` of the first (rad
+#'   clockwise from north, for [current_profile()]), `until` (s), `distance` (m) and, where there
+#'   are depths, `seabed` (what a plan has under that name) and `bed_misfit` (the largest distance
+#'   of a depth from it, m). Wrong arguments are an error of class `codend_error_argument`.
 #' @export
 #' @examples
 #' time <- seq(0, 1200, 10)
 #' log <- data.frame(time = time, longitude = 0.08, latitude = 1.05 + 2 * time / 6371008.8,
 #'   depth = 100 + time / 100)
 #' haul <- track_schedule(log, from = 0, to = 1200)
-#' haul$speed
+#' haul$schedule
 #' haul$seabed
 #' \donttest{
-#' trawl <- update(read_gear("midwater_trawl"), towing.speed = haul$speed$value[1])
-#' tow(trawl, until = 60, nodes = 200, speed = haul$speed, course = haul$course)
+#' trawl <- update(read_gear("midwater_trawl"), towing.speed = haul$schedule$speed$value[1])
+#' tow(trawl, until = 60, nodes = 200, schedule = haul$schedule)
 #' }
 track_schedule <- function(log, from, to, every = 60) {
   check_given("log", "from", "to")
@@ -67,12 +67,14 @@ track_schedule <- function(log, from, to, every = 60) {
   speed <- sqrt(rowSums(chord^2)) / (ahead - behind)
   bearing <- unwrapped(atan2(chord[, 1L], chord[, 2L]))
   found <- list(
-    speed = data.frame(time = at - from, value = speed),
-    course = data.frame(time = at - from, value = bearing - bearing[1L]),
+    schedule = tow_schedule(
+      speed = data.frame(time = at - from, value = speed),
+      course = data.frame(time = at - from, value = bearing - bearing[1L])
+    ),
     bearing = bearing[1L] %% (2 * pi), until = to - from,
     distance = sum((speed[-1L] + speed[-length(speed)]) / 2 * diff(at))
   )
-  c(found, bed_along(log, from, to, found))
+  c(found, bed_along(log, from, to, found$schedule$speed))
 }
 
 # Where chords begin or end: within the tow and the log.
@@ -87,11 +89,11 @@ unwrapped <- function(angle) {
 }
 
 # The plane through the depths along the way, which a gear is towed over from where it is now.
-bed_along <- function(log, from, to, found) {
+bed_along <- function(log, from, to, speed) {
   if (!is.numeric(log$depth)) return(NULL)
   log <- log[log$time >= from & log$time <= to & is.finite(log$depth), ]
   if (nrow(log) < 3L) return(NULL)
-  way <- stats::approx(found$speed$time, cumulated(found$speed), log$time - from, rule = 2)$y
+  way <- stats::approx(speed$time, cumulated(speed), log$time - from, rule = 2)$y
   fit <- stats::lm.fit(cbind(1, way), log$depth)
   fall <- fit$coefficients[[2L]]
   depth <- fit$coefficients[[1L]]

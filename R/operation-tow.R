@@ -9,18 +9,13 @@
 #' those of the plan at the start, x aft, y to starboard, z up, and stay where they are while the
 #' vessel leaves.
 #'
-#' What changes with time is a constant (a number in SI, a text with a unit or an object of the
-#' package units), a data frame of
-#' `time` and `value` (straight between its rows, the last value for good; two rows of one time
-#' make a jump, which at time 0 follows the settled start) or a function of time in s that gives SI
-#' (taken every 0.1 s and smooth between, up to where it jumps). A gear that is not yet a state
-#' settles first, in the conditions of time 0, and what is not given here is taken from its plan's
-#' section `tow`, which has fields of the same names and lists of `time` and `value` for tables. A
-#' state that is towed to no given time goes on in its plan's section `tow` too, if that begins
-#' where the state is. Towed `until` a time it goes on as it is but for what is given here: then
-#' only `scheme` and `accuracy` of that section count. `codend tow midwater_trawl`, in a shell, or
-#' `tow("midwater_trawl")` shoots the shipped trawl's warps, tows it, turns by 90 degrees and hauls
-#' it back.
+#' A gear that is not yet a state settles first, in the conditions of time 0, and what `schedule`
+#' leaves out is taken from its plan's section `tow`, which has fields of the same names and lists
+#' of `time` and `value` for tables. A state that is towed to no given time goes on in its plan's
+#' section `tow` too, if that begins where the state is. Towed `until` a time it goes on as it is
+#' but for `schedule`: then only `scheme` and `accuracy` of that section count. `codend tow
+#' midwater_trawl`, in a shell, or `tow("midwater_trawl")` shoots the shipped trawl's warps, tows
+#' it, turns by 90 degrees and hauls it back.
 #'
 #' A gear whose plan has a section `shooting` is not settled first: at time 0 it lies bunched within
 #' half a metre below the surface, along the arc that the vessel runs while it shoots, and every
@@ -35,7 +30,8 @@
 #' ropes on the sea bed, along the way from corner to corner that the vessel ran, and its net as it
 #' has settled. Friction holds what the ropes do not pull. A rope that was laid comes in at the
 #' vessel: its bars shorten one after another, so that what lies farther out moves only as it is
-#' pulled; neither `winch` nor `control` can steer it.
+#' pulled; neither `winch` nor `control` of a
+#' schedule can steer it.
 #'
 #' A warp that is paid out keeps its bars, which all grow by one factor. That leaves out what the
 #' passing of the warp itself through the water does: friction along it at its own speed next to the
@@ -78,37 +74,10 @@
 #' @param gear A gear, from [read_gear()] or the constructors; the name or file of a plan; a state
 #'   from [settle()], with which the motion starts; or a trajectory, to go on with in its own
 #'   schedule.
+#' @param schedule What changes with time, from [tow_schedule()]; what it leaves out is the plan's.
 #' @param until Time to which to tow, s, or a text such as `"10 min"`; the plan's when `NULL`, and
 #'   with a state then its whole section `tow`.
 #' @param every Time between the states that are kept, s or text; a 200th of `until` when `NULL`.
-#' @param speed Towing speed, m/s; the plan's when `NULL`.
-#' @param course Course to starboard of that at the start, rad; it starts at 0.
-#' @param warp_out Length of warp out, m: one schedule for all ropes of role `warp` or `purse_wire`,
-#'   or a list of them by rope or by `port` and `starboard`. At least 1 m.
-#' @param winch `list(speed_limit = , tension_limit = )` in m/s and N: warps follow `warp_out` no
-#'   faster, and pay out where their tension at the vessel, at the very end, exceeds the limit.
-#' @param control A function of `measures` (as [measures()] of the present state) and `time` that
-#'   gives the speed at which warps are paid out, m/s: one number, or numbers named by rope. It is
-#'   called every `control_every` seconds.
-#' @param control_every s or text.
-#' @param current `list(speed = , toward = )`, two schedules (m/s, rad), or a list of one such per
-#'   depth of the plan's current.
-#' @param heave Height of the towing points above where the plan has them, m: one schedule; a sea
-#'   state is a function of time.
-#' @param vessel_motion How the vessel swings about its way: `list(response = , record = , at = ,
-#'   rising = )`. `response`: a data frame or CSV file with a row per `period` of waves (s) and any
-#'   of the columns `surge` (forwards), `sway` (to starboard), `heave` (up), m per m of the waves'
-#'   amplitude, `roll` (starboard down), `pitch` (bow up), `yaw` (bow to starboard), rad per m, and
-#'   `surge_lag` to `yaw_lag`, rad after the crest at the plan's origin, which moves with the
-#'   vessel; straight between periods. `record`: the same by `time` (s) in m and rad, smooth
-#'   between, which rises over `rising` (10 s). `at`: x, y and z (m) of the place that turns are
-#'   about, the plan's origin when left out.
-#' @param catch Share of the plan's catch that is in the codend: of its pieces of role `catch`, and
-#'   of the volume, mass or blocked meshes of a [catch] in netting, whose front is moved every 2 s
-#'   to where the netting behind it holds that much. Such a catch is as heavy as water and is moved
-#'   with the netting around it.
-#' @param breaking Ropes that break: a list of `list(rope = , time = , place = )`, place `"start"`,
-#'   `"middle"` or `"end"`; without a time, at the breaking load of the rope.
 #' @param scheme `"bdf2"` (when `NULL`), `"generalised_alpha"`, `"backward_euler"` (implicit, by
 #'   Newton's method), `"substitution"` (the trapezoid by substitution, as Li et al. print it),
 #'   `"symplectic_euler"` or `"rk4"` (explicit).
@@ -132,19 +101,21 @@
 #'   comes to a stop, because no step down to 1e-7 s is found, is an error of class
 #'   `codend_error_not_converged` that names the part and carries the `trajectory`.
 #' @examples
-#' faster <- tow("towed_cable", until = 60, every = 20,
-#'   speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
+#' faster <- tow("towed_cable", until = 60, every = 20, schedule = tow_schedule(
+#'   speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot"))
+#' ))
 #' measures(state_at(faster, 60))
 #' @export
-tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, warp_out = NULL,
-                winch = NULL, control = NULL, control_every = 10, current = NULL, heave = NULL,
-                vessel_motion = NULL, catch = NULL, breaking = NULL, scheme = NULL,
-                accuracy = NULL, step = NULL,
-                nodes = 1500, netting = NULL, file = NULL) {
+tow <- function(gear, schedule = NULL, until = NULL, every = NULL, scheme = NULL,
+                accuracy = NULL, step = NULL, nodes = 1500, netting = NULL, file = NULL) {
   check_given("gear")
   if (!is.null(file)) {
     check_netcdf()
     check_file_path(file, ".nc")
+  }
+  if (is.null(schedule)) schedule <- tow_schedule()
+  if (!inherits(schedule, "codend_schedule")) {
+    abort_schedule("schedule", "must be a schedule, from {.fn tow_schedule}.")
   }
   going_on <- inherits(gear, "codend_trajectory")
   if (is.character(gear)) gear <- read_gear(gear)
@@ -156,14 +127,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
     tow_section(check_is_gear(gear))
   }
   asked <- function(name, value) if (is.null(value)) planned[[name]] else value
-  given <- list(
-    speed = asked("speed", speed), course = asked("course", course),
-    warp_out = asked("warp_out", warp_out), winch = checked_winch(asked("winch", winch)),
-    control = control, current = asked("current", current), heave = asked("heave", heave),
-    vessel_motion = asked("vessel_motion", vessel_motion),
-    catch = asked("catch", catch), breaking = asked("breaking", breaking)
-  )
-  given <- Map(given_value, given, names(given))
+  given <- unclass(with_planned(schedule, planned))
   method <- tow_method(
     first_of(asked("scheme", scheme), "bdf2"),
     first_of(asked("accuracy", accuracy), default_accuracy), step
@@ -173,8 +137,7 @@ tow <- function(gear, until = NULL, every = NULL, speed = NULL, course = NULL, w
   every <- asked("every", every)
   until <- tow_quantity(until, "until", "time")
   every <- if (is.null(every)) until / 200 else tow_quantity(every, "every", "time")
-  given$control_every <- tow_quantity(control_every, "control_every", "time")
-  steered <- if (!is.null(control)) given$control_every
+  steered <- if (!is.null(given[["control"]])) given$control_every
   check_tow_times(until, c(every = every, control_every = steered))
   trajectory <- if (going_on) {
     continued_trajectory(with_last_moment(gear), given, until)
@@ -276,32 +239,6 @@ tow_accuracy <- function(given) {
 # Of position, m. Tensions are judged where that is asked: since every step's forces balance they
 # follow from positions, and the estimate of their error is on the safe side by far.
 default_accuracy <- 0.01
-
-checked_winch <- function(winch) {
-  if (is.null(winch)) return(NULL)
-  known <- c("speed_limit", "tension_limit")
-  if (!is.list(winch) || !length(winch) || !all(names(winch) %in% known)) {
-    abort_schedule("winch", "must be a list of {.field speed_limit} and {.field tension_limit}.")
-  }
-  of <- c(speed_limit = "speed", tension_limit = "force")
-  for (name in names(winch)) {
-    winch[[name]] <- tow_quantity(winch[[name]], paste0("winch$", name), of[[name]])
-  }
-  winch
-}
-
-# A positive number in SI from a number or a text with a unit.
-tow_quantity <- function(value, name, dimension) {
-  value <- given_value(value, name)
-  si <- given_si(value, dimension, name)
-  if (!is.finite(si) || si <= 0) {
-    abort_argument(
-      "{.arg {name}} is {show_value(value)}; it must be a {dimension} greater than 0 (units:
-      {unit_examples(dimension)})."
-    )
-  }
-  si
-}
 
 # A trajectory that starts where the gear settles in the conditions of time 0, or where it is shot.
 settled_trajectory <- function(gear, given, until, nodes, netting) {

@@ -42,7 +42,7 @@
 #' @return A data frame.
 #' @examples
 #' faster <- tow("towed_cable", until = 40, every = 20,
-#'   speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
+#'   schedule = tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot"))))
 #' as.data.frame(faster, what = "measures")
 #' @export
 as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALSE,
@@ -151,7 +151,7 @@ judged_text <- function(method) {
 #'   `energy` holds the `imbalance` at the end and what was `put_through`, J.
 #' @examples
 #' faster <- tow("towed_cable", until = 40, every = 20,
-#'   speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
+#'   schedule = tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot"))))
 #' summary(faster)
 #' @export
 summary.codend_trajectory <- function(object, ...) {

@@ -60,7 +60,7 @@ tow_start <- function(gear, si, lattice, given, until) {
   if (!is.null(lattice$engine$ground)) lattice$engine$ground$velocity <- c(0, 0, 0)
   c(
     list(gear = gear, si = si, lattice = lattice, given = given),
-    tow_schedule(si, lattice, given, until)
+    scheduled_motion(si, lattice, given, until)
   )
 }
 

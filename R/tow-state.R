@@ -13,7 +13,7 @@
 #'   vanish.
 #' @examples
 #' faster <- tow("towed_cable", until = 40, every = 20,
-#'   speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
+#'   schedule = tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot"))))
 #' measures(state_at(faster, 40))
 #' @export
 state_at <- function(trajectory, time) {

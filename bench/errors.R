@@ -81,7 +81,8 @@ at_speed <- function(gear, factor) {
 slowed <- data.frame(time = c(0, 40), value = c("3 knot", "2.5 knot"))
 tows <- list(
   midwater_trawl = list(until = 180, every = 60),
-  poly_noreastern_trawl = list(until = 80, every = 40, speed = slowed),
+  poly_noreastern_trawl = list(until = 80, every = 40,
+    schedule = tow_schedule(speed = slowed)),
   purse_seine = list(until = 120, every = 60), demersal_seine = list(until = 120, every = 60)
 )
 of_tow <- function(name) {

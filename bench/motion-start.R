@@ -1,14 +1,13 @@
 # Where the motions that are measured begin: trajectories of one moment.
 
-# From a settled state, in schedules given by name as tow() takes them.
+# From a settled state, in the schedule of the fields of tow_schedule().
 from_state <- function(state, until, ...) {
-  codend:::started_trajectory(state, list(control_every = 10, ...), until)
+  codend:::started_trajectory(state, tow_schedule(...), until)
 }
 
 # From places (3 x nodes, m) at rest.
 from_rest <- function(gear, lattice, position, until) {
-  given <- list(control_every = 10)
-  what <- codend:::tow_start(gear, codend:::gear_si(gear), lattice, given, until)
+  what <- codend:::tow_start(gear, codend:::gear_si(gear), lattice, tow_schedule(), until)
   codend:::add_start(what, position, c(0, 0, 0))
 }
 
@@ -40,8 +39,7 @@ turning_trawl <- function(nodes) {
 # The shipped purse seine, bunched at the surface as the vessel begins to shoot it.
 seine_from_vessel <- function(nodes, until) {
   gear <- read_gear("purse_seine")
-  given <- list(control_every = 10)
-  codend:::shot_trajectory(gear, codend:::gear_si(gear), given, until, nodes, NULL)
+  codend:::shot_trajectory(gear, codend:::gear_si(gear), tow_schedule(), until, nodes, NULL)
 }
 
 # The warp of the public case, straight down and unstretched.

@@ -66,8 +66,7 @@ stiff_lines <- list(
 
 march_stiff_line <- function(name, ...) {
   case <- stiff_lines[[name]]
-  given <- c(case[intersect(c("until", "every", "heave"), names(case))], list(...))
-  do.call(tow, c(list(case$gear()), given))
+  tow(case$gear(), tow_schedule(heave = case$heave), case$until, case$every, ...)
 }
 
 # What of a motion is compared, of eleven nodes and the largest tension: a data frame of case, time

@@ -115,7 +115,7 @@ test_that("a tow is an animation: every kept time is there, at its time", {
   skip_if_not_installed("RNetCDF")
   folder <- test_folder()
   trajectory <- tow("towed_cable", until = 6, every = 2, nodes = 40,
-    speed = data.frame(time = c(0, 3), value = c("4 knot", "5 knot")))
+    schedule = tow_schedule(speed = data.frame(time = c(0, 3), value = c("4 knot", "5 knot"))))
   file <- file.path(folder, "tow.glb")
   write_gltf(trajectory, file)
   found <- read_gltf_file(file)

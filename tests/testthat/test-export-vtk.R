@@ -154,7 +154,7 @@ test_that("a trajectory is a series of grids over the ground", {
   folder <- test_folder()
   file <- file.path(folder, "turn.pvd")
   turn <- tow("towed_cable", until = 30, every = 15,
-    course = data.frame(time = c(0, 10, 30), value = c(0, 0, 1)))
+    schedule = tow_schedule(course = data.frame(time = c(0, 10, 30), value = c(0, 0, 1))))
   expect_identical(write_vtk(turn, file), file)
   expect_setequal(list.files(folder, all.files = TRUE, no.. = TRUE), c("turn", "turn.pvd"))
   lines <- grep("<DataSet", readLines(file), value = TRUE)

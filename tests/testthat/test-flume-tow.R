@@ -11,8 +11,9 @@ test_that("the design on screen is towed, and the page plays what tow() finds", 
     session$setInputs(tow_wanted = faster())
     scene <- sent("flume_tow")[[1]]$scene
     expect_equal(range(scene$times), c(0, 40))
-    here <- tow(tank$state, until = 40, every = 0.4, speed = data.frame(time = c(0, 5, 15),
-      value = c(tank$state$si$towing$speed, tank$state$si$towing$speed, 5 * 1852 / 3600)))
+    here <- tow(tank$state, until = 40, every = 0.4,
+      schedule = tow_schedule(speed = data.frame(time = c(0, 5, 15),
+        value = c(tank$state$si$towing$speed, tank$state$si$towing$speed, 5 * 1852 / 3600))))
     trajectory <- unserialize(tank$trajectory)
     expect_equal(trajectory$position, here$position, tolerance = 1e-12)
     expect_identical(scene, viewed_scene(trajectory))
@@ -37,8 +38,9 @@ test_that("the design on screen is towed, and the page plays what tow() finds", 
 test_that("warps are paid out from what they are, and a jump takes no time", {
   state <- settled("midwater_trawl", nodes = 500)
   given <- said_tow(state, list(warp_out = list(by = "-50 m", from = "0 s", over = "20 s"),
-    course = list(by = "90 deg", from = "10 s", over = "0 s")))
-  expect_identical(names(given), c("course", "warp_out"))
+    course = list(by = "90 deg", from = "10 s", over = "0 s")))$schedule
+  expect_identical(names(Filter(Negate(is.null), unclass(given))),
+    c("course", "warp_out", "control_every"))
   warps <- Filter(function(rope) identical(rope$role, "warp"), state$si$ropes)
   expect_identical(names(given$warp_out), names(warps))
   for (name in names(warps)) {

@@ -81,7 +81,7 @@ test_that("ticklers and the middle leg are as the plan has them, and both shoes 
 test_that("a beam trawl that slows down ends as it settles at that speed", {
   trawl <- read_gear("beam_trawl")
   slowed <- tow(settle(trawl, nodes = 400), until = 60, every = 60,
-    speed = data.frame(time = c(0, 10), value = c(2.058, 1.5)))
+    schedule = tow_schedule(speed = data.frame(time = c(0, 10), value = c(2.058, 1.5))))
   found <- measures(state_at(slowed, 60))
   expected <- measures(settle(update(trawl, towing.speed = 1.5), nodes = 400))
   same <- c("beam_height_m", "wing_end_spread_m", "warp_tension_kN", "ground_load_kN")

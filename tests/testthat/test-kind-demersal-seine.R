@@ -31,8 +31,8 @@ hauled_rope <- function() {
 }
 
 test_that("a rope that was laid comes in at the vessel and pulls as what is left of it rubs", {
-  haul <- tow(hauled_rope(), until = 200, every = 20, speed = 0, accuracy = 0.02,
-    warp_out = data.frame(time = c(0, 200), value = c(100, 40)))
+  haul <- tow(hauled_rope(), until = 200, every = 20, accuracy = 0.02,
+    schedule = tow_schedule(speed = 0, warp_out = data.frame(time = c(0, 200), value = c(100, 40))))
   expect_equal(haul$conditions$rope, seq(100, 40, by = -6), tolerance = 1e-9)
   end <- codend:::place_finder(codend:::lattice_places(haul$lattice))("end")
   for (k in 3:11) {
@@ -48,7 +48,8 @@ test_that("a rope that was laid comes in at the vessel and pulls as what is left
 })
 
 test_that("a winch that is steered cannot haul a rope that was laid", {
-  expect_error(tow(hauled_rope(), until = 10, winch = list(tension_limit = 100)), "winch",
+  expect_error(tow(hauled_rope(), until = 10,
+    schedule = tow_schedule(winch = list(tension_limit = 100))), "winch",
     class = "codend_error")
 })
 

@@ -107,10 +107,10 @@ test_that("free floats swim at the surface; cast off, the line drifts and draws 
   floats <- as.data.frame(state, what = "pieces")
   floats <- floats[floats$role == "float", ]
   expect_true(all(abs(floats$depth_m) < 0.18))
-  drift <- tow(state, until = 1200, every = 600, breaking = list(
+  drift <- tow(state, until = 1200, every = 600, schedule = tow_schedule(breaking = list(
     list(rope = "end_line_first", time = 60, place = "start"),
     list(rope = "end_line_last", time = 60, place = "start")
-  ))
+  )))
   after <- state_at(drift, 1200)
   expect_lt(measures(after)[["float_distance_m"]], measures(state)[["float_distance_m"]])
   moved <- (after$position - state$position)[2, nodes_at(state, "surface_2")]

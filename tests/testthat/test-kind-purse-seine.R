@@ -92,7 +92,7 @@ test_that("a seine that is left alone hangs down straight below its floats", {
 
   # Nothing of it waits to be shot again when it is pursed from there.
   pursed <- tow(state, until = 4, every = 4, accuracy = 0.3,
-    warp_out = data.frame(time = c(0, 4), value = c(450, 446)))
+    schedule = tow_schedule(warp_out = data.frame(time = c(0, 4), value = c(450, 446))))
   moved <- pursed$position[, , 2] - pursed$position[, , 1]
   wire <- along_rope(state, "purse_wire")$node
   expect_true(all(colSums(moved[, setdiff(wire, which(engine_array(lattice, "held")))]^2) > 0))

@@ -128,7 +128,8 @@ test_that("pages draw a free kite at its angle of attack, and the tank sends it 
 })
 
 test_that("a page that plays turns a free kite as it turns", {
-  trajectory <- tow(flown_kite(), until = 2, every = 1, speed = data.frame(time = 0:1, value = 2:1))
+  trajectory <- tow(flown_kite(), until = 2, every = 1,
+    schedule = tow_schedule(speed = data.frame(time = 0:1, value = 2:1)))
   scene <- view_3d(trajectory)$x$scene
   drawn <- vapply(1:3, function(k) drawn_attack(places_at(scene$boards, k)), 0)
   trim_at <- function(time) board_table(state_at(trajectory, time))$trim_deg

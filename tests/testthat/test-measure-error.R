@@ -266,9 +266,9 @@ test_that("without nodes or accuracy a gear is divided until 1 % is reached or t
 
 test_that("errors of a moment of a tow hold what finer lattices and steps change", {
   faster <- function(...) {
-    tow("poly_noreastern_trawl", until = 40, every = 20, speed = data.frame(
+    tow("poly_noreastern_trawl", until = 40, every = 20, schedule = tow_schedule(speed = data.frame(
       time = c(0, 20), value = c("3 knot", "3.5 knot")
-    ), ...)
+    )), ...)
   }
   coarse <- as.data.frame(faster(nodes = 300))
   fine <- as.data.frame(faster(nodes = 1200, accuracy = 0.002))

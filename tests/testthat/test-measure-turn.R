@@ -27,7 +27,8 @@ towed_frame <- function() {
 test_that("a gear in a steady circle keeps its spread, and sweeps what its speed leaves it", {
   rate <- 0.05  # rad/s: a circle of 40 m around which everything soon goes as one body
   found <- tow(towed_frame(), until = 240, every = 120, accuracy = 1e-4,
-    course = data.frame(time = c(0, 10, 1010), value = c(0, 0, 1000 * rate)))
+    schedule = tow_schedule(
+      course = data.frame(time = c(0, 10, 1010), value = c(0, 0, 1000 * rate))))
   state <- state_at(found, 240)
   straight <- measures(settle(towed_frame()))
   turning <- measures(state)
@@ -68,7 +69,8 @@ test_that("a gear in a steady circle keeps its spread, and sweeps what its speed
 
 test_that("a gear on a new course measures as on the old one", {
   found <- tow(towed_frame(), until = 200, every = 200, accuracy = 1e-4,
-    course = data.frame(time = c(0, 10, 40), value = c("0 deg", "0 deg", "70 deg")))
+    schedule = tow_schedule(
+      course = data.frame(time = c(0, 10, 40), value = c("0 deg", "0 deg", "70 deg"))))
   # what is left after 160 s of the swing of a gear of 30 m
   expect_equal(measures(state_at(found, 200)), measures(state_at(found, 0)), tolerance = 1e-4)
 })

@@ -34,7 +34,8 @@ test_that("a settled gear stays as it is with every scheme", {
 test_that("a new speed leads to the gear that settles at it", {
   for (scheme in c("bdf2", "backward_euler")) {
     found <- suppressWarnings(tow(short_cable(), until = 400, every = 400, scheme = scheme,
-      speed = data.frame(time = c(0, 5, 5), value = c(2, 2, 3)), accuracy = 1e-6),
+      schedule = tow_schedule(
+        speed = data.frame(time = c(0, 5, 5), value = c(2, 2, 3))), accuracy = 1e-6),
     "codend_warning_accuracy")
     expected <- settle(update(short_cable(), towing.speed = 3))
     # swings die out within some 20 s; accuracies of 1e-6 m leave what is left of them small
@@ -44,7 +45,8 @@ test_that("a new speed leads to the gear that settles at it", {
 
 test_that("a gear on a new course is the old one turned", {
   found <- tow(short_cable(), until = 300, every = 300,
-    course = data.frame(time = c(0, 20, 60), value = c("0 deg", "0 deg", "90 deg")),
+    schedule = tow_schedule(
+      course = data.frame(time = c(0, 20, 60), value = c("0 deg", "0 deg", "90 deg"))),
     accuracy = 1e-6)
   before <- state_at(found, 0)
   after <- state_at(found, 300)
@@ -59,7 +61,8 @@ test_that("a gear on a new course is the old one turned", {
 
 test_that("a warp that is paid out hangs as a warp of its new length", {
   found <- tow(short_cable(), until = 400, every = 400,
-    warp_out = data.frame(time = c(0, 100), value = c(60, 90)), accuracy = 1e-6)
+    schedule = tow_schedule(
+      warp_out = data.frame(time = c(0, 100), value = c(60, 90))), accuracy = 1e-6)
   expected <- settle(update(short_cable(), ropes.cable.length = 90))
   expect_equal(measures(state_at(found, 400)), measures(expected), tolerance = 1e-5)
   expect_equal(found$conditions$cable, c(60, 90))
@@ -67,20 +70,22 @@ test_that("a warp that is paid out hangs as a warp of its new length", {
 })
 
 test_that("a tow begins settled with the warp and speed of its start", {
-  found <- tow(short_cable(), until = 1, every = 1, speed = 1.5, warp_out = 30)
+  found <- tow(short_cable(), until = 1, every = 1,
+    schedule = tow_schedule(speed = 1.5, warp_out = 30))
   expected <- settle(update(short_cable(), towing.speed = 1.5, ropes.cable.length = 30))
   expect_equal(measures(state_at(found, 0)), measures(expected), tolerance = 1e-6)
   expect_equal(measures(state_at(found, 1)), measures(expected), tolerance = 1e-6)
 })
 
 test_that("a winch turns no faster than it can, and gives way at its tension", {
-  slow <- tow(short_cable(), until = 100, every = 10, winch = list(speed_limit = 0.2),
-    warp_out = data.frame(time = c(0, 10), value = c(60, 70)))
+  slow <- tow(short_cable(), until = 100, every = 10,
+    schedule = tow_schedule(
+      winch = list(speed_limit = 0.2), warp_out = data.frame(time = c(0, 10), value = c(60, 70))))
   expect_equal(slow$conditions$cable, c(60, 62, 64, 66, 68, rep(70, 6)), tolerance = 1e-6)
 
   # the weight pulls with 0.92 kN; the limit lets out cable until the weight is nearly free
   free <- tow(short_cable(), until = 30, every = 5,
-    winch = list(speed_limit = 3, tension_limit = 800))
+    schedule = tow_schedule(winch = list(speed_limit = 3, tension_limit = 800)))
   expect_true(all(diff(free$conditions$cable) > 0))
   tension <- as.data.frame(free)
   tension <- tension$value[tension$measure == "tension_kN"]
@@ -94,15 +99,17 @@ test_that("a winch turns no faster than it can, and gives way at its tension", {
 })
 
 test_that("a control holds a weight at its depth by the warp", {
-  found <- tow(short_cable(), until = 600, every = 600, winch = list(speed_limit = 0.5),
-    control = function(measures, time) 0.05 * (60 - measures[["depth_m"]]))
+  found <- tow(short_cable(), until = 600, every = 600,
+    schedule = tow_schedule(winch = list(speed_limit = 0.5),
+      control = function(measures, time) 0.05 * (60 - measures[["depth_m"]])))
   expect_equal(measures(state_at(found, 600))[["depth_m"]], 60, tolerance = 1e-3)
-  expect_wrong(tow(short_cable(), until = 20, control = function(measures, time) NA))
+  expect_wrong(tow(short_cable(), until = 20,
+    schedule = tow_schedule(control = function(measures, time) NA)))
 })
 
 test_that("a cable that parts lets the weight sink freely", {
   found <- tow(short_cable(), until = 60, every = 10,
-    breaking = list(list(rope = "cable", time = 10, place = "end")))
+    schedule = tow_schedule(breaking = list(list(rope = "cable", time = 10, place = "end"))))
   expect_true(all(found$broken[1, found$time < 10] == 0))
   expect_true(all(found$broken[1, found$time >= 10] == 12))
   body <- nodes_at(found, "body")
@@ -113,16 +120,18 @@ test_that("a cable that parts lets the weight sink freely", {
   expect_equal(found$bar_tension[12, 7], 0)
 
   # 5 kN of breaking load and 0.8 kN of pull: a heave of 20 m in 2 s does it
-  snatched <- tow(short_cable(), until = 5, every = 1, breaking = list(list(rope = "cable")),
-    heave = data.frame(time = c(0, 1, 2), value = c(0, 0, 20)))
+  snatched <- tow(short_cable(), until = 5, every = 1,
+    schedule = tow_schedule(breaking = list(list(rope = "cable")),
+      heave = data.frame(time = c(0, 1, 2), value = c(0, 0, 20))))
   expect_gt(max(snatched$broken), 0)
-  whole <- tow(short_cable(), until = 5, breaking = list(list(rope = "cable")))
+  whole <- tow(short_cable(), until = 5,
+    schedule = tow_schedule(breaking = list(list(rope = "cable"))))
   expect_identical(max(whole$broken), 0)
 })
 
 test_that("the catch weighs and drags by its share", {
   found <- tow(short_cable(), until = 300, every = 300,
-    catch = data.frame(time = c(0, 100), value = c(1, 0.5)))
+    schedule = tow_schedule(catch = data.frame(time = c(0, 100), value = c(1, 0.5))))
   expected <- settle(update(short_cable(), pieces.weight.mass = 50, pieces.weight.volume = 0.01,
     pieces.weight.drag_area = 0.025))
   expect_equal(measures(state_at(found, 300))[["tension_kN"]], measures(expected)[["tension_kN"]],
@@ -131,8 +140,8 @@ test_that("the catch weighs and drags by its share", {
 
 test_that("at the time of a jump a state is that after it, as the motion goes on", {
   jump <- function(...) data.frame(time = c(0, 10, 10), value = c(...))
-  found <- tow(short_cable(), until = 20, every = 10, catch = jump(1, 1, 0.5),
-    heave = jump(0, 0, 0.2))
+  found <- tow(short_cable(), until = 20, every = 10,
+    schedule = tow_schedule(catch = jump(1, 1, 0.5), heave = jump(0, 0, 0.2)))
   state <- state_at(found, 10)
   # the engine's own: where it put the towing point, and what its motion weighs
   expect_equal(found$conditions$heave[2], found$position[3, 1, 2], tolerance = 1e-12)
@@ -157,7 +166,7 @@ test_that("water that is turned at once pushes nothing by its acceleration", {
       drag_coefficient = 1e-6))
   ))
   moved <- function(...) {
-    found <- tow(ball, until = 4, every = 2, current = list(...))
+    found <- tow(ball, until = 4, every = 2, schedule = tow_schedule(current = list(...)))
     end <- found$position[, nodes_at(found, "end"), ]
     max(abs(end[, 3] - end[, 1]))
   }
@@ -193,14 +202,16 @@ test_that("a curve is the same number on both sides of the engine's jumps", {
 
 test_that("a current by time carries the gear, seen from the ground and from the vessel", {
   found <- tow(short_cable(), until = 400, every = 400,
-    current = list(speed = data.frame(time = c(0, 50), value = c(0, 0.7)), toward = "90 deg"))
+    schedule = tow_schedule(
+      current = list(speed = data.frame(time = c(0, 50), value = c(0, 0.7)), toward = "90 deg")))
   plan <- short_cable_plan
   plan$water <- list(current = list(speed = 0.7, toward = pi / 2))
   expect_equal(state_at(found, 400)$position, settle(as_gear(plan))$position, tolerance = 1e-5)
 })
 
 test_that("towing points follow the heave", {
-  found <- tow(short_cable(), until = 10, every = 1, heave = function(t) 0.5 * sin(t))
+  found <- tow(short_cable(), until = 10, every = 1,
+    schedule = tow_schedule(heave = function(t) 0.5 * sin(t)))
   ship <- nodes_at(found, "ship")
   # cubics through values 0.1 s apart, with rates by central differences: h^2/6 of the rate
   expect_equal(found$position[3, ship, ], 0.5 * sin(found$time), tolerance = 1e-4)
@@ -233,7 +244,7 @@ test_that("the shipped trawl is shot from the surface as its plan says", {
 test_that("few attempts at steps of a trawl that turns are rejected", {
   trawl <- settle("midwater_trawl", nodes = 400)
   found <- tow(trawl, until = 180, every = 20,
-    course = data.frame(time = c(0, 480), value = c("0 deg", "90 deg")))
+    schedule = tow_schedule(course = data.frame(time = c(0, 480), value = c("0 deg", "90 deg"))))
   report <- found$report
   rejected <- report$repeated + report$not_found + report$unbalanced
   # 12 % of attempts is what is asked of the whole of its plan's tow
@@ -268,14 +279,15 @@ test_that("a state goes on in its plan's schedule where that begins with it", {
   expect_equal(found$conditions$speed, c(2, 2.25, 2.5))
   expect_identical(found$position, whole$position)
   # what is given goes before the plan
-  expect_equal(tow(settle(gear), speed = 2)$conditions$speed, c(2, 2, 2))
+  expect_equal(tow(settle(gear), schedule = tow_schedule(speed = 2))$conditions$speed, c(2, 2, 2))
 })
 
 test_that("warps are paid out by ropes that there are, and no further than they began", {
   gear <- short_cable()
-  expect_wrong(tow(gear, until = 1, warp_out = 0.5), "`warp_out` falls below")
-  expect_wrong(tow(gear, until = 1, warp_out = list(port = 60)), "warps are cable")
-  expect_wrong(tow(settle(gear), until = 1, warp_out = 50))
+  expect_wrong(tow(gear, tow_schedule(warp_out = 0.5), 1), "`warp_out` falls below")
+  expect_wrong(tow(gear, tow_schedule(warp_out = list(port = 60)), 1),
+    "warps are cable")
+  expect_wrong(tow(settle(gear), until = 1, schedule = tow_schedule(warp_out = 50)))
 })
 
 test_that("a plan's tow is checked with the plan", {
@@ -322,9 +334,9 @@ test_that("tables, prints and summaries of a trajectory", {
 
 test_that("a jump at time 0 is a jump like any other", {
   at_once <- tow(short_cable(), until = 10, every = 10,
-    speed = data.frame(time = c(0, 0), value = c(2, 3)))
+    schedule = tow_schedule(speed = data.frame(time = c(0, 0), value = c(2, 3))))
   later <- tow(short_cable(), until = 12, every = 6,
-    speed = data.frame(time = c(0, 2, 2), value = c(2, 2, 3)))
+    schedule = tow_schedule(speed = data.frame(time = c(0, 2, 2), value = c(2, 2, 3))))
   expect_equal(state_at(at_once, 0)$position, settle(short_cable())$position, tolerance = 1e-6)
   # the same motion, in other steps of 0.01 m of error each
   shifted <- state_at(later, 12)$position - state_at(at_once, 10)$position
@@ -332,6 +344,6 @@ test_that("a jump at time 0 is a jump like any other", {
   # and not that of a cable which settled at the new speed
   settled <- settle(update(short_cable(), towing.speed = 3))
   moved <- tow(short_cable(), until = 1, every = 1,
-    speed = data.frame(time = c(0, 0), value = c(2, 3)))
+    schedule = tow_schedule(speed = data.frame(time = c(0, 0), value = c(2, 3))))
   expect_gt(max(abs(state_at(moved, 1)$position - settled$position)), 1)
 })

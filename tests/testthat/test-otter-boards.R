@@ -137,7 +137,8 @@ test_that("a board swings with the period of boards at sea, and rests within som
   # Over a quarter of a second the speed rises by 7 %. Of the swing nothing is left after 7 s: what
   # remains goes one way.
   towed <- tow(state, until = 20, every = 0.5,
-    speed = data.frame(time = c(0, 0.25, 20), value = c(1.5433, 1.65, 1.65)))
+    schedule = tow_schedule(
+      speed = data.frame(time = c(0, 0.25, 20), value = c(1.5433, 1.65, 1.65))))
   shown <- as.data.frame(towed)
   attack <- shown$value[shown$measure == "attack_deg" & shown$time_s >= 7]
   expect_lt(diff(range(attack)), 0.1)
@@ -156,7 +157,8 @@ test_that("a board whose swings grow is told of, and so it does", {
   expect_true(any(findings(state)$check == "flutter"))
   # Pushed by a thousandth of its speed it leaves where it stands.
   towed <- tow(state, until = 15, every = 0.5,
-    speed = data.frame(time = c(0, 0.25, 15), value = c(1.5433, 1.5448, 1.5448)))
+    schedule = tow_schedule(
+      speed = data.frame(time = c(0, 0.25, 15), value = c(1.5433, 1.5448, 1.5448))))
   shown <- as.data.frame(towed)
   attack <- shown$value[shown$measure == "attack_deg"]
   expect_gt(diff(range(attack[shown$time_s[shown$measure == "attack_deg"] > 10])), 1)
@@ -285,7 +287,7 @@ test_that("a board on the sea bed stays where friction holds it", {
       water = list(current = list(speed = "0.15 m/s", toward = "90 deg")),
       seabed = list(depth = "40 m", friction = 0.6, sticking = sticking), ...
     ), until = 160, every = 20, nodes = 60,
-    speed = data.frame(time = c(0, 20, 30), value = c(0.514, 0.514, 0)))
+    schedule = tow_schedule(speed = data.frame(time = c(0, 20, 30), value = c(0.514, 0.514, 0))))
     found$position[, nodes_at(found, "board"), ]
   }
   moves <- function(place) max(abs(place[, 9] - place[, 6]))

@@ -41,7 +41,8 @@ test_that("a units object of another dimension is refused as a text is", {
   expect_refused(update(cable, pieces.sphere.number = in_units(2, "m")), "must be a whole number")
   expect_refused(vary(cable, towing.speed = in_units(3:4, "kg")), "Design 1: .* is 3 kg")
   expect_wrong(tow(cable, until = in_units(1, "m")), "`until` is 1 m; it must be a time")
-  expect_wrong(tow(cable, until = 2, speed = data.frame(time = 0, value = in_units(1, "kg"))),
+  expect_wrong(tow(cable, until = 2,
+    schedule = tow_schedule(speed = data.frame(time = 0, value = in_units(1, "kg")))),
     "`speed\\$value\\[1\\]` is 1 kg; it must be a speed")
   expect_wrong(value_range(in_units(1, "m"), in_units(2, "kg")), "must be quantities of one kind")
 })
@@ -65,9 +66,11 @@ test_that("values of any other class are refused", {
   expect_wrong(calibrate(cable, data.frame(Tension = 1:3), list(ropes.cable.length = day + 0:1),
     Tension ~ ship_tension_kN), "ropes.cable.length.* of class .*Date")
   expect_wrong(tow(cable, until = span), "until.* of class .*difftime")
-  expect_wrong(tow(cable, until = 2, speed = data.frame(time = span, value = 1)),
+  expect_wrong(tow(cable, until = 2,
+    schedule = tow_schedule(speed = data.frame(time = span, value = 1))),
     "speed\\$time.* of class .*difftime")
-  expect_wrong(tow(cable, until = 2, speed = function(time) day), "speed.* of class .*Date")
+  expect_wrong(tow(cable, until = 2,
+    schedule = tow_schedule(speed = function(time) day)), "speed.* of class .*Date")
   # classes that only decorate a text
   plain <- update(cable, towing.speed = "4 knot")
   expect_identical(update(cable, towing.speed = noquote("4 knot")), plain)
@@ -148,15 +151,16 @@ test_that("limits of optimise_gear() may be units objects", {
 test_that("tow() reads units objects in all its quantities", {
   skip_if_not_installed("units")
   told <- tow("towed_cable", until = 20, every = 10, nodes = 20, accuracy = 0.02,
-    speed = data.frame(time = c(0, 10), value = c("4 knot", "5 knot")),
+    schedule = tow_schedule(speed = data.frame(time = c(0, 10), value = c("4 knot", "5 knot")),
     course = function(time) 0.01 * time, heave = function(time) 0.1 * sin(time / 2),
-    current = list(speed = 0.2, toward = 0.1))
+    current = list(speed = 0.2, toward = 0.1)))
   found <- tow("towed_cable", until = in_units(1 / 3, "min"), every = in_units(10, "s"), nodes = 20,
     accuracy = in_units(2, "cm"),
-    speed = data.frame(time = in_units(c(0, 1 / 6), "min"), value = in_units(c(4, 5), "knot")),
+    schedule = tow_schedule(
+      speed = data.frame(time = in_units(c(0, 1 / 6), "min"), value = in_units(c(4, 5), "knot")),
     course = function(time) in_units(in_units(0.01 * time, "rad"), "degree"),
     heave = function(time) in_units(10 * sin(time / 2), "cm"),
-    current = list(speed = in_units(0.72, "km/h"), toward = in_units(0.1, "rad")))
+    current = list(speed = in_units(0.72, "km/h"), toward = in_units(0.1, "rad"))))
   expect_equal(found$time, told$time)
   expect_equal(found$position, told$position, tolerance = 1e-6)
   state <- state_at(found, in_units(1 / 6, "min"))

@@ -89,7 +89,7 @@ test_that("it asks nothing of the network and is the same each time", {
 
 test_that("a tow's report has its measures against time", {
   trajectory <- tow("towed_cable", until = 20, every = 5,
-    speed = data.frame(time = c(0, 10), value = c("4 knot", "5 knot")))
+    schedule = tow_schedule(speed = data.frame(time = c(0, 10), value = c("4 knot", "5 knot"))))
   body <- report_body(report_text(trajectory))
   said <- report_rows(body, "start and the end")
   of <- summary(trajectory)

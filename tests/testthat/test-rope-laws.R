@@ -35,7 +35,7 @@ test_that("energy is kept by a rope with a table", {
     weight = piece(at = "end", mass = "300 kg", volume = "0 l"), water = list(density = 0)
   )
   found <- tow(bouncing, until = 4, every = 0.05, accuracy = 1e-4,
-    heave = function(t) 0.15 * sin(pi * min(t, 2))^2)
+    schedule = tow_schedule(heave = function(t) 0.15 * sin(pi * min(t, 2))^2))
   tension <- apply(found$bar_tension, 2L, max)
   expect_lt(min(tension), 1000)
   expect_gt(max(tension), 6000)

@@ -4,8 +4,8 @@ turning_trawl <- local({
   function() {
     if (is.null(found)) {
       found <<- tow("midwater_trawl", until = 25, every = 10, nodes = 300,
-        speed = "4.5 knot", warp_out = "700 m",
-        course = data.frame(time = c(0, 25), value = c("0 deg", "30 deg")))
+        schedule = tow_schedule(speed = "4.5 knot", warp_out = "700 m",
+        course = data.frame(time = c(0, 25), value = c("0 deg", "30 deg"))))
     }
     found
   }

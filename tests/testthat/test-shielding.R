@@ -97,7 +97,8 @@ test_that("a shielded state stays as it is while it is towed", {
 test_that("the wake follows a current that changes, to the gear that settles in it", {
   gear <- update(sheets("loland"), water.current.toward = "15 deg")
   turning <- list(speed = 0.5, toward = data.frame(time = c(0, 20), value = c("0 deg", "15 deg")))
-  found <- tow(sheets("loland"), until = 200, every = 20, nodes = 200, current = turning)
+  found <- tow(sheets("loland"), until = 200, every = 20, nodes = 200,
+    schedule = tow_schedule(current = turning))
   expected <- settle(gear, nodes = 200)
   # the second sheet comes out of the shadow of the first, 4 m and 15 deg, by half
   expect_gt(mean(found$wake[, 11]), mean(found$wake[, 1]) + 0.005)
@@ -106,7 +107,8 @@ test_that("the wake follows a current that changes, to the gear that settles in 
 
   file <- file.path(test_folder(), "tow.nc")
   skip_if_not_installed("RNetCDF")
-  half <- tow(sheets("loland"), until = 100, every = 20, nodes = 200, current = turning)
+  half <- tow(sheets("loland"), until = 100, every = 20, nodes = 200,
+    schedule = tow_schedule(current = turning))
   write_trajectory(half, file)
   on <- tow(read_trajectory(file), until = 200)
   for (field in c("time", "position", "wake", "memory")) {

@@ -65,7 +65,8 @@ test_that("a motion that loses energy however short its steps stops, with what w
   )
   # faster down than it falls, for 0.3 s
   error <- expect_error(
-    tow(falling, until = 3, every = 0.1, heave = function(t) -10 * min(t, 0.3)^2),
+    tow(falling, until = 3, every = 0.1,
+      schedule = tow_schedule(heave = function(t) -10 * min(t, 0.3)^2)),
     class = "codend_error_energy"
   )
   expect_s3_class(error, "codend_error_not_converged")

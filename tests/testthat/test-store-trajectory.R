@@ -20,9 +20,9 @@ hauled_plan$points$end <- list(load = c(200, 0, 0))
 
 hauled <- function(...) {
   tow(as_gear(hauled_plan), every = 5,
-    speed = data.frame(time = c(0, 20), value = c(2, 3)),
+    schedule = tow_schedule(speed = data.frame(time = c(0, 20), value = c(2, 3)),
     winch = list(speed_limit = 0.5, tension_limit = 1000),
-    breaking = list(list(rope = "tail", time = 12)), ...)
+    breaking = list(list(rope = "tail", time = 12))), ...)
 }
 
 known <- function(trajectory) unclass(without_places(trajectory))
@@ -129,7 +129,8 @@ steered <- function(plan, file) {
     if (time > 17 && nzchar(signal)) tools::pskill(Sys.getpid(), as.integer(signal))
     0.1
   }
-  codend::tow(plan, until = 30, every = 5, control = control, control_every = 6, file = file)
+  codend::tow(plan, until = 30, every = 5,
+    schedule = codend::tow_schedule(control = control, control_every = 6), file = file)
 }
 environment(steered) <- globalenv()
 
@@ -164,7 +165,7 @@ test_that("a run that is interrupted gives what was done, and a tow goes on from
   whole <- steered(plan, NULL)
   expect_wrong(tow(found, until = 30), "`control` was a function.*give it again")
   control <- function(measures, time) 0.1
-  on <- tow(found, until = 30, control = control, file = file)
+  on <- tow(found, until = 30, schedule = tow_schedule(control = control), file = file)
   same <- setdiff(names(whole), c("report", "given"))
   expect_identical(known(on)[same], known(whole)[same])
   expect_identical(known(read_trajectory(file))[same], known(whole)[same])
@@ -181,7 +182,7 @@ test_that("a run that is killed leaves what it had kept, and a tow goes on from 
   expect_identical(found$end, "interrupted")
   expect_identical(found$time, c(0, 5, 10, 15))
   whole <- steered(plan, NULL)
-  on <- tow(found, until = 30, control = function(measures, time) 0.1)
+  on <- tow(found, until = 30, schedule = tow_schedule(control = function(measures, time) 0.1))
   expect_identical(on$position, whole$position)
 
   # a record that was being written: its numbers are there, and its mark is not

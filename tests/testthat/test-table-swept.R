@@ -8,7 +8,7 @@ test_that("two ropes side by side sweep the distance times their spread while th
     line_port = line("port", "end_port"), line_starboard = line("starboard", "end_starboard"),
     wing_end_spread = measure(spread = c("end_port", "end_starboard")))
   faster <- data.frame(time = c(0, 60), value = c("2 knot", "4 knot"))
-  pair <- tow(pair, until = 60, every = 20, speed = faster)
+  pair <- tow(pair, until = 60, every = 20, schedule = tow_schedule(speed = faster))
   found <- as.data.frame(pair, what = "swept")
   # the rate is linear in time, which the trapezoid rule takes exactly; the ends trail behind the
   # points that tow them, 10 m apart

@@ -11,8 +11,8 @@ test_that("a state is tidy: its measures, and one row of the whole", {
 
 test_that("a trajectory and slopes are tidy", {
   state <- settled("towed_cable", nodes = 300)
-  trajectory <- tow(state, until = 4, every = 2, speed = data.frame(time = c(0, 2),
-    value = c("4 knot", "4.5 knot")))
+  trajectory <- tow(state, until = 4, every = 2,
+    schedule = tow_schedule(speed = data.frame(time = c(0, 2), value = c("4 knot", "4.5 knot"))))
   table <- tidy.codend_trajectory(trajectory)
   now <- table[table$time == 4, ]
   expect_identical(now$estimate, as.double(measures(state_at(trajectory, 4))))

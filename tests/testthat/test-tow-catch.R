@@ -24,14 +24,14 @@ test_that("a gear with a catch in netting stays settled while it is towed", {
 test_that("a catch that grows by volume ends as the gear that settles with it from half of it", {
   growing <- data.frame(time = c(0, 20), value = c(1, 2))
   gear <- full_codend(list(volume = 0.15))
-  found <- tow(gear, nodes = 150, until = 120, every = 20, catch = growing)
+  found <- tow(gear, nodes = 150, until = 120, every = 20, schedule = tow_schedule(catch = growing))
   # at once it may settle in another balance of the bag
   twice <- settle(full_codend(list(volume = 0.3)), nodes = 150, from = settle(gear, nodes = 150))
   # fronts to 1e-6 of the volume, in a shape that has come to rest
   expect_equal(measures(state_at(found, 120)), measures(twice), tolerance = 1e-5)
   expect_equal(found$catch_front[2, c(1, 2)], c(0.15, 0.3), tolerance = 1e-6)
   # half way, and on from there
-  half <- tow(gear, nodes = 150, until = 60, every = 20, catch = growing)
+  half <- tow(gear, nodes = 150, until = 60, every = 20, schedule = tow_schedule(catch = growing))
   on <- tow(half, until = 120)
   expect_equal(on$position, found$position, tolerance = 1e-12)
   skip_if_not_installed("RNetCDF")
@@ -42,7 +42,7 @@ test_that("a catch that grows by volume ends as the gear that settles with it fr
 
 test_that("a catch that grows by meshes has its front where the schedule says", {
   found <- tow(full_codend(list(blocked_meshes = 8)), nodes = 150, until = 20, every = 10,
-    catch = data.frame(time = c(0, 20), value = c(1, 1.25)))
+    schedule = tow_schedule(catch = data.frame(time = c(0, 20), value = c(1, 1.25))))
   expect_equal(found$catch_front[1, ], c(8, 9, 10))
   expect_true(all(diff(found$catch_front[2, ]) > 0))
 })
@@ -56,16 +56,18 @@ test_that("a catch has the mass of the water that it displaces", {
 
 test_that("catches that cannot be are named", {
   gear <- full_codend(list(volume = 0.2))
-  expect_wrong(tow(gear, nodes = 150, until = 4, catch = -1), "`catch`")
-  expect_wrong(tow(settle(gear, nodes = 150), until = 4, catch = 2), "`gear`")
+  expect_wrong(tow(gear, nodes = 150, until = 4, schedule = tow_schedule(catch = -1)), "`catch`")
+  expect_wrong(tow(settle(gear, nodes = 150), until = 4,
+    schedule = tow_schedule(catch = 2)), "`gear`")
   full <- data.frame(time = c(0, 1), value = c(1, 1000))
-  expect_refused(tow(settle(gear, nodes = 150), until = 4, catch = full), "when full")
+  expect_refused(tow(settle(gear, nodes = 150), until = 4,
+    schedule = tow_schedule(catch = full)), "when full")
 })
 
 test_that("a tow with a growing catch starts from a plan, and goes on to the same bytes", {
   go <- function(until) {
     tow("t90_codend", nodes = 300, until = until, every = 10,
-      catch = data.frame(time = c(0, 40), value = c(0.5, 1)))
+      schedule = tow_schedule(catch = data.frame(time = c(0, 40), value = c(0.5, 1))))
   }
   whole <- go(40)
   half <- tow(go(20), until = 40)

@@ -17,7 +17,7 @@ variations <- function() {
 # A tow whose speed is known: faster after 10 s.
 faster_cable <- function() {
   tow("towed_cable", until = 30, every = 5,
-    speed = data.frame(time = c(0, 10, 20), value = c(1, 1, 2)))
+    schedule = tow_schedule(speed = data.frame(time = c(0, 10, 20), value = c(1, 1, 2))))
 }
 
 test_that("variations have a line for each combination of the other fields", {

@@ -53,10 +53,12 @@ test_that("waves that would break, and a swing that nothing answers to, are refu
   # 0.142 of 1.56 T^2
   expect_match(conditionMessage(error), "at most 3.55 m")
   expect_wrong(
-    tow("towed_cable", until = 2, vessel_motion = list(response = data.frame(period = 6))),
+    tow("towed_cable", until = 2,
+      schedule = tow_schedule(vessel_motion = list(response = data.frame(period = 6)))),
     "water has none"
   )
-  expect_wrong(tow("towed_cable", until = 2, vessel_motion = list(record = data.frame(time = 1:3))),
+  expect_wrong(tow("towed_cable", until = 2,
+    schedule = tow_schedule(vessel_motion = list(record = data.frame(time = 1:3)))),
     "begin at time 0")
 })
 
@@ -95,7 +97,7 @@ swinging <- function() {
 test_that("a vessel's response moves its towing points with the water", {
   answers <- data.frame(period = c(5, 9), heave = 1, pitch = c(0.02, 0.04), pitch_lag = pi / 2)
   found <- tow(swinging(), until = 20, every = 0.5,
-    vessel_motion = list(response = answers, at = c(1, 0, 0)))
+    schedule = tow_schedule(vessel_motion = list(response = answers, at = c(1, 0, 0))))
   late <- found$time > 6
   block <- found$position[, found$lattice$points[["block"]], late]
   elevation <- found$conditions$elevation[late]
@@ -110,7 +112,8 @@ test_that("a vessel's response moves its towing points with the water", {
 test_that("a record moves the towing points, rising from nothing", {
   time <- seq(0, 40, by = 0.05)
   record <- data.frame(time = time, sway = 0.5 * sin(time), yaw = 0.1)
-  found <- tow(swinging(), until = 16, every = 4, vessel_motion = list(record = record, rising = 8))
+  found <- tow(swinging(), until = 16, every = 4,
+    schedule = tow_schedule(vessel_motion = list(record = record, rising = 8)))
   block <- found$position[, found$lattice$points[["block"]], ]
   expect_equal(block[, 1], c(6, 2, 3), tolerance = 1e-12)
   # bow to starboard: what is aft goes to port
@@ -122,8 +125,8 @@ test_that("a record moves the towing points, rising from nothing", {
 test_that("a tow in waves that goes on gives the same bytes", {
   answers <- data.frame(period = 7, heave = 0.8, roll = 0.05, roll_lag = 1)
   motion <- list(response = answers)
-  whole <- tow(swinging(), until = 12, every = 3, vessel_motion = motion)
-  half <- tow(swinging(), until = 6, every = 3, vessel_motion = motion)
+  whole <- tow(swinging(), until = 12, every = 3, schedule = tow_schedule(vessel_motion = motion))
+  half <- tow(swinging(), until = 6, every = 3, schedule = tow_schedule(vessel_motion = motion))
   on <- tow(half, until = 12)
   expect_identical(on$position, whole$position)
   expect_identical(on$velocity, whole$velocity)
