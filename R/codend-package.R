@@ -13,7 +13,7 @@
 #' | change it | [update()][update.codend_gear], [vary()], [sensitivities()], [optimise_gear()] |
 #' | set it next to hauls | [read_sensor_log()], [calibrate()], [explain_misfit()] |
 #' | move it | [tow()] |
-#' | hand it on | [write_gear()], [write_state()], [write_vtk()], [write_gltf()] |
+#' | hand it on | [write_gear()], [write_result()] |
 #'
 #' [glossary] has the words. Guides: `browseVignettes("codend")`; to begin with
 #' `vignette("from-drawing-to-plan", "codend")` and `vignette("measures", "codend")`.

@@ -1,48 +1,12 @@
-#' Write a gear's shape for the web and for CAD
-#'
-#' Writes a state, or a tow as an animation, as a scene in glTF 2.0, the format that web viewers,
-#' Blender, Windows and most CAD programs open: ropes and twines as lines, netting of cells also as
-#' see-through sheets, free otter boards as plates and other pieces as balls.
-#'
-#' @details
-#' The scene has a node for every rope, panel and piece, named as in the plan; its extras hold
-#' `kind` and `role`, and of ropes and netting `largest_tension_N` of one line or twine. The scene's
-#' extras hold the measures.
-#'
-#' Lengths are metres in codend's axes: x aft, y to starboard, z up. glTF has y up, so the node
-#' above all others, named after the gear, turns them by a quarter about x: in the scene x is aft, y
-#' up and z to port.
-#'
-#' Colours are those of [view_3d()]: ropes and netting by tension, each on a scale of its own, pink
-#' where slack or pushing; or one colour for every part, in turns. Netting of cells is drawn as
-#' the two twine directions through its cells, which are larger than the meshes. A piece is a ball
-#' of its height, spread pieces stand for what is between them.
-#'
-#' A tow plays in its own time, seen from the vessel: the places at up to 60 kept times are morph
-#' targets of every mesh, and between them they go in straight lines. Colours are those of the first
-#' time; measures are those of the last.
-#'
-#' @param x A state, from [settle()] or [state_at()], or a trajectory, from [tow()].
-#' @param file Path to write: `.glb` (one binary file) or `.gltf` (text with the same numbers in
-#'   it, a third larger). Written whole or not at all.
-#' @param colours `"tension"` or `"part"`.
-#' @return `file`, invisibly. A path that cannot be written is an error of class
-#'   `codend_error_file`.
-#' @seealso [write_vtk()] for all numbers, [view_3d()] for a page of its own.
-#' @export
-#' @examples
-#' file <- tempfile(fileext = ".glb")
-#' write_gltf(settle("towed_cable"), file)
+# Writes a state or a trajectory as a scene in glTF 2.0, `.glb` or `.gltf`. colours: "tension" or
+# "part". Returns `file`, invisibly.
 write_gltf <- function(x, file, colours = c("tension", "part")) {
-  check_given("x", "file")
-  check_exported(x, c("state", "trajectory"))
   colours <- chosen(colours, c("tension", "part"))
-  extension <- check_file_path(file, c(".glb", ".gltf"))
   write_file(file, function(path) {
     buffer <- gltf_buffer(dirname(file))
     on.exit(buffer$remove())
     scene <- with_plain_numbers(gltf_scene(gltf_moments(x), colours, buffer))
-    write <- if (extension == ".glb") write_glb else write_gltf_text
+    write <- if (grepl("[.]glb$", file, ignore.case = TRUE)) write_glb else write_gltf_text
     with_plain_numbers(write(path, scene, buffer))
   })
 }

@@ -1,33 +1,5 @@
-#' Write a gear's ropes as a MoorDyn file
-#'
-#' Writes the ropes of a state, the points where they end and the pieces on these as an input file
-#' of MoorDyn 2, a program for mooring lines. [read_moordyn()] reads such files.
-#'
-#' MoorDyn has lines and bodies, but no netting. Ropes that are laced to netting are left out, and a
-#' point on which something acts that MoorDyn does not have (netting, a pole, lift, a board or kite,
-#' a load) is `Fixed` where it is in the state. So tensions of the ropes agree. Other points are
-#' `Free`, with the mass, the volume and the drag area of their pieces. A towed gear is written in a
-#' current of the towing speed: where water flows past the gear, `current_profile.txt` is written to
-#' the same folder, the name that MoorDyn looks for; one of other water that is there already is an
-#' error. Drag coefficients are those across and along a
-#' rope of its own law; the damping of a line, which codend mostly has as 0, is at least critical,
-#' `-1`, without which MoorDyn finds no start.
-#'
-#' @param state A state, from [settle()] or [state_at()].
-#' @param file Path to write, ending in `.txt`. Written whole or not at all.
-#' @return `file`, invisibly. A gear without such ropes, with ropes through rings or on a bed that
-#'   slopes is an error of class `codend_error_argument`; a path that cannot be written is one of
-#'   class `codend_error_file`.
-#' @seealso `vignette("pictures", "codend")` for other formats.
-#' @export
-#' @examples
-#' file <- file.path(tempdir(), "lines.txt")
-#' write_moordyn(settle("towed_cable"), file)
-#' measures(settle(read_moordyn(file)))
+# Writes the ropes of a state as a file of MoorDyn 2. Returns `file`, invisibly.
 write_moordyn <- function(state, file) {
-  check_given("state", "file")
-  check_is_state(state)
-  check_file_path(file, ".txt")
   deck <- moordyn_deck(state)
   water <- state$lattice$engine$water
   if (any(c(water$x, water$y) != 0)) write_moordyn_currents(water, file)

@@ -1,57 +1,9 @@
-#' Write a gear's state for ParaView and other readers of VTK
-#'
-#' Writes a state as one unstructured grid in VTK's XML format (`.vtu`), or a trajectory as a series
-#' of them that plays in time (`.pvd`). ParaView, VisIt and the VTK libraries read both.
-#'
-#' @details
-#' Cells are lines (bars of ropes and of netting), quadrilaterals and triangles (of netting that is
-#' divided into cells), vertices (where pieces sit) and quadrilaterals again (free otter boards, in
-#' their true size and attitude). Numbers are in double precision, low byte first, as codend has
-#' them.
-#'
-#' Every cell has
-#'
-#' - `part`, the rope, panel, piece or board of the plan that it belongs to, as a number from 1; and
-#'   `kind`: 1 rope, 2 netting, 3 piece;
-#' - `tension_N` of one line or twine, in cells of netting the larger of the two families of twine,
-#'   which are `u_tension_N` and `v_tension_N` (in hexagonal meshes also `straight_tension_N`), NaN
-#'   in other cells; negative in poles and struts that push;
-#' - `lines`, how many run in parallel, and `slack`, the share of its families without tension;
-#' - `drag_N`, the hydrodynamic force on it as a vector, without that on knots; where there is a
-#'   catch in netting, `catch_force_N`.
-#'
-#' Every point has `depth_m`; `force_N`, the net force on its node, which on a held node is the
-#' opposite of its support's; `held`; with knots `knot_drag_N`; in motion `velocity_m_per_s`. Points
-#' that hang between two nodes, and the corners of boards, have no forces of their own. The first
-#' points are the nodes, in their order in `as.data.frame(state, what = "nodes")`.
-#'
-#' The grid's field data hold the measures under their names, the names of all parts as `part_names`
-#' and the text of the `plan`: both as bytes of UTF-8, with a line per part, as not every reader
-#' knows arrays of text.
-#'
-#' Axes are codend's: x aft, y to starboard, z up from the water surface. A trajectory is over the
-#' ground, so the gear moves forward, against x, from file to file.
-#'
-#' @param x A state, from [settle()] or [state_at()], or a trajectory, from [tow()].
-#' @param file Path to write: of a state ending in `.vtu`; of a trajectory in `.pvd`, whose grids
-#'   lie next to it in a folder of the same name (`tow/0001.vtu` for `tow.pvd`). Files are written
-#'   whole or not at all, and older ones of the same names replaced; a folder that holds anything
-#'   else is left alone.
-#' @return `file`, invisibly. A path that cannot be written is an error of class
-#'   `codend_error_file`.
-#' @seealso [write_gltf()] for the web and CAD, [write_trajectory()] for NetCDF.
-#' @export
-#' @examples
-#' file <- tempfile(fileext = ".vtu")
-#' write_vtk(settle("towed_cable"), file)
+# Writes a state as one unstructured grid in VTK's XML format (`.vtu`), or a trajectory as a series
+# of them (`.pvd`) whose grids lie in a folder of the same name. Returns `file`, invisibly.
 write_vtk <- function(x, file) {
-  check_given("x", "file")
-  check_exported(x, c("state", "trajectory"))
   if (inherits(x, "codend_state")) {
-    check_file_path(file, ".vtu")
     return(write_file(file, function(path) write_state_vtu(x, path)))
   }
-  check_file_path(file, ".pvd")
   folder <- sub("[.][^.]*$", "", file)
   check_series_folder(folder, file)
   names <- sprintf("%04d.vtu", seq_along(x$time))

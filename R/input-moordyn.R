@@ -1,7 +1,7 @@
 #' Read a MoorDyn file as a gear
 #'
 #' Reads the lines, points and water of an input file of MoorDyn 2, a program for mooring lines,
-#' into a gear. [write_moordyn()] writes such files.
+#' into a gear. [write_result()] writes such files.
 #'
 #' Points are named `point_1`, lines `line_1` and so on. Points that are `Fixed`, or move with a
 #' vessel (`Vessel`, `Coupled`), are held where the file has them; free ones begin there and have a
@@ -16,7 +16,7 @@
 #' @export
 #' @examples
 #' file <- file.path(tempdir(), "lines.txt")
-#' write_moordyn(settle("towed_cable"), file)
+#' write_result(settle("towed_cable"), file)
 #' read_moordyn(file)
 read_moordyn <- function(file) {
   check_given("file")

@@ -94,8 +94,8 @@
 #'   is nine tenths of the longest that is surely stable.
 #' @param nodes,netting As in [settle()], where `gear` is not yet a state.
 #' @param file `NULL`, or a file ending in `.nc` that is written while the tow runs: every kept
-#'   state is in it as soon as it is reached, so [read_trajectory()] gives what a broken run had
-#'   done. See [write_trajectory()].
+#'   state is in it as soon as it is reached, so [read_result()] gives what a broken run had
+#'   done. See [write_result()].
 #' @return A trajectory of class `codend_trajectory`; see [as.data.frame.codend_trajectory()] for
 #'   what it holds. Interrupted by the user it holds what was done, and `end` says so. A motion that
 #'   comes to a stop, because no step down to 1e-7 s is found, is an error of class

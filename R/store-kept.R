@@ -9,10 +9,14 @@ write_kept <- function(file, fill) {
   })
 }
 
-# An open NetCDF file of a `what` ("state" or "trajectory") as this version of codend keeps it, with
-# the number of its records as an attribute. unsealed: whether one that was not sealed is taken, as
-# a run that was killed leaves it; where the machine stopped too, its last records may be missing.
-open_kept <- function(file, what, known, unsealed = FALSE) {
+# Formats that this codend reads and writes. States up to 1 and trajectories up to 2 held objects of
+# R.
+kept_versions <- c(state = 7L, trajectory = 10L)
+
+# An open NetCDF file as this version of codend keeps it, with the attributes `what` ("state" or
+# "trajectory") and `records`, their number. A trajectory without a seal is one of a run that was
+# killed; where the machine stopped too, its last records may be missing.
+open_kept <- function(file) {
   check_netcdf()
   if (!is_text(file) || !file.exists(file)) abort_file(file, "does not exist.")
   if (is.na(file_size(file))) abort_file(file, "is a folder or no regular file.")
@@ -22,7 +26,7 @@ open_kept <- function(file, what, known, unsealed = FALSE) {
   }
   seal <- seal_of(file)
   if (seal == "broken") abort_damaged(file, "its checksum does not fit")
-  records <- whole_records(file, unsealed && seal == "none", function(why) abort_damaged(file, why))
+  records <- whole_records(file, seal == "none", function(why) abort_damaged(file, why))
   nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
     abort_damaged(file, conditionMessage(e))
   })
@@ -30,20 +34,26 @@ open_kept <- function(file, what, known, unsealed = FALSE) {
     RNetCDF::close.nc(nc)
     abort_file(file, ...)
   }
-  version <- tryCatch(
-    RNetCDF::att.get.nc(nc, "NC_GLOBAL", paste0("codend_", what)),
-    error = function(e) refuse("holds no {wanted} of codend.", wanted = what)
-  )
+  version_of <- function(what) {
+    name <- paste0("codend_", what)
+    tryCatch(RNetCDF::att.get.nc(nc, "NC_GLOBAL", name), error = function(e) NULL)
+  }
+  versions <- Filter(Negate(is.null), lapply(setNames(nm = names(kept_versions)), version_of))
+  if (length(versions) != 1L) refuse("holds no state or trajectory of codend.")
+  what <- names(versions)
+  version <- versions[[what]]
+  known <- kept_versions[[what]]
   if (!identical(as.double(version), as.double(known))) {
     refuse(paste("is of format {version}; this codend reads format {known} alone.",
       if (all(version < known)) "Older ones held objects of R, which reading would have run."),
       version = version, known = known)
   }
-  if (seal == "none" && !unsealed) {
+  if (seal == "none" && what == "state") {
     RNetCDF::close.nc(nc)
     abort_damaged(file, "it ends without its checksum")
   }
   attr(nc, "records") <- records
+  attr(nc, "what") <- what
   nc
 }
 
@@ -94,7 +104,7 @@ model_variables <- function(lattice) {
 
 # Defines a new file: its dimensions but for time, those of the variables that have all of theirs,
 # and what every file says. sizes: of more dimensions; what: "state" or "trajectory".
-define_file <- function(nc, variables, sizes, lattice, gear, title, what, version) {
+define_file <- function(nc, variables, sizes, lattice, gear, title, what) {
   length_of <- function(name) length(variables[[name]]$value)
   sizes <- c(
     node = lattice$engine$nodes, part = nrow(lattice$parts), bar_end = 2L, corner = 4L,
@@ -113,7 +123,8 @@ define_file <- function(nc, variables, sizes, lattice, gear, title, what, versio
   put_texts(nc, "z", c(positive = "up"))
   put_texts(nc, "NC_GLOBAL", c(Conventions = "CF-1.10", title = title,
     source = paste("codend", utils::packageVersion("codend")), plan = enc2utf8(format(gear))))
-  RNetCDF::att.put.nc(nc, "NC_GLOBAL", paste0("codend_", what), "NC_INT", version)
+  RNetCDF::att.put.nc(nc, "NC_GLOBAL", paste0("codend_", what), "NC_INT",
+    kept_versions[[what]])
 }
 
 # Attributes of a variable, texts by name.

@@ -1,49 +1,8 @@
 # A state on disk: NetCDF in the classic format, with the names and units of a trajectory's file.
 
-#' States in files
-#'
-#' A state as a NetCDF file with names and units of the CF conventions, which most languages and
-#' tools read. [read_state()] gives the same state back, to the last bit: to look at it later, or to
-#' settle another design from it.
-#'
-#' @details
-#' Dimensions are `node`, `bar`, `cell` and `part`. Per node there are `x`, `y`, `z` (m; x aft,
-#' y to starboard, z up from the water surface), `x_force`, `y_force`, `z_force` (N, the net force:
-#' on a held node the opposite of its support's), `held` and, of a state from a tow, velocities; per
-#' bar `bar_tension` (N, of one line); per cell of netting `u_tension` and `v_tension` (N, of
-#' one twine). `bar_node` and `cell_node` say which nodes they join, counted from 1, `bar_part`
-#' and `cell_part` which of the parts in `part_name` they belong to. Numbers above that of the
-#' last node are points that hang between two nodes. Per part there are `part_drag`, `part_side` and
-#' `part_lift` (kN, hydrodynamic force along the flow, to starboard of it and up). Every measure is
-#' a number of its own, under its name. The attribute `plan` is the gear's plan as text.
-#'
-#' What is named `kept_` serves [read_state()] alone: plain data that the model is put together
-#' from. Reading evaluates nothing. The file ends in a checksum of all bytes before it; one that was
-#' cut short or changed is an error of class `codend_error_file`, and so is one of an older format.
-#'
-#' NetCDF takes the package RNetCDF.
-#'
-#' A name that ends in `.json` gives the same numbers, with the measures, their errors and the plan,
-#' as JSON by the schema `system.file("schema", "state.schema.json", package = "codend")`: for
-#' languages without a reader of NetCDF. `read_state()` reads NetCDF alone.
-#'
-#' @param state A state, from [settle()] or [state_at()].
-#' @param file Path of the file, ending in `.nc` or, for `write_state()`, `.json`. It is written
-#'   whole or not at all.
-#' @return `write_state()` gives `file`, invisibly; `read_state()` a state as [settle()] returns. A
-#'   file that cannot be read or written is an error of class `codend_error_file`; a missing
-#'   RNetCDF one of class `codend_error_package`.
-#' @seealso [write_trajectory()] for tows, [write_vtk()] and [write_gltf()] for other programs.
-#' @export
-#' @examplesIf requireNamespace("RNetCDF", quietly = TRUE)
-#' file <- tempfile(fileext = ".nc")
-#' write_state(settle("towed_cable"), file)
-#' faster <- update(read_gear("towed_cable"), towing.speed = "5 knot")
-#' settle(faster, from = read_state(file))
+# Writes a state as NetCDF (`.nc`) or JSON (`.json`). Returns `file`, invisibly.
 write_state <- function(state, file) {
-  check_given("state", "file")
-  check_is_state(state)
-  if (check_file_path(file, c(".nc", ".json")) == ".json") {
+  if (grepl("[.]json$", file, ignore.case = TRUE)) {
     return(write_file(file, function(path) write_state_json(state, path)))
   }
   check_netcdf()
@@ -53,16 +12,13 @@ write_state <- function(state, file) {
     lattice <- state$lattice
     sizes <- c(bar = length(lattice$bar_part), cell = length(lattice$cell_part))
     define_file(nc, numbers, sizes, lattice, state$gear,
-      paste0(state$gear$plan$name, ", ", state_conditions(state)), "state", state_file_version)
+      paste0(state$gear$plan$name, ", ", state_conditions(state)), "state")
     for (name in names(numbers)) put(nc, name, numbers[[name]]$value)
   })
 }
 
-#' @rdname write_state
-#' @export
-read_state <- function(file) {
-  check_given("file")
-  nc <- open_kept(file, "state", state_file_version)
+# The state of an open file.
+read_state <- function(nc, file) {
   read_kept(nc, file, function(get) {
     what <- read_kept_numbers(get)
     places <- function(names) do.call(rbind, lapply(names, function(name) as.vector(get(name))))
@@ -81,9 +37,6 @@ read_state <- function(file) {
     state
   })
 }
-
-# Format 1 held objects of R.
-state_file_version <- 7L
 
 # The variables of a state's file, by name.
 state_numbers <- function(state) {

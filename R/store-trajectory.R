@@ -5,48 +5,9 @@
 # have reached the file, so a run that dies leaves all records but the one it was writing. What a
 # tow needs to go on is kept for the two last records in turn, so that one is always whole.
 
-#' Trajectories in files
-#'
-#' A trajectory as a NetCDF file with names and units of the CF conventions, which most languages
-#' and tools read. [read_trajectory()] gives the same trajectory back, to the last bit, and [tow()]
-#' goes on with it as if it had never stopped. `tow(file = )` writes the same file while it runs.
-#'
-#' @details
-#' Dimensions are `time`, `node`, `bar`, `cell` and `part`. Per time and node there are `x`,
-#' `y`, `z` (m, over the ground) and `x_velocity`, `y_velocity`, `z_velocity` (m/s); per time and
-#' bar `bar_tension` (N, of one line); per time and cell of netting `u_tension` and `v_tension`
-#' (N, of one twine), and `straight_tension` per cell of hexagonal meshes, which are those that
-#' `hexagonal_cell` numbers; with `shielding`, `wake` per point (the nodes, then the points that
-#' are tied to nodes), the share of the free flow's speed there; per time `vessel_x`, `vessel_y`
-#' (m), `vessel_speed` (m/s), `course` (rad) and every measure of the first time, under its name;
-#' NaN where the gear has none such at a later one. `bar_node` and `cell_node` say which nodes they
-#' join, counted from 1, `bar_part` and `cell_part` which of the parts in `part_name` they
-#' belong to. The attribute `plan` is the gear's plan as text. Read only times at which `complete`
-#' is 1.
-#'
-#' What is named `kept_` and `resume_` serves [tow()] alone: plain data, and reading evaluates
-#' nothing. Functions of the schedule and of its control are not kept: give them again to go on. A
-#' file that was closed ends in a checksum of all bytes before it; one that was cut short or changed
-#' is an error of class `codend_error_file`, and so is one of an older format.
-#'
-#' Both take the package RNetCDF.
-#'
-#' @param trajectory From [tow()].
-#' @param file Path of the file, ending in `.nc`. It is written whole or not at all.
-#' @return `write_trajectory()` gives `file`, invisibly. `read_trajectory()` gives a trajectory as
-#'   [tow()] returns; of a run that did not end, one with all that was kept, whose `end` is
-#'   `"interrupted"`. A file that cannot be read or written is an error of class
-#'   `codend_error_file`; a missing RNetCDF one of class `codend_error_package`.
-#' @examplesIf requireNamespace("RNetCDF", quietly = TRUE)
-#' file <- tempfile(fileext = ".nc")
-#' write_trajectory(tow("towed_cable", until = 20, every = 10), file)
-#' tow(read_trajectory(file), until = 40)
-#' @export
+# Writes a trajectory as NetCDF. Returns `file`, invisibly.
 write_trajectory <- function(trajectory, file) {
-  check_given("trajectory", "file")
-  check_is_trajectory(trajectory)
   check_netcdf()
-  check_file_path(file, ".nc")
   constants <- intersect(trajectory_constants, names(trajectory))
   record <- record_trajectory(
     unclass(trajectory)[constants], trajectory_frames(trajectory), file
@@ -55,11 +16,16 @@ write_trajectory <- function(trajectory, file) {
   invisible(file)
 }
 
-#' @rdname write_trajectory
+#' @rdname write_result
 #' @export
-read_trajectory <- function(file) {
+read_result <- function(file) {
   check_given("file")
-  nc <- open_kept(file, "trajectory", trajectory_file_version, unsealed = TRUE)
+  nc <- open_kept(file)
+  if (attr(nc, "what") == "state") read_state(nc, file) else read_trajectory(nc, file)
+}
+
+# The trajectory of an open file, with all complete records.
+read_trajectory <- function(nc, file) {
   read_kept(nc, file, function(get) {
     what <- read_kept_numbers(get)
     # records from the first that are complete
@@ -74,21 +40,6 @@ read_trajectory <- function(file) {
     gather_trajectory(what, read_frames(get, n), end)
   })
 }
-
-# Whether a file is of a trajectory.
-keeps_trajectory <- function(file) {
-  tryCatch(
-    {
-      nc <- RNetCDF::open.nc(file)
-      on.exit(RNetCDF::close.nc(nc))
-      is.numeric(RNetCDF::att.get.nc(nc, "NC_GLOBAL", "codend_trajectory"))
-    },
-    error = function(e) FALSE
-  )
-}
-
-# Formats up to 2 held objects of R.
-trajectory_file_version <- 10L
 
 # How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
 file_ends <- c("interrupted", "reached", "stuck", "unbalanced")
@@ -179,7 +130,7 @@ define_trajectory <- function(nc, what, frame, measured) {
   )
   RNetCDF::dim.def.nc(nc, "time", unlim = TRUE)
   define_file(nc, variables, sizes, lattice, what$gear, paste("Tow of", what$gear$plan$name),
-    "trajectory", trajectory_file_version)
+    "trajectory")
   put_texts(nc, "time", c(axis = "T", standard_name = "time"))
   put_texts(nc, "vessel_speed", c(standard_name = "platform_speed_wrt_ground"))
   put_texts(nc, "energy", c(energy_parts = paste(engine_energy_parts(), collapse = " ")))

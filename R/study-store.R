@@ -269,7 +269,7 @@ store_base <- function(store, study) {
       write_state(found$state, file)
     }
   }
-  if (file.exists(file)) read_state(file)
+  if (file.exists(file)) read_result(file)
 }
 
 # Settles designs of a store and writes their rows, of those that no other process is settling, then

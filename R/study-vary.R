@@ -33,7 +33,7 @@
 #' done can be read while the rest runs ([read_study()]), and a worker that is killed loses the run
 #' that it was at. The same call of `vary()` again goes on with what is not done; at the same time
 #' in another process it shares the work. The base state is
-#' in the store as [write_state()] has it, which takes the package RNetCDF. Without `store` a
+#' in the store as [write_result()] has it, which takes the package RNetCDF. Without `store` a
 #' study in several processes has one in the session's temporary folder.
 #'
 #' Progress is shown by a bar after two seconds, or by what the package progressr is set to use.

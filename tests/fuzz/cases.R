@@ -82,11 +82,11 @@ kinds <- list(
       "taken"
     }
   }),
-  state_file = list(share = 1, run = function() try_kept(kept()$state, read_state, function(state) {
+  state_file = list(share = 1, run = function() try_kept(kept()$state, function(state) {
     judged(measures(state))
     if (chance(0.2)) judged(settle(state$gear, nodes = 60, from = state))
   })),
-  tow_file = list(share = 0.5, run = function() try_kept(kept()$tow, read_trajectory, function(x) {
+  tow_file = list(share = 0.5, run = function() try_kept(kept()$tow, function(x) {
     if (chance(0.2)) judged(tow(x, until = 22, every = 1))
   })),
   model = list(share = 2, run = function() {
@@ -106,10 +106,10 @@ kinds <- list(
 
 # A changed copy of one of these files. use: what is done with what was read, so that a forged index
 # would reach the engine.
-try_kept <- function(files, read, use) {
+try_kept <- function(files, use) {
   file <- changed_kept(one_of(files), chance(0.7))
   on.exit(unlink(file))
-  found <- judged(read(file))
+  found <- judged(codend::read_result(file))
   if (is.null(found)) return("refused")
   use(found)
   "taken"

@@ -39,7 +39,7 @@ kept_files <- function() {
   plans <- c("midwater_trawl", "cage", "purse_seine", "towed_cable", "t90_codend")
   states <- vapply(plans, function(plan) {
     file <- file.path(folder, paste0(plan, ".nc"))
-    write_state(settle(plan, nodes = 60), file)
+    write_result(settle(plan, nodes = 60), file)
     file
   }, "")
   tow <- file.path(folder, "tow.nc")

@@ -179,10 +179,10 @@ state_checks <- list(
   "exports" = function(state, folder) {
     check_exports(state, "state", state_files, folder)
   },
-  "write_moordyn" = function(state, folder) {
+  "ropes for MoorDyn" = function(state, folder) {
     file <- file.path(folder, "ropes.txt")
     refusal <- tryCatch({
-      write_moordyn(state, file)
+      write_result(state, file)
       NULL
     }, codend_error_argument = conditionMessage)
     # MoorDyn has no netting, no rings and no slopes
@@ -212,7 +212,7 @@ state_files <- list(
     if (length(state$bar_tension)) {
       check_near(RNetCDF::var.get.nc(nc, "bar_tension"), state$bar_tension, 0, "tension of bars")
     }
-    check_near(measures(read_state(file)), measures(state), 0, "measures of the file")
+    check_near(measures(read_result(file)), measures(state), 0, "measures of the file")
   },
   json = function(file, state) {
     variables <- jsonlite::fromJSON(file_text(file))$variables
@@ -255,11 +255,11 @@ tow_checks <- list(
   "exports" = function(tow, folder) {
     check_exports(tow, "trajectory", tow_files, folder)
     file <- file.path(folder, "tow.nc")
-    write_trajectory(tow, file)
+    write_result(tow, file)
     nc <- RNetCDF::open.nc(file)
     on.exit(RNetCDF::close.nc(nc))
     check_near(RNetCDF::var.get.nc(nc, "x"), tow$position[1L, , ], 0, "x")
-    check_near(read_trajectory(file)$position, tow$position, 0, "positions of the file")
+    check_near(read_result(file)$position, tow$position, 0, "positions of the file")
   },
   "plot" = function(tow, folder) check_plot(tow, folder, "svg"),
   "view_3d" = function(tow, folder) {

@@ -137,7 +137,7 @@ test_that("tow writes tables, a plot, a page that plays and what to go on from",
   )
   expect_identical(unique(utils::read.csv(file.path(out, "measures.csv"))$time_s), c(0L, 10L, 20L))
   skip_if_not(has_netcdf)
-  expect_identical(read_trajectory(file.path(out, "trajectory.nc"))$time, c(0, 10, 20))
+  expect_identical(read_result(file.path(out, "trajectory.nc"))$time, c(0, 10, 20))
 })
 
 test_that("what a command writes is the same whatever a profile sets, and in every time zone", {

@@ -132,7 +132,7 @@ test_that("a kept state is exported as its plan is", {
   at <- function(name) file.path(folder, name)
   made <- ran("export", "towed_cable", at("cable.vtu"), at("cable.nc"), "--set", "towing.speed=2")
   expect_identical(made$status, 0L)
-  expect_identical(read_state(at("cable.nc"))$si$towing$speed, 2)
+  expect_identical(read_result(at("cable.nc"))$si$towing$speed, 2)
   expect_identical(ran("export", at("cable.nc"), at("again.vtu"))$status, 0L)
   expect_identical(unname(tools::md5sum(at("again.vtu"))), unname(tools::md5sum(at("cable.vtu"))))
 })

@@ -20,7 +20,7 @@ test_that("ropes and twines are lines in metres, with their colours and names", 
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     for (extension in c(".glb", ".gltf")) {
       file <- file.path(folder, paste0("net", extension))
-      expect_identical(write_gltf(state, file), file)
+      expect_identical(write_result(state, file), file)
       found <- read_gltf_file(file)
       expect_identical(found$tree$asset$version, "2.0")
       for (part in c("head_line", "net")) {
@@ -54,7 +54,7 @@ test_that("ropes and twines are lines in metres, with their colours and names", 
 
 test_that("every accessor lies in its buffer with the ends that it names", {
   file <- file.path(test_folder(), "trawl.glb")
-  write_gltf(settled("midwater_trawl", nodes = 500), file, colours = "part")
+  write_result(settled("midwater_trawl", nodes = 500), file, colours = "part")
   found <- read_gltf_file(file)
   expect_equal(found$tree$scenes[[1]]$extras$measures$door_spread_m,
     measures(settled("midwater_trawl", nodes = 500))[["door_spread_m"]],
@@ -77,7 +77,7 @@ test_that("every accessor lies in its buffer with the ends that it names", {
 test_that("the scene is turned so that up is y, and pieces are balls of their height", {
   state <- unsettled(sheets_plan)
   file <- file.path(test_folder(), "sheets.gltf")
-  write_gltf(state, file)
+  write_result(state, file)
   found <- read_gltf_file(file)
   top <- found$tree$nodes[[found$tree$scenes[[1]]$nodes[[1]] + 1]]
   expect_identical(top$name, "Sheets <& 'quotes'>")
@@ -105,7 +105,7 @@ test_that("the scene is turned so that up is y, and pieces are balls of their he
 test_that("a free otter board is a plate", {
   state <- unsettled(test_path("plans", "towed_board.yaml"))
   file <- file.path(test_folder(), "board.glb")
-  write_gltf(state, file)
+  write_result(state, file)
   found <- read_gltf_file(file)
   plate <- found$get(gltf_primitives(found, "otter_board")[[1]]$attributes$POSITION)
   expect_equal(unique(t(plate)), t(board_corners(state)), tolerance = 1e-6, ignore_attr = TRUE)
@@ -117,7 +117,7 @@ test_that("a tow is an animation: every kept time is there, at its time", {
   trajectory <- tow("towed_cable", until = 6, every = 2, nodes = 40,
     schedule = tow_schedule(speed = data.frame(time = c(0, 3), value = c("4 knot", "5 knot"))))
   file <- file.path(folder, "tow.glb")
-  write_gltf(trajectory, file)
+  write_result(trajectory, file)
   found <- read_gltf_file(file)
   lines <- gltf_primitives(found, "cable")[[1]]
   expect_length(lines$targets, 3)
@@ -136,7 +136,7 @@ test_that("a tow is an animation: every kept time is there, at its time", {
   expect_equal(matrix(found$get(sampler$output), 3), cbind(0, diag(3)))
   # from a shell, by the file of the tow
   kept <- file.path(folder, "tow.nc")
-  write_trajectory(trajectory, kept)
+  write_result(trajectory, kept)
   again <- file.path(folder, "again.glb")
   run_export(c(kept, again), list())
   expect_identical(readBin(again, "raw", 1e7), readBin(file, "raw", 1e7))
@@ -154,7 +154,7 @@ test_that("the validator of glTF finds no error in a shape and in a tow", {
     tow.glb = tow("towed_cable", until = 4, every = 2, nodes = 40)
   )
   for (name in names(kept)) {
-    file <- write_gltf(kept[[name]], file.path(made, name))
+    file <- write_result(kept[[name]], file.path(made, name))
     said <- system2("node", shQuote(c(file.path(folder, "validate.js"), file)), stdout = TRUE)
     found <- jsonlite::fromJSON(said)
     expect_identical(c(found$numErrors, found$numWarnings), c(0L, 0L), label = said)

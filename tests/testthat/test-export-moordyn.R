@@ -32,11 +32,11 @@ test_that("ropes written for MoorDyn settle as in their gear", {
     file <- file.path(test_folder(), "ropes.txt")
     if (name == "crossing_cables") {
       # in a vacuum nothing flows, and each crossing is held by its load
-      write_moordyn(state, file)
+      write_result(state, file)
       expect_false(file.exists(file.path(dirname(file), "current_profile.txt")))
       expect_length(grep(" Free ", readLines(file)), 0)
     }
-    write_moordyn(state, file)
+    write_result(state, file)
     again <- settle(read_moordyn(file), nodes = 50)
     ropes <- moordyn_ropes(state)
     before <- unlist(lapply(ropes, function(rope) {
@@ -70,7 +70,7 @@ test_that("what is no file of MoorDyn, or has what codend has not, is refused", 
   refused(c(lines[1:21], "2 Currents", lines[22:30]), "current that changes")
   refused(c(lines[1:21], "1.62 g", lines[22:30]), "gravity of 1.62")
   expect_error(read_moordyn("none.txt"), class = "codend_error_file")
-  expect_wrong(write_moordyn(settled("hung_panel"), file.path(test_folder(), "x.txt")), "no rope")
+  expect_wrong(write_result(settled("hung_panel"), file.path(test_folder(), "x.txt")), "no rope")
 })
 
 test_that("the currents of another file of the folder are left as they are", {
@@ -78,7 +78,7 @@ test_that("the currents of another file of the folder are left as they are", {
   profile <- file.path(folder, "current_profile.txt")
   writeLines("of another deck", profile)
   refused <- function(name) {
-    expect_error(write_moordyn(settled("towed_cable"), file.path(folder, name)),
+    expect_error(write_result(settled("towed_cable"), file.path(folder, name)),
       class = "codend_error_file")
   }
   expect_match(conditionMessage(refused("lines.txt")), "the currents of another")
@@ -87,7 +87,7 @@ test_that("the currents of another file of the folder are left as they are", {
   expect_identical(list.files(folder), "current_profile.txt")
   unlink(profile)
   for (name in c("lines.txt", "again.txt")) {
-    write_moordyn(settled("towed_cable"), file.path(folder, name))
+    write_result(settled("towed_cable"), file.path(folder, name))
   }
   expect_length(list.files(folder), 3L)
 })

@@ -30,7 +30,7 @@ test_that("VTK's own reader finds every number that was written", {
   for (netting in c("bars", "cells")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     file <- file.path(folder, "panel.vtu")
-    expect_identical(write_vtk(state, file), file)
+    expect_identical(write_result(state, file), file)
     found <- read_with_vtk(file)
     expect_identical(found$points, as.vector(state_points(state)))
     bars <- length(engine_array(state, "bars", "rest"))
@@ -63,7 +63,7 @@ test_that("meshio opens grids", {
   skip_if_not(has_python("meshio"), "meshio is not installed")
   file <- file.path(test_folder(), "panel.vtu")
   state <- settled("panel_in_current", nodes = 200, netting = "cells")
-  write_vtk(state, file)
+  write_result(state, file)
   found <- read_with_python(file,
     "import meshio, json, sys, io, contextlib",
     "mesh = meshio.read(sys.argv[1])",
@@ -82,7 +82,7 @@ test_that("forces on cells and knots are all that the water does to the gear", {
   file <- file.path(test_folder(), "net.vtu")
   for (netting in c("bars", "cells")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
-    write_vtk(state, file)
+    write_result(state, file)
     found <- read_raw_vtu(file)
     drag <- as.data.frame(state, what = "drag")
     # sums of the same numbers in another order
@@ -104,7 +104,7 @@ test_that("forces on cells and knots are all that the water does to the gear", {
 test_that("slack and tension in cells tell both families of twine", {
   file <- file.path(test_folder(), "net.vtu")
   state <- settled("hung_panel")
-  write_vtk(state, file)
+  write_result(state, file)
   found <- read_raw_vtu(file)
   cells <- found$CellData
   net <- part_names_of(found$FieldData)[cells$part] == "net"
@@ -121,7 +121,7 @@ test_that("hexagonal meshes and a catch have their numbers", {
   plan <- bag_plan(net, circle_of_corners(4, 0.4), list(blocked_meshes = 8))
   state <- unsettled(plan)
   file <- file.path(test_folder(), "bag.vtu")
-  write_vtk(state, file)
+  write_result(state, file)
   found <- read_raw_vtu(file)
   expect_identical(found$CellData$straight_tension_N[found$CellData$kind == 2],
     state$straight_tension)
@@ -142,7 +142,7 @@ test_that("a free otter board is a plate of its size, where its points are", {
   corner <- rbind(c(0, 0, board$chord, board$chord), 0, c(-0.5, 0.5, 0.5, -0.5) * board$span)
   expect_equal(board_corners(state), turn %*% corner + c(5, 6, -7))
   file <- file.path(test_folder(), "board.vtu")
-  write_vtk(state, file)
+  write_result(state, file)
   found <- read_raw_vtu(file)
   quad <- which(found$Cells$types == 9)
   expect_identical(part_names_of(found$FieldData)[found$CellData$part[quad]], "otter_board")
@@ -155,7 +155,7 @@ test_that("a trajectory is a series of grids over the ground", {
   file <- file.path(folder, "turn.pvd")
   turn <- tow("towed_cable", until = 30, every = 15,
     schedule = tow_schedule(course = data.frame(time = c(0, 10, 30), value = c(0, 0, 1))))
-  expect_identical(write_vtk(turn, file), file)
+  expect_identical(write_result(turn, file), file)
   expect_setequal(list.files(folder, all.files = TRUE, no.. = TRUE), c("turn", "turn.pvd"))
   lines <- grep("<DataSet", readLines(file), value = TRUE)
   expect_equal(as.numeric(sub(".*timestep=\"([^\"]*)\".*", "\\1", lines)), turn$time)
@@ -171,9 +171,9 @@ test_that("a trajectory is a series of grids over the ground", {
     expect_lt(sum(drag * rowMeans(turn$velocity[, , k])), 0)
   }
   # written again it is replaced, but nothing else is
-  write_vtk(turn, file)
+  write_result(turn, file)
   writeLines("mine", file.path(folder, "turn", "notes.txt"))
-  expect_error(write_vtk(turn, file), "holds other files", class = "codend_error_file")
+  expect_error(write_result(turn, file), "holds other files", class = "codend_error_file")
   expect_true(file.exists(file.path(folder, "turn", "notes.txt")))
 })
 
@@ -182,7 +182,7 @@ test_that("a series may have any name that a file can have", {
   name <- "a \"tow\" of <Tom's> & Co"
   file <- file.path(test_folder(), paste0(name, ".pvd"))
   tow <- tow("towed_cable", until = 1)
-  write_vtk(tow, file)
+  write_result(tow, file)
   text <- paste(readLines(file), collapse = "\n")
   listed <- xml2::xml_attr(xml2::xml_find_all(xml2::read_xml(charToRaw(text)), "//DataSet"), "file")
   expect_identical(listed, sprintf("%s/%04d.vtu", name, seq_along(tow$time)))

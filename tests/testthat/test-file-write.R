@@ -63,15 +63,15 @@ test_that("on a full disk every writer keeps the old file and says why", {
   skip_on_os("windows")
   folder <- test_folder()
   calls <- c(
-    "gear.yaml" = "write_gear(gear, file)", "state.vtu" = "write_vtk(state, file)",
-    "state.glb" = "write_gltf(state, file)", "state.gltf" = "write_gltf(state, file)",
+    "gear.yaml" = "write_gear(gear, file)", "state.vtu" = "write_result(state, file)",
+    "state.glb" = "write_result(state, file)", "state.gltf" = "write_result(state, file)",
     "state.html" = "view_3d(state, file)", "report.html" = "report(state, file)",
     "state.png" = "plot(state, file = file)", "state.pdf" = "plot(state, file = file)",
     "state.svg" = "plot(state, file = file)"
   )
   if (requireNamespace("RNetCDF", quietly = TRUE)) {
-    calls <- c(calls, "state.nc" = "write_state(state, file)",
-      "tow.nc" = "write_trajectory(trajectory, file)")
+    calls <- c(calls, "state.nc" = "write_result(state, file)",
+      "tow.nc" = "write_result(trajectory, file)")
   }
   files <- file.path(folder, names(calls))
   for (file in files) writeLines("good", file)
@@ -98,7 +98,7 @@ test_that("a tow whose file fails gives what it had done", {
     "tryCatch(tow('towed_cable', until = 60, every = 0.1, file = file), error = say)"
   ))
   expect_match(found, "^codend_error_file .* 0 0.1 0.2 interrupted$")
-  kept <- read_trajectory(file)
+  kept <- read_result(file)
   expect_identical(kept$end, "interrupted")
   expect_gt(length(kept$time), 3)
 })
@@ -109,12 +109,12 @@ test_that("files hold the same bytes whatever the session's settings are", {
   bytes <- function(name) {
     written <- list(
       yaml = write_gear(state$gear, file.path(folder, paste0(name, ".yaml"))),
-      vtu = write_vtk(state, file.path(folder, paste0(name, ".vtu"))),
-      gltf = write_gltf(state, file.path(folder, paste0(name, ".gltf"))),
+      vtu = write_result(state, file.path(folder, paste0(name, ".vtu"))),
+      gltf = write_result(state, file.path(folder, paste0(name, ".gltf"))),
       csv = write_csv(as.data.frame(state, what = "drag"), file.path(folder, paste0(name, ".csv")))
     )
     if (requireNamespace("RNetCDF", quietly = TRUE)) {
-      written$nc <- write_state(state, file.path(folder, paste0(name, ".nc")))
+      written$nc <- write_result(state, file.path(folder, paste0(name, ".nc")))
     }
     lapply(written, function(file) readBin(file, "raw", file.size(file)))
   }

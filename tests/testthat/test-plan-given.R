@@ -169,8 +169,8 @@ test_that("tow() reads units objects in all its quantities", {
   skip_if_not_installed("RNetCDF")
   file <- tempfile(fileext = ".nc")
   on.exit(unlink(file))
-  write_trajectory(found, file)
-  expect_identical(read_trajectory(file)$given$current, found$given$current)
+  write_result(found, file)
+  expect_identical(read_result(file)$given$current, found$given$current)
 })
 
 test_that("other functions read units objects where they take a quantity", {

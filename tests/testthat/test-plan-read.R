@@ -117,6 +117,6 @@ test_that("only regular files are opened", {
   setTimeLimit(elapsed = 10, transient = TRUE)
   expect_refused(read_gear(pipe), "is not a plan file")
   skip_if_not_installed("RNetCDF")
-  expect_error(read_state(pipe), "no regular file", class = "codend_error_file")
+  expect_error(read_result(pipe), "no regular file", class = "codend_error_file")
   setTimeLimit()
 })

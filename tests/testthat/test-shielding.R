@@ -109,8 +109,8 @@ test_that("the wake follows a current that changes, to the gear that settles in 
   skip_if_not_installed("RNetCDF")
   half <- tow(sheets("loland"), until = 100, every = 20, nodes = 200,
     schedule = tow_schedule(current = turning))
-  write_trajectory(half, file)
-  on <- tow(read_trajectory(file), until = 200)
+  write_result(half, file)
+  on <- tow(read_result(file), until = 200)
   for (field in c("time", "position", "wake", "memory")) {
     expect_identical(on[[field]], found[[field]])
   }

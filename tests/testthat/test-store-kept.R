@@ -39,24 +39,25 @@ test_that("a state's or a tow's file that was cut short or changed is one clear 
   state <- settled("panel_in_current", nodes = 200)
   trajectory <- tow("towed_cable", until = 20, every = 5)
   kept <- list(
-    list(file = write_state(state, file.path(folder, "s.nc")), read = read_state),
-    list(file = write_trajectory(trajectory, file.path(folder, "t.nc")), read = read_trajectory)
+    write_result(state, file.path(folder, "s.nc")),
+    write_result(trajectory, file.path(folder, "t.nc"))
   )
-  for (one in kept) {
-    size <- file.size(one$file)
+  for (file in kept) {
+    size <- file.size(file)
     # places all over the file, the header's dense
     places <- unique(round(c(seq(1, 2000, by = 83), seq(1, size, length.out = 30))))
     for (place in places) {
-      flipped <- damaged(one$file, function(bytes) {
+      flipped <- damaged(file, function(bytes) {
         bytes[place] <- xor(bytes[place], as.raw(2^(place %% 8)))
         bytes
       })
-      expect_error(one$read(flipped), class = "codend_error_file", label = paste("flipped", place))
+      expect_error(read_result(flipped), class = "codend_error_file",
+        label = paste("flipped", place))
       unlink(flipped)
     }
     for (length in round(seq(0, size - 1, length.out = 20))) {
-      cut <- damaged(one$file, function(bytes) bytes[seq_len(length)])
-      expect_error(one$read(cut), class = "codend_error_file", label = paste("cut to", length))
+      cut <- damaged(file, function(bytes) bytes[seq_len(length)])
+      expect_error(read_result(cut), class = "codend_error_file", label = paste("cut to", length))
       unlink(cut)
     }
   }
@@ -65,12 +66,12 @@ test_that("a state's or a tow's file that was cut short or changed is one clear 
 test_that("files of an older format, which held objects of R, are refused", {
   skip_if_not_installed("RNetCDF")
   file <- file.path(test_folder(), "old.nc")
-  write_netcdf(file, function(nc) {
-    RNetCDF::att.put.nc(nc, "NC_GLOBAL", "codend_state", "NC_INT", 1L)
-    RNetCDF::att.put.nc(nc, "NC_GLOBAL", "codend_trajectory", "NC_INT", 2L)
-  })
-  expect_error(read_state(file), "format 1.*held objects of R", class = "codend_error_file")
-  expect_error(read_trajectory(file), "format 2.*held objects of R", class = "codend_error_file")
+  for (what in names(kept_versions)) {
+    write_netcdf(file, function(nc) {
+      RNetCDF::att.put.nc(nc, "NC_GLOBAL", paste0("codend_", what), "NC_INT", 2L)
+    })
+    expect_error(read_result(file), "format 2.*held objects of R", class = "codend_error_file")
+  }
 })
 
 test_that("a lattice that refers to what is not there is refused", {
@@ -135,9 +136,9 @@ test_that("a forged file with a right checksum holds no place that is not there"
       bad <- state
       if (!length(bad$lattice$engine[[kind]]$node)) next
       bad$lattice$engine[[kind]]$node[1] <- 1000000L
-      file <- with_measures(measured, write_state(bad, file.path(folder, "forged.nc")))
+      file <- with_measures(measured, write_result(bad, file.path(folder, "forged.nc")))
       expect_error(
-        read_state(file), paste0("damaged.*", kind, ".node"), class = "codend_error_file"
+        read_result(file), paste0("damaged.*", kind, ".node"), class = "codend_error_file"
       )
     }
   }
@@ -153,7 +154,7 @@ peak_memory <- function() {
 
 test_that("a forged header with a right checksum is refused before anything is allocated for it", {
   skip_if_not_installed("RNetCDF")
-  file <- write_state(settled("towed_cable"), file.path(test_folder(), "s.nc"))
+  file <- write_result(settled("towed_cable"), file.path(test_folder(), "s.nc"))
   bytes <- readBin(file, "raw", file.size(file) - seal_bytes)
   before <- peak_memory()
   refused <- 0
@@ -170,7 +171,7 @@ test_that("a forged header with a right checksum is refused before anything is a
     )
     if (at %% 60 == 4) {
       seal_file(file)
-      read <- tryCatch(read_state(file), codend_error_file = function(e) NULL)
+      read <- tryCatch(read_result(file), codend_error_file = function(e) NULL)
       if (!is.null(read)) expect_s3_class(read, "codend_state")
     }
   }

@@ -9,22 +9,22 @@ test_that("a state that is read is the one that was written", {
     state_at(tow("towed_cable", until = 10, every = 5), 5)
   )
   for (state in states) {
-    expect_identical(write_state(state, file), file)
-    found <- read_state(file)
+    expect_identical(write_result(state, file), file)
+    found <- read_result(file)
     expect_identical(without_places(found), without_places(state))
     expect_identical(measures(found), measures(state))
   }
   expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "state.nc")
   expect_identical(settle(states[[1]]$gear, nodes = 200, from = {
-    write_state(states[[1]], file)
-    read_state(file)
+    write_result(states[[1]], file)
+    read_result(file)
   })$position, settle(states[[1]]$gear, nodes = 200, from = states[[1]])$position)
 })
 
 test_that("a file says in plain NetCDF what the state holds", {
   file <- file.path(test_folder(), "state.nc")
   state <- settled("midwater_trawl", nodes = 500)
-  write_state(state, file)
+  write_result(state, file)
   nc <- RNetCDF::open.nc(file)
   on.exit(RNetCDF::close.nc(nc))
   get <- function(name) as.vector(RNetCDF::var.get.nc(nc, name))
@@ -55,12 +55,12 @@ test_that("a file says in plain NetCDF what the state holds", {
 
 test_that("other files are refused with their reason", {
   folder <- test_folder()
-  file <- file.path(folder, "tow.nc")
-  expect_error(read_state(file), "does not exist", class = "codend_error_file")
-  write_trajectory(tow("towed_cable", until = 10, every = 5), file)
-  expect_error(read_state(file), "no state", class = "codend_error_file")
+  file <- file.path(folder, "other.nc")
+  expect_error(read_result(file), "does not exist", class = "codend_error_file")
+  write_netcdf(file, function(nc) RNetCDF::dim.def.nc(nc, "node", 3))
+  expect_error(read_result(file), "no state", class = "codend_error_file")
   writeLines("text", file)
-  expect_error(read_state(file), "no NetCDF", class = "codend_error_file")
+  expect_error(read_result(file), "no NetCDF", class = "codend_error_file")
 })
 
 test_that("Python's standard library reads a state", {
@@ -68,7 +68,7 @@ test_that("Python's standard library reads a state", {
   file <- file.path(test_folder(), "state.json")
   for (name in c("towed_cable", "model_cage")) {
     state <- settled(name, nodes = 100)
-    write_state(state, file)
+    write_result(state, file)
     found <- read_with_python(file,
       "import json, sys",
       "state = json.load(open(sys.argv[1], encoding='utf-8'))",
@@ -91,7 +91,7 @@ test_that("Python's standard library reads a state", {
 test_that("a state's JSON is by its schema", {
   skip_if_not(has_python("jsonschema"), "jsonschema for Python is not installed")
   file <- file.path(test_folder(), "state.json")
-  write_state(settled("model_cage", nodes = 100), file)
+  write_result(settled("model_cage", nodes = 100), file)
   schema <- system.file("schema", "state.schema.json", package = "codend")
   problems <- function(change = "") {
     read_with_python(file,

@@ -31,16 +31,16 @@ test_that("a trajectory that is read is the one that was written", {
   folder <- test_folder()
   file <- file.path(folder, "tow.nc")
   trajectory <- hauled(until = 30)
-  expect_identical(write_trajectory(trajectory, file), file)
+  expect_identical(write_result(trajectory, file), file)
   expect_gt(max(trajectory$winch_length), 60)
-  expect_identical(known(read_trajectory(file)), known(trajectory))
+  expect_identical(known(read_result(file)), known(trajectory))
   expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), "tow.nc")
 
   netting <- tow("midwater_trawl", until = 0.2, every = 0.1, nodes = 300, netting = "cells",
     step = 0.1)
   expect_gt(length(netting$u_tension), 0)
-  write_trajectory(netting, file)
-  expect_identical(known(read_trajectory(file)), known(netting))
+  write_result(netting, file)
+  expect_identical(known(read_result(file)), known(netting))
   expect_identical(nrow(netting$straight_tension), 0L)
 })
 
@@ -56,15 +56,15 @@ test_that("a trajectory knows the straight bars of hexagonal netting, in its fil
   held <- c(trajectory$u_tension[, 1], trajectory$v_tension[, 1], trajectory$straight_tension[, 1])
   expect_equal(tensions$mean_kN[tensions$part == "net"][1], mean(held) / 1000)
   file <- file.path(test_folder(), "tow.nc")
-  write_trajectory(trajectory, file)
-  expect_identical(known(read_trajectory(file)), known(trajectory))
+  write_result(trajectory, file)
+  expect_identical(known(read_result(file)), known(trajectory))
 })
 
 test_that("a file keeps errors of measures, and where a trawl sticks to the bed", {
   trawl <- tow("poly_noreastern_trawl", nodes = 300, until = 2, every = 1)
   file <- file.path(test_folder(), "tow.nc")
-  write_trajectory(trawl, file)
-  read <- read_trajectory(file)
+  write_result(trawl, file)
+  read <- read_result(file)
   expect_gt(length(trawl$memory$done$anchor), 0)
   expect_identical(read$memory$done, trawl$memory$done)
   error <- attr(measures(state_at(trawl, 2)), "error")
@@ -75,12 +75,12 @@ test_that("a file keeps errors of measures, and where a trawl sticks to the bed"
 test_that("a tow goes on from a file as if it had never stopped", {
   file <- file.path(test_folder(), "tow.nc")
   whole <- hauled(until = 30)
-  write_trajectory(hauled(until = 15), file)
-  on <- tow(read_trajectory(file), until = 30, file = file)
+  write_result(hauled(until = 15), file)
+  on <- tow(read_result(file), until = 30, file = file)
   # what a march counts begins anew
   same <- setdiff(names(whole), "report")
   expect_identical(known(on)[same], known(whole)[same])
-  expect_identical(known(read_trajectory(file)), known(on))
+  expect_identical(known(read_result(file)), known(on))
 })
 
 test_that("a file says in plain NetCDF what the trajectory holds", {
@@ -105,7 +105,7 @@ test_that("xarray opens a trajectory, with its measures over time", {
   skip_if_not(has_python("xarray") && has_python("netCDF4"), "xarray is not installed")
   file <- file.path(test_folder(), "tow.nc")
   trajectory <- hauled(until = 10)
-  write_trajectory(trajectory, file)
+  write_result(trajectory, file)
   found <- read_with_python(file,
     "import json, sys, xarray",
     "data = xarray.open_dataset(sys.argv[1])",
@@ -159,7 +159,7 @@ test_that("a run that is interrupted gives what was done, and a tow goes on from
   expect_identical(
     signalled(plan, folder, file, tools::SIGINT), list(status = 0L, end = "interrupted")
   )
-  found <- read_trajectory(file)
+  found <- read_result(file)
   expect_identical(found$end, "interrupted")
   expect_identical(found$time, c(0, 5, 10, 15))
   whole <- steered(plan, NULL)
@@ -168,7 +168,7 @@ test_that("a run that is interrupted gives what was done, and a tow goes on from
   on <- tow(found, until = 30, schedule = tow_schedule(control = control), file = file)
   same <- setdiff(names(whole), c("report", "given"))
   expect_identical(known(on)[same], known(whole)[same])
-  expect_identical(known(read_trajectory(file))[same], known(whole)[same])
+  expect_identical(known(read_result(file))[same], known(whole)[same])
 })
 
 test_that("a run that is killed leaves what it had kept, and a tow goes on from there", {
@@ -178,7 +178,7 @@ test_that("a run that is killed leaves what it had kept, and a tow goes on from 
   ran <- signalled(plan, folder, file, tools::SIGKILL)
   expect_false(ran$status == 0)
   expect_null(ran$end)
-  found <- read_trajectory(file)
+  found <- read_result(file)
   expect_identical(found$end, "interrupted")
   expect_identical(found$time, c(0, 5, 10, 15))
   whole <- steered(plan, NULL)
@@ -190,32 +190,32 @@ test_that("a run that is killed leaves what it had kept, and a tow goes on from 
   RNetCDF::var.put.nc(nc, "time", 20, 5, 1)
   RNetCDF::var.put.nc(nc, "resume_now_time", 20, 2, 1)
   RNetCDF::close.nc(nc)
-  expect_identical(read_trajectory(file)[c("time", "memory")], found[c("time", "memory")])
+  expect_identical(read_result(file)[c("time", "memory")], found[c("time", "memory")])
 
   # where the machine stopped too, the end of the file may never have reached the disk
   bytes <- readBin(file, "raw", file.size(file))
   for (lost in c(1, 100, 500)) {
     cut <- file.path(folder, "cut.nc")
     writeBin(utils::head(bytes, -lost), cut)
-    expect_identical(read_trajectory(cut)$time, found$time)
+    expect_identical(read_result(cut)$time, found$time)
   }
   writeBin(utils::head(bytes, -(length(bytes) %/% 2)), cut)
-  expect_error(read_trajectory(cut), class = "codend_error_file")
+  expect_error(read_result(cut), class = "codend_error_file")
 })
 
 test_that("files that cannot be read or written are clear errors that leave nothing", {
   folder <- test_folder()
   trajectory <- hauled(until = 5)
   wrong <- function(code) expect_error(code, class = "codend_error_file")
-  wrong(write_trajectory(trajectory, file.path(folder, "tow.csv")))
-  wrong(write_trajectory(trajectory, file.path(folder, "no", "tow.nc")))
+  wrong(write_result(trajectory, file.path(folder, "tow.csv")))
+  wrong(write_result(trajectory, file.path(folder, "no", "tow.nc")))
   wrong(tow(trajectory, until = 10, file = 3))
-  wrong(read_trajectory(file.path(folder, "tow.nc")))
-  expect_error(write_trajectory(list(), file.path(folder, "tow.nc")), class = "codend_error")
+  wrong(read_result(file.path(folder, "tow.nc")))
+  expect_error(write_result(list(), file.path(folder, "tow.nc")), class = "codend_error")
   expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
   writeLines("no", file.path(folder, "text.nc"))
-  wrong(read_trajectory(file.path(folder, "text.nc")))
+  wrong(read_result(file.path(folder, "text.nc")))
   other <- RNetCDF::create.nc(file.path(folder, "other.nc"))
   RNetCDF::close.nc(other)
-  wrong(read_trajectory(file.path(folder, "other.nc")))
+  wrong(read_result(file.path(folder, "other.nc")))
 })

@@ -19,11 +19,11 @@ test_that("files of earlier versions are read, or refused by the number of their
   formats <- numeric()
   for (file in kept_files("state")) {
     formats <- c(formats, format_of(file, "codend_state"))
-    if (utils::tail(formats, 1L) != state_file_version) {
-      expect_error(read_state(file), "is of format", class = "codend_error_file")
+    if (utils::tail(formats, 1L) != kept_versions[["state"]]) {
+      expect_error(read_result(file), "is of format", class = "codend_error_file")
       next
     }
-    read <- read_state(file)
+    read <- read_result(file)
     nc <- RNetCDF::open.nc(file)
     written <- rbind(RNetCDF::var.get.nc(nc, "x"), RNetCDF::var.get.nc(nc, "y"),
       RNetCDF::var.get.nc(nc, "z"))
@@ -33,7 +33,7 @@ test_that("files of earlier versions are read, or refused by the number of their
     expect_true(settle(read$gear, nodes = 40, from = read)$report$converged)
   }
   # the present one is among them
-  expect_identical(max(formats), as.double(state_file_version))
+  expect_identical(max(formats), as.double(kept_versions[["state"]]))
 })
 
 test_that("tows of earlier versions are read, or refused by the number of their format", {
@@ -41,15 +41,15 @@ test_that("tows of earlier versions are read, or refused by the number of their 
   formats <- numeric()
   for (file in kept_files("tow")) {
     formats <- c(formats, format_of(file, "codend_trajectory"))
-    if (utils::tail(formats, 1L) != trajectory_file_version) {
-      expect_error(read_trajectory(file), "is of format", class = "codend_error_file")
+    if (utils::tail(formats, 1L) != kept_versions[["trajectory"]]) {
+      expect_error(read_result(file), "is of format", class = "codend_error_file")
       next
     }
-    read <- read_trajectory(file)
+    read <- read_result(file)
     expect_identical(read$time, c(0, 5, 10, 15, 20))
     expect_identical(utils::tail(tow(read, until = 25)$time, 1L), 25)
   }
-  expect_identical(max(formats), as.double(trajectory_file_version))
+  expect_identical(max(formats), as.double(kept_versions[["trajectory"]]))
 })
 
 test_that("plans of earlier versions are read", {

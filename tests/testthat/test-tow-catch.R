@@ -36,8 +36,8 @@ test_that("a catch that grows by volume ends as the gear that settles with it fr
   expect_equal(on$position, found$position, tolerance = 1e-12)
   skip_if_not_installed("RNetCDF")
   file <- file.path(test_folder(), "tow.nc")
-  write_trajectory(half, file)
-  expect_identical(tow(read_trajectory(file), until = 120)$position, on$position)
+  write_result(half, file)
+  expect_identical(tow(read_result(file), until = 120)$position, on$position)
 })
 
 test_that("a catch that grows by meshes has its front where the schedule says", {

@@ -132,8 +132,8 @@ test_that("a tow in waves that goes on gives the same bytes", {
   expect_identical(on$velocity, whole$velocity)
   skip_if_not_installed("RNetCDF")
   file <- file.path(test_folder(), "made.nc")
-  write_trajectory(half, file)
-  expect_identical(tow(read_trajectory(file), until = 12)$position, whole$position)
+  write_result(half, file)
+  expect_identical(tow(read_result(file), until = 12)$position, whole$position)
 })
 
 test_that("waves pull at a cage the more the higher they are, and the more in a current", {
