@@ -35,9 +35,9 @@ run_study_command <- function(given, options) {
     },
     {
       check_place(options$out)
-      of <- switch(action, effects = main_effects, pairs = pair_effects, indices = sobol_indices)
       found <- read_study(store)
-      if (!is.null(of)) found <- of(found, parts_of(options$measures))
+      what <- c(effects = "fields", pairs = "pairs", indices = "indices")[action]
+      if (!is.na(what)) found <- effects(found, parts_of(options$measures), what)
       give_csv(found, options$out)
     }
   )

@@ -19,38 +19,44 @@
 #'
 #' All of them say with a warning of class `codend_warning_study` how many designs did not settle.
 #'
-#' @param x Variations, from [vary()] or [read_study()]; for `sobol_indices()` of
+#' @param object Variations, from [vary()] or [read_study()]; for indices of
 #'   [designs()]`(how = "indices")`.
+#' @param what `"fields"`: main effects; `"pairs"`: effects of two fields together; `"indices"`:
+#'   Sobol' indices.
 #' @param measures Names of measures, as [measures()] has them; all that change when `NULL`.
-#' @param groups How many groups a field of many values has.
-#' @param confidence Of the intervals.
-#' @param resamples How often designs are drawn anew for the intervals.
+#' @param groups How many groups a field of many values has; of main effects and pairs.
+#' @param confidence Of the intervals of indices.
+#' @param resamples How often designs are drawn anew for these intervals.
 #' @param seed Of these draws; the session's own random numbers stay as they are.
-#' @return A data frame. `main_effects()`, which [plots][codend_charts]: `measure`, `unit`,
-#'   `field`, `value` (mean of the group's values, or their text), `mean`, `designs` and `spread`.
-#'   `pair_effects()`, which [plots][codend_charts]: `measure`, `unit`, `field`,
-#'   `other` and `spread`, largest first; the means of its pairs of groups are its attribute
-#'   `means`. `sobol_indices()`, which [plots][codend_charts]: `measure`, `field`,
-#'   `first` and `total`, each with `_low` and `_high`, and `designs`, the base samples used. Wrong
-#'   arguments are an error of class `codend_error_argument`.
+#' @param ... Unused.
+#' @return A data frame that [plots][codend_charts]. Of fields: `measure`, `unit`, `field`, `value`
+#'   (mean of the group's values, or their text), `mean`, `designs` and `spread`. Of pairs:
+#'   `measure`, `unit`, `field`, `other` and `spread`, largest first; the means of its pairs of
+#'   groups are its attribute `means`. Of indices: `measure`, `field`, `first` and `total`, each
+#'   with `_low` and `_high`, and `designs`, the base samples used. Wrong arguments are an error of
+#'   class `codend_error_argument`.
 #' @references I. M. Sobol' (2001), Mathematics and Computers in Simulation 55:271. A. Saltelli et
 #'   al. (2010), Computer Physics Communications 181:259. M. J. W. Jansen (1999), Computer Physics
 #'   Communications 117:35.
 #' @seealso [codend_charts]
-#' @name study_effects
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"),
 #'   ropes.cable.length = c("400 m", "700 m"))
-#' main_effects(found, "total_drag_kN")
-#' main_effects(found, "total_drag_kN")
-#' pairs <- pair_effects(found, "total_drag_kN")
-#' pairs
-NULL
-
-#' @rdname study_effects
+#' effects(found, "total_drag_kN")
+#' effects(found, "total_drag_kN", what = "pairs")
+#' @importFrom stats effects
 #' @export
-main_effects <- function(x, measures = NULL, groups = 5) {
-  check_given("x")
+effects.codend_variations <- function(object, measures = NULL,
+                                      what = c("fields", "pairs", "indices"), groups = 5,
+                                      confidence = 0.9, resamples = 1000, seed = 1, ...) {
+  switch(chosen(what, c("fields", "pairs", "indices")),
+    fields = main_effects(object, measures, groups),
+    pairs = pair_effects(object, measures, groups),
+    indices = sobol_indices(object, measures, confidence, resamples, seed)
+  )
+}
+
+main_effects <- function(x, measures, groups) {
   study <- effects_study(x, measures, groups)
   rows <- lapply(study$measures, function(name) {
     do.call(rbind, lapply(study$fields, function(field) {
@@ -68,12 +74,9 @@ main_effects <- function(x, measures = NULL, groups = 5) {
     gear_name = attr(x, "gear_name"), unit = attr(x, "unit"))
 }
 
-#' @rdname study_effects
-#' @export
-pair_effects <- function(x, measures = NULL, groups = 5) {
-  check_given("x")
+pair_effects <- function(x, measures, groups) {
   study <- effects_study(x, measures, groups)
-  if (length(study$fields) < 2L) abort_argument("{.arg x} must have two fields that change.")
+  if (length(study$fields) < 2L) abort_argument("{.arg object} must have two fields that change.")
   pairs <- utils::combn(study$fields, 2L, simplify = FALSE)
   rows <- lapply(study$measures, function(name) {
     value <- study$x[[name]]
@@ -123,13 +126,10 @@ group_values <- function(study, field) {
   vapply(values, `[[`, "", 1L, USE.NAMES = FALSE)
 }
 
-#' @rdname study_effects
-#' @export
-sobol_indices <- function(x, measures = NULL, confidence = 0.9, resamples = 1000, seed = 1) {
-  check_given("x")
+sobol_indices <- function(x, measures, confidence, resamples, seed) {
   study <- attr(x, "study")
   if (!identical(study$how, "indices")) {
-    abort_argument("{.arg x} must be of {.code designs(how = \"indices\")}.")
+    abort_argument("{.arg object} must be of {.code designs(how = \"indices\")}.")
   }
   good <- is.numeric(confidence) && length(confidence) == 1L && confidence > 0 && confidence < 1
   if (!isTRUE(good)) {
@@ -190,7 +190,7 @@ effects_study <- function(x, measures, groups) {
   whole <- x$settled & stats::complete.cases(as.data.frame(unclass(x)[measures]))
   rows <- as.data.frame(unclass(x), optional = TRUE)[whole, ]
   fields <- Filter(function(field) length(unique(rows[[field]])) > 1L, variations_fields(x))
-  if (!length(fields)) abort_argument("No field of {.arg x} changes among what settled.")
+  if (!length(fields)) abort_argument("No field of {.arg object} changes among what settled.")
   group <- lapply(setNames(fields, fields), function(field) {
     value <- rows[[field]]
     if (!is.numeric(value)) return(match(value, unique(value)))
@@ -202,9 +202,6 @@ effects_study <- function(x, measures, groups) {
 }
 
 changing_measures <- function(x, measures) {
-  if (!inherits(x, "codend_variations")) {
-    abort_argument("{.arg x} must be variations, as {.fn vary} returns, not {.cls {class(x)}}.")
-  }
   known <- variations_measures(x)
   if (is.null(measures)) {
     return(Filter(function(name) {

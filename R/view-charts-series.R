@@ -246,7 +246,7 @@ chosen_pairs <- function(x, measures, most) {
   measures <- chosen_some(measures, unique(x$measure))
   check_count("most", most)
   if (is.null(attr(x, "means"))) {
-    abort_argument("{.arg x} has lost the means that {.fn pair_effects} gave it.")
+    abort_argument("{.arg x} has lost the means that {.fn effects} gave it.")
   }
   unlist(lapply(measures, function(name) utils::head(which(x$measure == name), most)))
 }

@@ -17,9 +17,10 @@
 #'   combination of the other fields. A cross marks a gear that did not settle. For drawn designs
 #'   and for `one_at_a_time`, each measure against each field: all designs with a smooth curve
 #'   (lowess), or the designs in which the other fields are as in the plan.
-#' - Main effects ([main_effects()]) and effects of pairs ([pair_effects()]): means of measures
+#' - [Effects][effects.codend_variations] of fields and of pairs: means of measures
 #'   against a field. Lines of a pair that are not parallel show an interaction.
-#' - Sobol' indices ([sobol_indices()]): first-order and total index of each field, with intervals.
+#' - [Sobol' indices][effects.codend_variations]: first-order and total index of each field, with
+#'   intervals.
 #' - Sensitivities ([sensitivities()]): percent of the measure per percent of the field. Open bars
 #'   are not smooth; ticks mark the secants to 1 % less and 1 % more.
 #' - Uncertainties ([uncertainty()]): the standard uncertainty of each measure by origin or, with

@@ -26,7 +26,7 @@ three <- function(how, number) {
 
 test_that("Sobol' indices are those of a function whose indices are known", {
   skip_if_not_installed("spacefillr")
-  found <- sobol_indices(study_of(three("indices", 1024), ishigami), resamples = 200)
+  found <- effects(study_of(three("indices", 1024), ishigami), resamples = 200, what = "indices")
   v1 <- 0.5 * (1 + 0.1 * pi^4 / 5)^2
   v2 <- 7^2 / 8
   v13 <- 0.1^2 * pi^8 * (1 / 18 - 1 / 50)
@@ -44,7 +44,7 @@ test_that("of a sum, which Sobol' points sample closely, indices are right to ha
   skip_if_not_installed("spacefillr")
   side <- value_range(0, 1)
   many <- designs(x.1 = side, x.2 = side, how = "indices", number = 8192)
-  found <- sobol_indices(study_of(many, function(x) x[1] + 2 * x[2]), resamples = 10)
+  found <- effects(study_of(many, function(x) x[1] + 2 * x[2]), resamples = 10, what = "indices")
   # variances of 1 and 4 twelfths; the points leave some thousandths
   expect_lt(max(abs(found$first / c(0.2, 0.8) - 1)), 0.005)
   expect_lt(max(abs(found$total / c(0.2, 0.8) - 1)), 0.005)
@@ -57,7 +57,8 @@ test_that("intervals hold the known index about as often as they say", {
     blocks <- pick_freeze(points)
     table <- structure(data.frame(x.1 = blocks[, 1], x.2 = blocks[, 2]), how = "indices",
       number = 64, factors = c("x.1", "x.2"))
-    found <- sobol_indices(study_of(table, function(x) x[1] + 2 * x[2]), resamples = 200)
+    found <- effects(study_of(table, function(x) x[1] + 2 * x[2]), what = "indices",
+      resamples = 200)
     abs(found$total_low[2] + found$total_high[2] - 1.6) <= found$total_high[2] - found$total_low[2]
   }, NA)
   # 90 % of 40 is 36, with a standard deviation of 1.9: four of them below
@@ -67,8 +68,8 @@ test_that("intervals hold the known index about as often as they say", {
 test_that("groups with a design that did not settle are left out, with a warning", {
   skip_if_not_installed("spacefillr")
   whole <- three("indices", 256)
-  expect_warning(found <- sobol_indices(study_of(whole, ishigami, failed = c(3, 300, 1030)),
-    resamples = 20), "3 of 1280 designs", class = "codend_warning_study")
+  expect_warning(found <- effects(study_of(whole, ishigami, failed = c(3, 300, 1030)),
+    resamples = 20, what = "indices"), "3 of 1280 designs", class = "codend_warning_study")
   # 3 and 1030 = 4 * 256 + 6, 300 = 256 + 44: three groups
   expect_identical(unique(found$designs), 253L)
 })
@@ -77,18 +78,18 @@ test_that("main effects and effects of pairs are those of an analysis of varianc
   grid <- designs(x.1 = c(1, 2, 4), x.2 = c(0, 3), how = "grid")
   f <- function(x) x[1] + x[2] + 0.5 * x[1] * x[2]
   x <- study_of(grid, f)
-  found <- main_effects(x)
+  found <- effects(x)
   table <- data.frame(y = x$drag_kN, a = factor(grid$x.1), b = factor(grid$x.2))
   means <- stats::model.tables(stats::aov(y ~ a * b, table), "means")$tables
   expect_equal(found$mean, unname(c(means$a, means$b)), ignore_attr = TRUE)
   expect_equal(found$value, c(1, 2, 4, 0, 3))
   squares <- summary(stats::aov(y ~ a * b, table))[[1]][["Sum Sq"]]
-  expect_equal(pair_effects(x)$spread, sqrt(squares[3] / 6))
+  expect_equal(effects(x, what = "pairs")$spread, sqrt(squares[3] / 6))
 })
 
 test_that("a field of many values has groups of equal size", {
   skip_if_not_installed("spacefillr")
-  found <- main_effects(study_of(three("sobol", 64), ishigami), groups = 4)
+  found <- effects(study_of(three("sobol", 64), ishigami), groups = 4)
   expect_identical(found$designs, rep(16L, 12))
   expect_true(all(diff(found$value[1:4]) > 0))
 })
@@ -98,28 +99,27 @@ test_that("a study is summed up, and wrong arguments are told", {
   expect_output(print(summary(x)), "6 designs of \"A function\": 6 done, 5 settled")
   expect_output(print(summary(x)), "1  did not settle")
   expect_equal(summary(x)$measures$largest, 7)
-  expect_wrong(sobol_indices(x))
-  expect_wrong(main_effects(data.frame(a = 1)))
-  expect_wrong(main_effects(x, "depth"))
-  expect_wrong(main_effects(x, groups = 1))
-  expect_wrong(pair_effects(study_of(designs(x.1 = 1:3), sum)))
+  expect_wrong(effects(x, what = "indices"))
+  expect_wrong(effects(x, "depth"))
+  expect_wrong(effects(x, groups = 1))
+  expect_wrong(effects(study_of(designs(x.1 = 1:3), sum), what = "pairs"))
 })
 
 test_that("main effects are drawn, each field by itself", {
   x <- study_of(designs(x.1 = c(1, 2, 4), x.2 = c(0, 3)), sum)
-  found <- main_effects(x)
+  found <- effects(x)
   data <- ggplot2::autoplot(found)$data
   expect_equal(data$at[data$across == "x 1"], c(1, 2, 4))
   expect_equal(data$value[data$across == "x 1"], c(2.5, 3.5, 5.5))
   found$value <- rep(c("PA", "PE", "steel"), length.out = nrow(found))
   expect_identical(levels(ggplot2::autoplot(found)$data$at), c("PA", "PE", "steel"))
-  expect_picture(main_effects(x))
+  expect_picture(effects(x))
 })
 
 test_that("effects of pairs are drawn as lines that fan out", {
   grid <- designs(x.1 = c(1, 2, 4), x.2 = c(0, 3), x.3 = 1:2, how = "grid")
   # x.1 and x.2 work together, x.3 adds to both
-  found <- pair_effects(study_of(grid, function(x) x[1] * x[2] + x[3]))
+  found <- effects(study_of(grid, function(x) x[1] * x[2] + x[3]), what = "pairs")
   expect_identical(c(found$field[1], found$other[1]), c("x.1", "x.2"))
   expect_equal(found$spread[-1], c(0, 0))
   drawn <- pair_points(found, 1)
@@ -137,7 +137,7 @@ test_that("effects of pairs are drawn as lines that fan out", {
 
 test_that("Sobol' indices are drawn with their intervals", {
   skip_if_not_installed("spacefillr")
-  found <- sobol_indices(study_of(three("indices", 64), ishigami), resamples = 20)
+  found <- effects(study_of(three("indices", 64), ishigami), resamples = 20, what = "indices")
   expect_picture(found)
   expect_wrong(plot(found, "depth"))
 })
