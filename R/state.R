@@ -14,7 +14,12 @@ new_state <- function(gear, si, lattice, position, report, velocity = NULL, chan
   state <- list(gear = plain, report = report, position = matrix(position, 3L))
   if (any(velocity != 0)) state$velocity <- matrix(velocity, 3L)
   if (!identical(si, gear_si(gear))) state$si <- si
-  if (changed) state$lattice <- lattice else state$mesh <- mesh_recipe(lattice)
+  if (changed) {
+    state$lattice <- lattice
+  } else {
+    lattice$start <- state$position
+    state$mesh <- mesh_recipe(lattice)
+  }
   state$handle <- engine_handle()
   state <- structure(state, class = "codend_state")
   engine_fill_handle(state$handle, evaluated(gear, si, lattice, state))

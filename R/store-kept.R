@@ -9,9 +9,8 @@ write_kept <- function(file, fill) {
   })
 }
 
-# Formats that this codend reads and writes. States up to 1 and trajectories up to 2 held objects of
-# R.
-kept_versions <- c(state = 7L, trajectory = 10L)
+# Formats that this codend reads; it writes the last. States of format 7 hold their mesh.
+kept_versions <- list(state = 7:8, trajectory = 10L)
 
 # An open NetCDF file as this version of codend keeps it, with the attributes `what` ("state" or
 # "trajectory") and `records`, their number. A trajectory without a seal is one of a run that was
@@ -43,9 +42,9 @@ open_kept <- function(file) {
   what <- names(versions)
   version <- versions[[what]]
   known <- kept_versions[[what]]
-  if (!identical(as.double(version), as.double(known))) {
-    refuse(paste("is of format {version}; this codend reads format {known} alone.",
-      if (all(version < known)) "Older ones held objects of R, which reading would have run."),
+  if (!(length(version) == 1L && version %in% known)) {
+    refuse(paste("is of format {version}; this codend reads format {.or {known}} alone.",
+      if (all(version < 3)) "Older ones held objects of R, which reading would have run."),
       version = version, known = known)
   }
   if (seal == "none" && what == "state") {
@@ -124,7 +123,7 @@ define_file <- function(nc, variables, sizes, lattice, gear, title, what) {
   put_texts(nc, "NC_GLOBAL", c(Conventions = "CF-1.10", title = title,
     source = paste("codend", utils::packageVersion("codend")), plan = enc2utf8(format(gear))))
   RNetCDF::att.put.nc(nc, "NC_GLOBAL", paste0("codend_", what), "NC_INT",
-    kept_versions[[what]])
+    max(kept_versions[[what]]))
 }
 
 # Attributes of a variable, texts by name.
@@ -140,9 +139,12 @@ kept_numbers <- function(what) {
   what$plan_file <- what$gear$file
   if (!is.null(what$gear$source)) what$plan_source <- enc2utf8(what$gear$source)
   # both follow from what it was made from
-  what$places <- lattice_places(what$lattice)
-  what$gear <- what$lattice$place <- NULL
-  what$lattice$frame <- list()
+  if (!is.null(what$lattice)) {
+    what$places <- lattice_places(what$lattice)
+    what$lattice$place <- NULL
+    what$lattice$frame <- list()
+  }
+  what$gear <- NULL
   what$levels_in_si <- TRUE
   flat <- flatten_tree(what)
   list(
@@ -161,6 +163,14 @@ read_kept_numbers <- function(get) {
   integers <- suppressWarnings(as.integer(get("kept_integers")))
   what <- build_tree(text, as.vector(get("kept_numbers")), integers, stop)
   gear <- gear_of_text(what$plan_text, what$plan_file, what$plan_source)
+  what <- c(list(gear = gear), what)
+  what$si <- first_of(what$si, gear_si(gear))
+  if (is.null(what$mesh)) what <- with_kept_lattice(what)
+  what[setdiff(names(what), c("plan_text", "plan_file", "plan_source", "places", "levels_in_si"))]
+}
+
+# What a file keeps with its lattice made whole.
+with_kept_lattice <- function(what) {
   if (!inherits(what$lattice, "codend_lattice")) stop("it holds no model")
   # Files of before crossings of knotless netting counted once in wakes.
   sheets <- what$lattice$engine$wake_sheets
@@ -169,14 +179,12 @@ read_kept_numbers <- function(get) {
   }
   # Files of before levels' measures were kept in SI.
   if (is.null(what$levels_in_si)) what <- with_levels_in_si(what)
-  what$levels_in_si <- NULL
   what$lattice$place <- place_finder(what$places)
   check_indices(what$lattice)
   # what measures take of a lattice, which files do not hold
   again <- lattice_of_recipe(what$si, mesh_recipe(what$lattice), what$lattice$start)
   what$lattice$frame <- again$frame
-  what$plan_text <- what$plan_file <- what$plan_source <- what$places <- NULL
-  c(list(gear = gear), what)
+  what
 }
 
 # What a file keeps with its measures of other lattices in the units that they are shown in.

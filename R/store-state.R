@@ -26,6 +26,7 @@ read_state <- function(nc, file) {
     position <- as.vector(places(names[1:3]))
     velocity <- as.vector(places(names[4:6]))
     if (!length(velocity)) velocity <- numeric(length(position))
+    if (is.null(what$lattice)) what$lattice <- lattice_of_recipe(what$si, what$mesh, position)
     sizes <- c(length(position), length(velocity)) == 3L * what$lattice$engine$nodes
     if (!all(sizes) || !all(is.finite(c(position, velocity)))) {
       stop("its places do not fit its model")
@@ -56,10 +57,10 @@ state_numbers <- function(state) {
     setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
   })
   drag <- drag_table(state)
-  kept <- list(
-    gear = state$gear, si = state$si, lattice = state$lattice, report = state$report,
-    time = state$time, compared = state$compared, step_accuracy = state$step_accuracy,
-    levels = levels_of(state, plain_measures(measures(state)))
+  plain <- c("si", "mesh", "lattice", "report", "time", "compared", "step_accuracy")
+  kept <- c(
+    Filter(Negate(is.null), lapply(setNames(nm = plain), function(name) .subset2(state, name))),
+    list(gear = state$gear, levels = levels_of(state, plain_measures(measures(state))))
   )
   c(
     do.call(c, vectors),

@@ -47,12 +47,13 @@ async function open(browser, url, size) {
 // The control of a field: the one before the form, where it is there too.
 const control = (page, fieldPath) => page.locator(`.control[data-paths~="${fieldPath}"]`).first();
 
-// A measure's row as texts: [now, kept, change, %].
+// A measure's row as texts, once it is there: [now, kept, change, %].
 async function measure(page, name) {
   const row = page.locator('.measures tbody tr', {
     has: page.locator('th', { hasText: new RegExp(`^${name} \\(`) })
   });
-  return row.locator('td').allTextContents();
+  return row.first().evaluate((row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent),
+    null, { timeout: 60000 });
 }
 
 // Resolves once a page has its answers and its address carries the design.
