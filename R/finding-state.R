@@ -156,7 +156,7 @@ define_finding("weight on netting", "state",
     hung <- Filter(function(name) {
       at <- si$pieces[[name]]$at
       if (!identical(si$pieces[[name]]$role, "weight") || is.null(at)) return(FALSE)
-      node <- state$lattice$place(at)
+      node <- state$lattice$places[[at]]
       # where more cells meet many rows of knots are gathered, which carry it together
       sum(cells == node) %in% 1:2 && !node %in% bar_ends(state, bars)
     }, names(si$pieces))

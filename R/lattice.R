@@ -10,8 +10,8 @@
 # Returns class codend_lattice: list(engine = what the engine reads (see binding.cpp), start = 3 x
 # nodes positions (m), parts = data.frame(name, kind, role), bar_part, cell_part, sphere_part,
 # lift_part, board_part = rows of parts per element, ropes = nodes along each rope with their
-# fraction of its length, points = node of each point, place = function from a parsed place to a
-# node, catch = where the catch may lie (see bag.hpp), with `blocked` meshes behind its front,
+# fraction of its length, points = node of each point, places = node of each place by its
+# text, catch = where the catch may lie (see bag.hpp), with `blocked` meshes behind its front,
 # hung = of a gear that is shot, positions before it is in the water; let_go = TRUE once it is,
 # frame = what measures take of it (src/engine/measure/frame.hpp), division = how edges and grids
 # are divided, see gear_division(), held_edges = of every seam held
@@ -173,7 +173,7 @@ gear_division <- function(si, found) {
     ),
     ropes = named(found$ropes, names(si$ropes)),
     points = setNames(found$places[seq_along(si$points)], names(si$points)),
-    place = place_finder(setNames(found$places, place_names(si))),
+    places = setNames(found$places, place_names(si)),
     held_edges = setNames(Map(
       function(run, seam) c(run[c("node", "at")], list(between = seam$held_between)),
       found$held_edges, si$seams[held]
@@ -263,3 +263,11 @@ load_rows <- function(lines) {
     load = unlist(lapply(tables, `[[`, "load"))
   )
 }
+
+# Which panels are of bars. netting: "bars" or "cells" for all, or NULL.
+panels_of_bars <- function(si, netting) {
+  vapply(si$panels, function(panel) {
+    identical(first_of(netting, panel$netting), "bars") && panel$straight_bar == 0
+  }, NA)
+}
+

@@ -5,7 +5,7 @@
 piece_table <- function(state) {
   pieces <- Filter(function(piece) !is.null(piece$at), state$si$pieces)
   place <- vapply(pieces, `[[`, "", "at")
-  at <- state$position[, vapply(place, state$lattice$place, 0L), drop = FALSE]
+  at <- state$position[, state$lattice$places[place], drop = FALSE]
   data.frame(
     part = as.character(names(pieces)),
     role = vapply(pieces, `[[`, "", "role", USE.NAMES = FALSE),

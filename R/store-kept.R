@@ -9,8 +9,9 @@ write_kept <- function(file, fill) {
   })
 }
 
-# Formats that this codend reads; it writes the last. States of format 7 hold their mesh.
-kept_versions <- list(state = 7:8, trajectory = 10L)
+# Formats that this codend reads; it writes the last. States of format 7 hold their mesh;
+# places of the mesh stand beside it in format 7 and in trajectories of format 10.
+kept_versions <- list(state = 7:8, trajectory = 10:11)
 
 # An open NetCDF file as this version of codend keeps it, with the attributes `what` ("state" or
 # "trajectory") and `records`, their number. A trajectory without a seal is one of a run that was
@@ -139,11 +140,7 @@ kept_numbers <- function(what) {
   what$plan_file <- what$gear$file
   if (!is.null(what$gear$source)) what$plan_source <- enc2utf8(what$gear$source)
   # both follow from what it was made from
-  if (!is.null(what$lattice)) {
-    what$places <- lattice_places(what$lattice)
-    what$lattice$place <- NULL
-    what$lattice$frame <- list()
-  }
+  if (!is.null(what$lattice)) what$lattice$frame <- list()
   what$gear <- NULL
   what$levels_in_si <- TRUE
   flat <- flatten_tree(what)
@@ -179,7 +176,7 @@ with_kept_lattice <- function(what) {
   }
   # Files of before levels' measures were kept in SI.
   if (is.null(what$levels_in_si)) what <- with_levels_in_si(what)
-  what$lattice$place <- place_finder(what$places)
+  if (is.null(what$lattice$places)) what$lattice$places <- what$places
   check_indices(what$lattice)
   # what measures take of a lattice, which files do not hold
   again <- lattice_of_recipe(what$si, mesh_recipe(what$lattice), what$lattice$start)

@@ -17,7 +17,7 @@ laid_position <- function(state) {
   position <- state$position
   ropes <- names(laid$ropes)
   ends <- vapply(ropes, function(rope) {
-    position[, state$lattice$place(paste0(rope, ".end"))]
+    position[, state$lattice$places[[paste0(rope, ".end")]]]
   }, numeric(3))
   held <- state$lattice$engine$held
   moved <- c(laid$net - rowMeans(ends)[1:2], 0)

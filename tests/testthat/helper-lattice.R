@@ -23,7 +23,7 @@ elements_of <- function(x, what, name) which(part_of(x, what) == match(name, par
 
 # Nodes of points and other places, such as "ship", "net.lower_left" or "chain[0.5]".
 nodes_at <- function(x, places) {
-  vapply(places, function(place) as.integer(lattice_of(x)$place(place)), 0L, USE.NAMES = FALSE)
+  unname(lattice_of(x)$places[places])
 }
 
 # A rope's nodes and where they are, as shares of its length: list(node, at).
@@ -44,22 +44,19 @@ held_edge_of <- function(x, seam) lattice_of(x)$held_edges[[seam]]
 start_of <- function(x) lattice_of(x)$start
 hung_shape <- function(x) lattice_of(x)$hung
 
-# A state or trajectory without the lattice's function that finds places, which is never identical
-# to another, without what it computed, and without the other lattices that its errors follow from,
-# which a file holds in another form.
-without_places <- function(x) {
-  x$lattice$place <- NULL
+# A state or trajectory without what it computed, and without the other lattices that its errors
+# follow from, which a file holds in another form.
+plain_result <- function(x) {
   x$levels <- x$handle <- NULL
   x
 }
 
-# A lattice of what a test needs of it: place = function(place) that gives a node, ropes = nodes of
-# each by name, engine = some of the engine's arrays, parts = data.frame(name, kind, role),
-# bar_part.
-sketched_lattice <- function(place = NULL, ropes = list(), engine = list(), parts = NULL,
+# A lattice of what a test needs of it: ropes = nodes of each by name, engine = some of the engine's
+# arrays, parts = data.frame(name, kind, role), bar_part.
+sketched_lattice <- function(ropes = list(), engine = list(), parts = NULL,
                              bar_part = integer()) {
   structure(list(
-    place = place, ropes = lapply(ropes, function(node) list(node = node)), engine = engine,
+    ropes = lapply(ropes, function(node) list(node = node)), engine = engine,
     parts = parts, bar_part = bar_part, cell_part = integer()
   ), class = "codend_lattice")
 }

@@ -34,7 +34,7 @@ test_that("a rope that was laid comes in at the vessel and pulls as what is left
   haul <- tow(hauled_rope(), until = 200, every = 20, accuracy = 0.02,
     schedule = tow_schedule(speed = 0, warp_out = data.frame(time = c(0, 200), value = c(100, 40))))
   expect_equal(haul$conditions$rope, seq(100, 40, by = -6), tolerance = 1e-9)
-  end <- codend:::place_finder(codend:::lattice_places(haul$lattice))("end")
+  end <- haul$lattice$places[["end"]]
   for (k in 3:11) {
     out <- haul$conditions$rope[k]
     state <- state_at(haul, haul$time[k])

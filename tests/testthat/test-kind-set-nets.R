@@ -74,7 +74,7 @@ test_that("a dip net's frame is as deep as its corners are in the mean, on every
   net <- read_gear("dip_net")
   settled <- lapply(c(300, 400), function(nodes) settle(net, nodes = nodes))
   corners <- vapply(settled, function(state) {
-    vapply(1:8, function(k) -state$position[3, state$lattice$place(paste0("collar_", k))], 0)
+    vapply(1:8, function(k) -state$position[3, state$lattice$places[[paste0("collar_", k)]]], 0)
   }, numeric(8))
   # it is swept aside, so that no one corner tells its depth
   expect_true(all(apply(corners, 2, function(depth) diff(range(depth))) > 0.5))

@@ -50,7 +50,7 @@ test_that("a longer warp trails its board", {
     warps.starboard = list(length = "335 m"))
   state <- settle(trawl, nodes = 200)
   boards <- vapply(c("board_port", "board_starboard"), function(point) {
-    state$position[1, state$lattice$place(point)]
+    state$position[1, state$lattice$places[[point]]]
   }, 0)
   # 10 m more of a warp that is nearly straight and leads nearly aft
   expect_gt(boards[[2]] - boards[[1]], 5)

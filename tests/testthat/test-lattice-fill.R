@@ -22,7 +22,7 @@ test_that("other conditions change the water and the ground of a lattice, and no
     expect_identical(again$start, first$start, label = label)
     parts <- setdiff(names(first), c("engine", "place"))
     expect_identical(unclass(again)[parts], unclass(first)[parts], label = label)
-    expect_identical(lattice_places(again), lattice_places(first), label = label)
+    expect_identical(again$places, first$places, label = label)
   }
 })
 

@@ -11,7 +11,7 @@ test_that("a state that is read is the one that was written", {
   for (state in states) {
     expect_identical(write_result(state, file), file)
     found <- read_result(file)
-    expect_identical(without_places(found), without_places(state))
+    expect_identical(plain_result(found), plain_result(state))
     expect_identical(measures(found), measures(state))
   }
   expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "state.nc")

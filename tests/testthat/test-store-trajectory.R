@@ -25,7 +25,7 @@ hauled <- function(...) {
     breaking = list(list(rope = "tail", time = 12))), ...)
 }
 
-known <- function(trajectory) unclass(without_places(trajectory))
+known <- function(trajectory) unclass(plain_result(trajectory))
 
 test_that("a trajectory that is read is the one that was written", {
   folder <- test_folder()
