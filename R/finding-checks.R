@@ -100,3 +100,6 @@ described_at <- function(plan, words, has) {
   }
   NULL
 }
+
+# A text over several lines of code as one line.
+one_line <- function(text) gsub("[[:space:]]+", " ", text)

@@ -1,22 +1,5 @@
 # Measures as the plan asks for them: what each kind is, and how a plan's question is checked.
 
-# Every kind of measure that a plan may ask for: lists as define_measure() makes them, by kind. The
-# files of measures fill it while the package is built, so that the gear knows what to check and
-# need not know how it is computed.
-measure_kinds <- new.env(parent = emptyenv())
-
-# kind: as in the plan; unit: in which it is shown, in_unit() knows it; definition: what it is, in
-# the field's words; asks(asked, path, known): what the plan asks for, checked and taken apart, as a
-# named list (an unknown place, rope, panel or piece is an error of class `codend_error_plan`);
-# sensor: what tells it on a vessel or a model, and what that sees otherwise, or NA. The engine
-# computes it (src/engine/measure).
-define_measure <- function(kind, unit, definition, asks, sensor = NA_character_) {
-  measure_kinds[[kind]] <- list(
-    kind = kind, unit = unit, definition = one_line(definition), sensor = one_line(sensor),
-    asks = asks
-  )
-}
-
 # A measure of a plan: list(kind, column (its name among the measures of a state)) and what its kind
 # asks for.
 si_measure <- function(measure, path, known) {
@@ -114,5 +97,35 @@ spread_pairs <- function(asked, path) {
   asked
 }
 
-# A text over several lines of code as one line.
-one_line <- function(text) gsub("[[:space:]]+", " ", text)
+# ---- kinds of measures ---------------------------------------------------------------------------
+
+# The kinds of measures: their names, units, definitions and classes stand once, in
+# inst/schema/measures.csv, from which the engine's enumeration and the schema's words are made too
+# (tools/schema.R). The engine computes them (src/engine/measure).
+#
+# A row a kind: `kind`, as in the plan and in the engine; `unit` in which it is shown, in_unit()
+# knows it; `class` of measures whose errors are alike, and the `quantity` that it is a number of
+# (src/engine/measure/measure_errors.hpp); `asks`, what a plan has to give, as the end of a name of
+# the functions above, nothing for a measure of every gear; `definition`; and `sensor`, what tells
+# it on a vessel or a model, and what that sees otherwise. Measures of every gear stand in the order
+# in which they are told.
+measure_rows <- utils::read.csv(
+  system.file("schema", "measures.csv", package = "codend", mustWork = TRUE),
+  na.strings = ""
+)
+
+measure_entries <- function(rows) {
+  setNames(lapply(rows, function(k) {
+    row <- as.list(measure_rows[k, ])
+    asks <- if (!is.na(row$asks)) get(paste0("asks_", row$asks))
+    list(kind = row$kind, unit = row$unit, definition = row$definition, sensor = row$sensor,
+      asks = asks)
+  }), measure_rows$kind[rows])
+}
+
+# Kinds that a plan may ask for, and those of every gear, by name: lists of kind, unit, definition,
+# sensor (NA where none is known) and, of the former, asks(asked, path, known): what the plan asks
+# for, checked and taken apart, as a named list (an unknown place, rope, panel or piece is an error
+# of class `codend_error_plan`).
+measure_kinds <- measure_entries(which(!is.na(measure_rows$asks)))
+standard_measures <- measure_entries(which(is.na(measure_rows$asks)))

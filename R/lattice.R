@@ -270,4 +270,3 @@ panels_of_bars <- function(si, netting) {
     identical(first_of(netting, panel$netting), "bars") && panel$straight_bar == 0
   }, NA)
 }
-

@@ -28,15 +28,6 @@ board_table <- function(state) {
   )
 }
 
-define_measure("attitude", "deg",
-  "Angle of attack of a free otter board or kite, its heel (positive where its upper edge leans
-  outward, so that its lift points down; of a kite where its starboard end is high) or trim
-  (positive where its leading edge is high).",
-  sensor = "Heel (roll) and trim (pitch): an inclinometer in a door sensor, each maker with its own
-  signs and its zero as it is mounted. Attack: none at sea.",
-  asks_board_angle
-)
-
 # Warns of boards that do not fly, or not for long; swings: see warn_of_doubts().
 warn_of_boards <- function(state, swings) {
   if (!length(state$si$otter_boards)) return(invisible())

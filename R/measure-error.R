@@ -26,7 +26,7 @@ state_errors <- function(state, found = state_values(state)) {
 # registries; levels: list of list(nodes, values).
 estimate_errors <- function(values, kinds, nodes, levels, step_accuracy = 0,
                             tolerance = settle_tolerance) {
-  kinds <- vapply(kinds, function(kind) first_of(kind$computed, kind$kind), "")
+  kinds <- vapply(kinds, `[[`, "", "kind")
   others <- lapply(levels, function(level) plain(level$values[names(values)]))
   nodes <- c(nodes, vapply(levels, `[[`, 0, "nodes"))
   engine_measure_errors(

@@ -1,12 +1,5 @@
 # Forces of a state: tensions, drag by component, reactions of the supports and their balance.
 
-define_measure("tension", "kN",
-  "Tension of a rope at a place, or the largest along it. At its start or end it is that at the
-  very end: that of the middle of the outermost element, and what pulls at the half beyond.",
-  sensor = "A load cell in the line. What a winch reports includes the friction of the blocks.",
-  asks_rope_place
-)
-
 # Tension at both ends of bars of ropes, N, 2 x bars.
 end_tensions <- function(state, bars) {
   lattice <- state$lattice
@@ -78,17 +71,6 @@ drag_table <- function(state) {
     weight_in_water_kN = in_unit(part_weight(state), "kN")
   )
 }
-
-define_measure("drag", "kN",
-  "Hydrodynamic force on ropes, panels and pieces together, along the flow.",
-  sensor = "None at sea; of a model, the balance of the flume.",
-  asks_parts
-)
-
-define_measure("lift", "kN",
-  "Hydrodynamic force on ropes, panels and pieces together, upwards.",
-  asks_parts
-)
 
 # Totals of a drag table by group: netting, ropes, otter boards, catch and fittings (all other
 # pieces), then all.

@@ -26,21 +26,6 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
   if (all(kept)) all else list2DF(lapply(all, `[`, kept))
 }
 
-define_measure("mesh_opening", "mm",
-  "How wide the meshes of panels are open across them, the mean over their meshes: of diamonds from
-  knot to knot, 0 where they are closed; of square meshes the distance of their bars.",
-  sensor = "A camera in the net, with a scale.",
-  asks_panels
-)
-
-define_measure("mesh_angle", "deg",
-  "Angle between the bars of the meshes of panels, the mean over their meshes: 0 where diamonds are
-  closed across the panel, 90 deg in square meshes; of turned meshes it is measured across the
-  panel.",
-  sensor = "A camera in the net.",
-  asks_panels
-)
-
 # Solidity of panels by name as they stand, on the mean of their netting: twine, crossings of
 # knotless netting once, and knots, over the area of the netting.
 solidity_of_panels <- function(state, names) {

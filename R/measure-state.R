@@ -72,7 +72,7 @@ measured_kinds <- function(si) {
 asked_of <- function(si) {
   kinds <- measured_kinds(si)
   standard <- kinds[seq_along(kinds) > length(si$measures)]
-  c(si$measures, lapply(standard, function(measure) list(kind = measure$computed)))
+  c(si$measures, lapply(standard, function(measure) list(kind = measure$kind)))
 }
 
 # The standard measures' names in a state, with their units.
@@ -107,7 +107,7 @@ measure_definitions <- function(state = NULL) {
 }
 
 # The kinds of measures that a plan may ask for, in the order of their names.
-asked_kinds <- function() mget(sort(ls(measure_kinds), method = "radix"), measure_kinds)
+asked_kinds <- function() measure_kinds[sort(names(measure_kinds), method = "radix")]
 
 all_kinds <- function() c(asked_kinds(), standard_measures)
 
@@ -142,3 +142,5 @@ field_of <- function(x, name, what, call) {
   }
   NULL
 }
+
+has_towing <- function(state) state$si$towing$speed != 0

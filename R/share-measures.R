@@ -1,7 +1,7 @@
 # Measures as a shared page has them: what its engine is asked, and how they are shown.
 
 # The measures of a state, in order: list(programs = by measure list(kind, unit, size, words, value,
-# error (as a share), definition), standard = the engine's names of those that every gear has).
+# error (as a share), definition), standard = names of those that every gear has).
 shared_measures <- function(state) {
   found <- measures(state)
   unit <- attr(found, "unit")
@@ -17,11 +17,7 @@ shared_measures <- function(state) {
     )
   })
   own <- vapply(state$si$measures, `[[`, "", "column")
-  standard <- attr(found, "kind")[!names(found) %in% own]
-  list(
-    programs = programs,
-    standard = vapply(standard_measures[standard], `[[`, "", "computed", USE.NAMES = FALSE)
-  )
+  list(programs = programs, standard = unname(attr(found, "kind")[!names(found) %in% own]))
 }
 
 # What a page's engine is asked of a gear: its own measures and those of every gear with these

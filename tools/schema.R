@@ -1,15 +1,16 @@
 # Makes inst/schema/plan.schema.json from the parts in tools/schema and the units of
 # R/plan-units.R (tools/schema/README.md tells how a part is written), and the engine's enumerations
-# of laws from the table of laws, inst/schema/laws.csv.
+# of laws and of measures from their tables, inst/schema/laws.csv and measures.csv.
 #   Rscript tools/schema.R           writes the files
 #   Rscript tools/schema.R --check   fails where the files are not what the parts give
-# What measures are it takes from the calls of define_measure() in R/measure-*.R.
 # Takes nothing but the packages jsonlite and yaml; run it in the root of the checkout.
 
 parts_folder <- "tools/schema"
 schema_file <- "inst/schema/plan.schema.json"
 laws_file <- "inst/schema/laws.csv"
 laws_header <- "src/engine/base/laws.hpp"
+measures_file <- "inst/schema/measures.csv"
+measures_header <- "src/engine/measure/measure_kinds.hpp"
 
 read_part <- function(name) {
   yaml::read_yaml(file.path(parts_folder, paste0(name, ".yaml")), handlers = list(
@@ -130,7 +131,10 @@ law_names <- function(of, forms = NULL) {
 
 # An enumeration of the engine with the names of its values; before: those that no row of laws has.
 cpp_names <- function(name, of, forms = NULL, before = NULL) {
-  all <- c(before, law_names(of, forms))
+  cpp_enumeration(name, c(before, law_names(of, forms)))
+}
+
+cpp_enumeration <- function(name, all) {
   c(
     sprintf("enum class %s { %s };", name, toString(all)),
     sprintf("constexpr std::array<const char*, %d> names_of(%s) {", length(all), name),
@@ -173,6 +177,31 @@ laws_text <- function() {
     "// Of the speed of the water behind netting.",
     cpp_names("WakeLaw", "wake", "formula", "none"),
     cpp_ranges("WakeLaw", "wake", "formula", "none"), "", "}  // namespace codend"
+  )
+  paste0(c(lines, ""), collapse = "\n")
+}
+
+# ---- measures -----------------------------------------------------------------------------------
+
+measures <- utils::read.csv(measures_file, na.strings = "")
+
+measures_text <- function() {
+  lines <- c(
+    "// Kinds of measures and their natures, made by `make schema` from",
+    sprintf("// %s, which defines each: do not edit by hand.", measures_file),
+    "#pragma once", "", "// clang-format off",
+    "#include <array>", "#include <cstddef>", "",
+    "namespace codend {", "",
+    cpp_enumeration("MeasureKind", measures$kind), "",
+    "// Classes of measures whose relative errors are alike, and what they are numbers of.",
+    sprintf("enum class MeasureClass { %s };", toString(unique(measures$class))),
+    sprintf("enum class MeasureQuantity { %s };", toString(unique(measures$quantity))),
+    "struct MeasureNature {", "  MeasureClass of;", "  MeasureQuantity in;", "};", "",
+    "inline MeasureNature nature_of(MeasureKind kind) {",
+    "  constexpr MeasureNature natures[] = {",
+    sprintf("      {MeasureClass::%s, MeasureQuantity::%s},  // %s", measures$class,
+      measures$quantity, measures$kind),
+    "  };", "  return natures[static_cast<std::size_t>(kind)];", "}", "", "}  // namespace codend"
   )
   paste0(c(lines, ""), collapse = "\n")
 }
@@ -288,18 +317,9 @@ as_kind <- function(node, name) {
 
 # What a measure is and in which unit, of every kind that R/measure-*.R defines: a text, by kind.
 measure_meanings <- function() {
-  found <- character()
-  # what else a definition says is not asked for, and is not evaluated
-  define_measure <- function(kind, unit, definition, ...) {
-    unit <- if (unit == "%") "percent" else unit
-    found[kind] <<- paste0(gsub("[[:space:]]+", " ", definition), " In ", unit, ".")
-  }
-  for (file in list.files("R", "^measure-.*[.]R$", full.names = TRUE)) {
-    for (call in as.list(parse(file, keep.source = FALSE))) {
-      if (is.call(call) && identical(call[[1]], quote(define_measure))) eval(call)
-    }
-  }
-  found
+  asked <- measures[!is.na(measures$asks), ]
+  unit <- ifelse(asked$unit == "%", "percent", asked$unit)
+  stats::setNames(paste0(asked$definition, " In ", unit, "."), asked$kind)
 }
 
 # The definition `measure`, each of whose fields says first what is measured.
@@ -308,7 +328,7 @@ with_meanings <- function(node) {
   kinds <- names(node$properties)
   odd <- c(setdiff(kinds, names(meanings)), setdiff(names(meanings), kinds))
   if (length(odd)) {
-    stop_part("measure `", odd[1], "` is not both in assembly.yaml and in an R/measure-*.R")
+    stop_part("measure `", odd[1], "` is not both in assembly.yaml and in ", measures_file)
   }
   for (kind in kinds) {
     node$properties[[kind]]$description <-
@@ -434,7 +454,9 @@ text <- paste0(json_lines(schema), "\n")
 
 read_bytes <- function(file) if (file.exists(file)) readBin(file, "raw", file.size(file))
 
-made <- stats::setNames(list(text, laws_text()), c(schema_file, laws_header))
+made <- stats::setNames(
+  list(text, laws_text(), measures_text()), c(schema_file, laws_header, measures_header)
+)
 for (file in names(made)) {
   if (!identical(commandArgs(TRUE), "--check")) {
     beside <- tempfile(tmpdir = dirname(file))

@@ -48,73 +48,6 @@ constexpr double enough_nodes = 1200, extra_ratio = 2.6, most_made_finer = 2500,
 // by 0.03 and 0.15 %. An opening has two sides, an area two lengths, a volume three.
 constexpr double step_places = 1.5, step_forces = 0.25;
 
-// Classes of measures whose errors are alike as shares of themselves, and what they are numbers of.
-enum class Class { opening, force, place, netting };
-enum class Quantity { other, length, area, volume, force, twine_force, power };
-struct Nature {
-  Class of;
-  Quantity in;
-};
-
-Nature nature(MeasureKind kind) {
-  switch (kind) {
-    case MeasureKind::spread:
-    case MeasureKind::height:
-    case MeasureKind::clearance:
-      return {Class::opening, Quantity::length};
-    case MeasureKind::length:
-    case MeasureKind::depth:
-    case MeasureKind::least_depth:
-    case MeasureKind::greatest_depth:
-      return {Class::place, Quantity::length};
-    case MeasureKind::area:
-    case MeasureKind::enclosed_area:
-    case MeasureKind::bag_surface:
-      return {Class::opening, Quantity::area};
-    case MeasureKind::volume:
-    case MeasureKind::enclosed_volume:
-    case MeasureKind::bag_volume:
-      return {Class::opening, Quantity::volume};
-    case MeasureKind::tension:
-    case MeasureKind::drag:
-    case MeasureKind::lift:
-    case MeasureKind::total_drag:
-    case MeasureKind::largest_rope_tension:
-    case MeasureKind::ground_load:
-      return {Class::force, Quantity::force};
-    case MeasureKind::tow_power:
-    case MeasureKind::engine_power:
-      return {Class::force, Quantity::power};
-    case MeasureKind::pull_used:
-    case MeasureKind::fuel_rate:
-    case MeasureKind::ground_friction:
-      return {Class::force, Quantity::other};
-    case MeasureKind::largest_panel_twine_tension:
-    case MeasureKind::most_loaded_twine_tension:
-      return {Class::netting, Quantity::twine_force};
-    case MeasureKind::rope_on_ground:
-      return {Class::netting, Quantity::length};
-    case MeasureKind::slack_netting:
-      return {Class::netting, Quantity::other};
-    case MeasureKind::sinking_speed:
-    case MeasureKind::ground_speed:
-    case MeasureKind::angle:
-    case MeasureKind::attitude:
-    case MeasureKind::mesh_opening:
-    case MeasureKind::mesh_angle:
-    case MeasureKind::volume_share:
-    case MeasureKind::filtered_volume:
-    case MeasureKind::swept_area:
-    case MeasureKind::mouth_blockage:
-    case MeasureKind::fuel_per_swept_area:
-    case MeasureKind::fuel_per_filtered_volume:
-    case MeasureKind::fuel_per_yield:
-    case MeasureKind::bag_front:
-      break;
-  }
-  return {Class::opening, Quantity::other};
-}
-
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
   std::sort(values.begin(), values.end());
@@ -124,9 +57,9 @@ double median(std::vector<double> values) {
 
 // What is usual of a class of measures, as a share of each: the median of its shares.
 std::vector<double> usual_shares(const std::vector<double>& shares,
-                                 const std::vector<Class>& classes) {
+                                 const std::vector<MeasureClass>& classes) {
   std::vector<double> every;
-  std::map<Class, std::vector<double>> by_class;
+  std::map<MeasureClass, std::vector<double>> by_class;
   for (std::size_t k = 0; k < shares.size(); ++k) {
     if (!std::isfinite(shares[k]) || shares[k] <= no_share) continue;
     every.push_back(shares[k]);
@@ -134,11 +67,11 @@ std::vector<double> usual_shares(const std::vector<double>& shares,
   }
   const double of_all = median(every);
   std::vector<double> out;
-  for (const Class one : classes) {
+  for (const MeasureClass one : classes) {
     const std::vector<double>& mine = by_class[one];
-    const double usual = mine.size() >= least_class ? median(mine)
-                         : one == Class::place      ? place_share * of_all
-                                                    : of_all;
+    const double usual = mine.size() >= least_class   ? median(mine)
+                         : one == MeasureClass::place ? place_share * of_all
+                                                      : of_all;
     out.push_back(std::max(usual, least_share));
   }
   return out;
@@ -148,7 +81,7 @@ std::vector<double> usual_shares(const std::vector<double>& shares,
 // lattice from the one told of, which comes last among the nodes; size: of the measures.
 std::vector<double> fitted_errors(const Eigen::MatrixXd& differences,
                                   const std::vector<double>& size, const std::vector<double>& nodes,
-                                  const std::vector<Class>& classes) {
+                                  const std::vector<MeasureClass>& classes) {
   const Eigen::Index others = differences.cols(), count = others + 1;
   const double freedom = static_cast<double>(others);
   Eigen::VectorXd length(count);
@@ -205,7 +138,8 @@ std::vector<MeasuredLattice> fair(std::vector<MeasuredLattice> all, double nodes
 }
 
 // By the measures that the same lattices have.
-std::vector<double> lattice_errors(const std::vector<Nature>& natures, const MeasuredLattice& here,
+std::vector<double> lattice_errors(const std::vector<MeasureNature>& natures,
+                                   const MeasuredLattice& here,
                                    const std::vector<MeasuredLattice>& others) {
   std::vector<double> out(here.measures.size(), unknown);
   if (others.empty()) return out;
@@ -225,7 +159,7 @@ std::vector<double> lattice_errors(const std::vector<Nature>& natures, const Mea
       nodes.push_back(others[l].nodes);
     }
     nodes.push_back(here.nodes);
-    std::vector<Class> classes;
+    std::vector<MeasureClass> classes;
     Eigen::MatrixXd differences(which.size(), use.size());
     for (std::size_t k = 0; k < which.size(); ++k) {
       const double value = here.measures[which[k]];
@@ -245,45 +179,45 @@ std::vector<double> lattice_errors(const std::vector<Nature>& natures, const Mea
 }
 
 // What lattices of netting leave at least.
-double floor_of(const Nature& of, MeasureKind kind, double size, double nodes) {
+double floor_of(const MeasureNature& of, MeasureKind kind, double size, double nodes) {
   const double at_size = std::sqrt(floor_nodes / nodes);
   if (kind == MeasureKind::slack_netting) {
     return slack_floor * (at_size * size + 1 / std::sqrt(nodes));
   }
-  return of.of == Class::place ? 0.0 : error_floor * at_size * size;
+  return of.of == MeasureClass::place ? 0.0 : error_floor * at_size * size;
 }
 
 // What a balance leaves in measures that vanish: in forces its share of the largest one, in lengths that
 // of the longest, and what follows from these in areas and volumes. largest: by quantity.
-double left_by_balance(Quantity of, std::map<Quantity, double>& largest) {
-  const double length = largest[Quantity::length];
+double left_by_balance(MeasureQuantity of, std::map<MeasureQuantity, double>& largest) {
+  const double length = largest[MeasureQuantity::length];
   switch (of) {
-    case Quantity::length:
+    case MeasureQuantity::length:
       return length;
-    case Quantity::area:
+    case MeasureQuantity::area:
       return length * length;
-    case Quantity::volume:
+    case MeasureQuantity::volume:
       return length * length * length;
-    case Quantity::force:
-    case Quantity::twine_force:
+    case MeasureQuantity::force:
+    case MeasureQuantity::twine_force:
       return largest[of];
     default:
       return 0.0;
   }
 }
 
-double left_by_steps(Quantity of, double size, double accuracy) {
+double left_by_steps(MeasureQuantity of, double size, double accuracy) {
   const double place = step_places * accuracy;
   switch (of) {
-    case Quantity::length:
+    case MeasureQuantity::length:
       return place;
-    case Quantity::area:
+    case MeasureQuantity::area:
       return 2 * place * std::sqrt(size);
-    case Quantity::volume:
+    case MeasureQuantity::volume:
       return 3 * place * std::pow(size, 2.0 / 3);
-    case Quantity::force:
-    case Quantity::twine_force:
-    case Quantity::power:
+    case MeasureQuantity::force:
+    case MeasureQuantity::twine_force:
+    case MeasureQuantity::power:
       return step_forces * std::sqrt(accuracy) * size;
     default:
       return 0.0;
@@ -301,10 +235,10 @@ std::vector<double> measure_errors(const std::vector<MeasureKind>& kinds,
   };
   check(here);
   for (const MeasuredLattice& one : others) check(one);
-  std::vector<Nature> natures;
-  for (const MeasureKind kind : kinds) natures.push_back(nature(kind));
+  std::vector<MeasureNature> natures;
+  for (const MeasureKind kind : kinds) natures.push_back(nature_of(kind));
   std::vector<double> out = lattice_errors(natures, here, fair(std::move(others), here.nodes));
-  std::map<Quantity, double> largest;
+  std::map<MeasureQuantity, double> largest;
   bool netting = false;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     if (std::isnan(here.measures[k])) continue;

@@ -134,13 +134,13 @@ class Measuring {
         return fuel_per(swept_area());
       case MeasureKind::fuel_per_filtered_volume:
         return fuel_per(filtered_volume());
-      case MeasureKind::fuel_per_yield:
+      case MeasureKind::fuel_per_catch:
         return fuel_per(T(asked_.propulsion.yield));
-      case MeasureKind::bag_volume:
+      case MeasureKind::catch_volume:
         return bag_ ? bag_volume(*bag_, points_) : T(none);
-      case MeasureKind::bag_surface:
+      case MeasureKind::catch_surface:
         return bag_ ? bag_surface(*bag_, points_) : T(none);
-      case MeasureKind::bag_front:
+      case MeasureKind::catch_front:
         return T(bag_ ? bag_->blocked : none);
       case MeasureKind::largest_rope_tension:
         return largest_tension([&](int part) { return part < ropes(); });
