@@ -68,6 +68,20 @@ test_that("a codend as it is divided where its plan leaves that open has AxiCode
   expect_lt(abs(found[["catch_surface_m2"]] / wanted$catch_surface - 1), within)
 })
 
+test_that("codends filled to three quarters converge, from nothing and however divided", {
+  volumes <- vapply(seq(50, 75, by = 5), function(blocked) {
+    states <- list(
+      settle_codend(list(blocked_meshes = blocked), sides = 16, rows = 30),
+      settle_codend(list(blocked_meshes = blocked), sides = 20, rows = 50)
+    )
+    found <- vapply(states, function(state) measures(state)[["catch_volume_m3"]], 0)
+    # polygons of 16 and 20 sides, rows of 3.3 and 2 meshes
+    expect_lt(abs(found[1] / found[2] - 1), 0.01)
+    found[2]
+  }, 0)
+  expect_true(all(diff(volumes) > 0))
+})
+
 test_that("the drag of a catch is its pressure on the area of its front", {
   for (blocked in c(30, 50.5)) {
     state <- settle_codend(list(blocked_meshes = blocked), sides = 20, rows = 50)
