@@ -159,27 +159,14 @@ contribution_scale <- function(work, spread) {
   pmax(abs(spread), least_contribution * abs(work$values), .Machine$double.xmin)
 }
 
-# A budget needs slopes to a few figures: by this share, with so many steps of the factors; net
-# forces over the largest tension that may be left.
-quick_share <- 1e-5
-quick_steps <- 2L
-quick_tolerance <- 1e-8
-
-# A source's slopes by its share, list(slope); NULL where steps of the factors lead to no balance,
-# or where the gear goes otherwise on both sides.
+# A source's slopes by its share, list(slope); NULL where there is no tangent, or where the slopes to
+# both sides differ.
 quick_slopes <- function(work, field, share) {
-  little <- little_share(field)
-  numbers <- if (!is.null(work$near)) field_numbers(work, field, little)
-  if (is.null(numbers)) return(NULL)
-  if (identical(numbers, work$numbers)) return(list(slope = 0 * work$values))
-  sides <- near_changes(work, numbers, little, quick_share, 0L, share, quick_tolerance, quick_steps,
-    closes_in = FALSE)
-  if (is.null(sides)) return(NULL)
-  slope <- (sides$up - sides$down) / (2 * quick_share)
-  turn <- abs(sides$up + sides$down) / quick_share * share
-  if (all(turn <= most_turn * contribution_scale(work, slope * share), na.rm = TRUE)) {
-    list(slope = slope)
-  }
+  quick_tangent$reach <- share
+  found <- tangent_slopes(work, field, quick_tangent)
+  if (is.null(found)) return(NULL)
+  scale <- contribution_scale(work, found$slope * share)
+  if (all(found$turn * share <= most_turn * scale, na.rm = TRUE)) found["slope"]
 }
 
 # The same by gears settled so far to both sides as the source is uncertain, or a quarter of that
