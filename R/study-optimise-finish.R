@@ -126,10 +126,13 @@ optimum_history <- function(task) {
   rows <- task$history$rows
   values <- do.call(rbind, lapply(rows, `[[`, "values"))
   colnames(values) <- field_names(task$points$fields)
-  data.frame(
-    values, aim = vapply(rows, `[[`, 0, "aim"), worst = vapply(rows, `[[`, 0, "worst"),
-    kept = vapply(rows, `[[`, 0, "worst") <= keep_tolerance,
-    settles = vapply(rows, function(row) as.integer(row$settles), 0L), check.names = FALSE
+  structure(
+    data.frame(
+      values, aim = vapply(rows, `[[`, 0, "aim"), worst = vapply(rows, `[[`, 0, "worst"),
+      kept = vapply(rows, `[[`, 0, "worst") <= keep_tolerance,
+      settles = vapply(rows, function(row) as.integer(row$settles), 0L), check.names = FALSE
+    ),
+    gaps = do.call(rbind, lapply(rows, `[[`, "gap"))
   )
 }
 

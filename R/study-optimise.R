@@ -73,6 +73,7 @@
 #'     a field differ on its two sides there, or are only known from settled gears;
 #'   - `history`: a data frame of all points, with fields, the objective, `worst`, by which share of
 #'     its limit the worst condition fails, whether all are `kept`, and gears settled until then;
+#'     its attribute `gaps` has the same share of every condition, negative where it is kept;
 #'   - `starts`: a data frame of where each start ended; `settles`, gears settled in all; `ended`,
 #'     why the search from the best start ended.
 #'
@@ -349,7 +350,7 @@ most_price <- 20
 add_history <- function(task, tried) {
   row <- list(
     values = tried$point$values, aim = tried$values$aim, worst = tried$values$worst,
-    settles = task$points$count$settles
+    gap = tried$values$gap, settles = task$points$count$settles
   )
   task$history$rows <- c(task$history$rows, list(row))
 }

@@ -159,8 +159,8 @@ contribution_scale <- function(work, spread) {
   pmax(abs(spread), least_contribution * abs(work$values), .Machine$double.xmin)
 }
 
-# A source's slopes by its share, list(slope); NULL where there is no tangent, or where the slopes to
-# both sides differ.
+# A source's slopes by its share, list(slope); NULL where there is no tangent, or where the slopes
+# to both sides differ.
 quick_slopes <- function(work, field, share) {
   quick_tangent$reach <- share
   found <- tangent_slopes(work, field, quick_tangent)

@@ -238,7 +238,14 @@ autoplot.codend_pair_effects <- function(object, measures = NULL, most = 6, ...)
   rows <- chosen_pairs(object, measures, most)
   data <- do.call(rbind, lapply(rows, function(row) pair_points(object, row)))
   data$at <- numbers_or_texts(data$at)
-  series_chart(data, study_title(object, "Effects of pairs"))
+  number <- data$number[match(unique(data$group), data$group)]
+  series_chart(data, study_title(object, "Effects of pairs"),
+    colours = rep_len(rope_colours, max(number))[number]) +
+    # the value of the other field stands at the end of each line
+    ggplot2::geom_text(ggplot2::aes(label = .data[["label"]]), function(drawn) drawn[drawn$last, ],
+      hjust = -0.2, size = 3, show.legend = FALSE) +
+    (if (is.numeric(data$at)) ggplot2::scale_x_continuous(expand = c(0.05, 0, 0.2, 0))) +
+    ggplot2::theme(legend.position = "none")
 }
 
 # Rows of the pairs that are drawn.
@@ -258,17 +265,22 @@ pair_points <- function(x, row) {
     means$other == x$other[row], ]
   drawn <- drawn[order(match(drawn$other_value, unique(drawn$other_value)),
     axis_places(numbers_or_texts(drawn$value))), ]
+  other <- field_words(x, x$other[row])
   data.frame(
-    panel = measure_label(x$measure[row], x$unit[row]), across = field_words(x, x$field[row]),
+    panel = measure_label(x$measure[row], x$unit[row]),
+    across = paste0(field_words(x, x$field[row]), "\na line for each ", other),
     at = drawn$value, value = drawn$mean, marked = TRUE,
-    group = paste(field_words(x, x$other[row]), "=", group_labels(drawn$other_value))
+    group = paste(other, "=", group_labels(drawn$other_value)),
+    label = group_labels(drawn$other_value, 3L),
+    number = match(drawn$other_value, unique(drawn$other_value)),
+    last = !duplicated(drawn$other_value, fromLast = TRUE)
   )
 }
 
-# Values of groups: numbers to four figures where that keeps them apart.
-group_labels <- function(values) {
+# Values of groups: numbers to a few figures where that keeps them apart.
+group_labels <- function(values, figures = 4L) {
   number <- numbers_or_texts(values)
   if (!is.numeric(number)) return(values)
-  short <- as_shown(signif(number, 4))
+  short <- as_shown(signif(number, figures))
   if (length(unique(short)) < length(unique(number))) as_shown(number) else short
 }

@@ -155,18 +155,21 @@ autoplot.codend_optimum <- function(object, ...) {
   rows <- object$history
   fields <- object$fields
   labels <- words_and_unit(fields$field, fields$unit)
+  margins <- sprintf("margin of %s (%%)", object$keep$text)
   quantity <- function(panel, value) {
     data.frame(panel = panel, at = seq_len(nrow(rows)), value = value, open = !rows$kept)
   }
   data <- rbind(
     quantity(object$aim$text, rows$aim),
-    if (nrow(object$keep)) quantity("largest violation of a condition (%)", 100 * rows$worst),
+    do.call(rbind, lapply(seq_len(nrow(object$keep)), function(k) {
+      quantity(margins[k], -100 * attr(rows, "gaps")[, k])
+    })),
     do.call(rbind, Map(quantity, labels, unclass(rows)[seq_along(labels)]))
   )
   data$across <- "step of the search"
   data$marked <- TRUE
-  ends <- data.frame(panel = factor(rep(labels, 2L), unique(data$panel)),
-    value = c(fields$lower, fields$upper))
+  ends <- data.frame(panel = factor(c(rep(labels, 2L), margins), unique(data$panel)),
+    value = c(fields$lower, fields$upper, 0 * seq_along(margins)))
   series_chart(data, paste("Optimum of", object$gear$plan$name)) +
     ggplot2::geom_hline(ggplot2::aes(yintercept = .data[["value"]]), ends, colour = "grey40",
       linetype = "33")

@@ -18,7 +18,8 @@
 #'   and for `one_at_a_time`, each measure against each field: all designs with a smooth curve
 #'   (lowess), or the designs in which the other fields are as in the plan.
 #' - [Effects][effects.codend_variations] of fields and of pairs: means of measures
-#'   against a field. Lines of a pair that are not parallel show an interaction.
+#'   against a field. A pair has a line for each value of the other field, with the value at its end.
+#'   Lines that are not parallel show an interaction.
 #' - [Sobol' indices][effects.codend_variations]: first-order and total index of each field, with
 #'   intervals.
 #' - Sensitivities ([sensitivities()]): percent of the measure per percent of the field. Open bars
@@ -28,9 +29,9 @@
 #' - A calibration ([calibrate()]): settled against measured values, and residuals against the
 #'   column `by`. Open points are before, filled points after the calibration; dashed lines are at
 #'   twice the error.
-#' - An optimum ([optimise_gear()]): the objective, the largest violation of a condition and the
-#'   fields at each step of the search. Filled points keep all conditions; dashed lines are the ends
-#'   of a field's range.
+#' - An optimum ([optimise_gear()]): the objective, the margin of each condition (negative: it
+#'   fails) and the fields at each step of the search. Filled points keep all conditions; dashed
+#'   lines are the ends of a field's range.
 #' - A trade-off ([trade_off()]): the second objective and all fields against the first objective.
 #'   Open points are not shown to be optimal.
 #' - Coefficients ([force_coefficients()]): computed values (lines) and published values (points)
