@@ -17,9 +17,9 @@
 #'   combination of the other fields. A cross marks a gear that did not settle. For drawn designs
 #'   and for `one_at_a_time`, each measure against each field: all designs with a smooth curve
 #'   (lowess), or the designs in which the other fields are as in the plan.
-#' - [Effects][effects.codend_variations] of fields and of pairs: means of measures
-#'   against a field. A pair has a line for each value of the other field, with the value at its end.
-#'   Lines that are not parallel show an interaction.
+#' - [Effects][effects.codend_variations] of fields and of pairs: means of measures against a
+#'   field. A pair has a line for each value of the other field, with the value at its end. Lines
+#'   that are not parallel show an interaction.
 #' - [Sobol' indices][effects.codend_variations]: first-order and total index of each field, with
 #'   intervals.
 #' - Sensitivities ([sensitivities()]): percent of the measure per percent of the field. Open bars
