@@ -79,10 +79,18 @@ print.codend_schedule <- function(x, ...) {
 }
 
 schedule_text <- function(value) {
-  if (is.function(value)) return("function of time")
-  if (is.data.frame(value)) return(paste("table of", nrow(value), "times"))
-  if (is.list(value)) return(paste(first_of(names(value), length(value)), collapse = ", "))
-  as.character(value)
+  if (is.function(value)) {
+    return(paste("function of", paste(names(formals(args(value))), collapse = " and ")))
+  }
+  if (is.data.frame(value) && all(c("time", "value") %in% names(value))) {
+    rows <- paste(value$value, "at", value$time)
+    rows <- if (length(rows) > 4L) c(rows[1L], "...", rows[length(rows)]) else rows
+    return(paste(rows, collapse = ", "))
+  }
+  if (!is.list(value)) return(paste(value, collapse = ", "))
+  if (is.null(names(value))) return(paste(length(value), "in a list"))
+  single <- lengths(value) == 1L & vapply(value, is.atomic, NA)
+  paste0(names(value), ifelse(single, paste(" =", value), ""), collapse = ", ")
 }
 
 # A schedule with what it leaves out taken from `planned`, a plan's section `tow`.
