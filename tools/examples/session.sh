@@ -38,7 +38,7 @@ warps.length,Door
 330,59
 END
 [ "$DOCUMENT" = README.md ] || ln -sf "$(Rscript -e 'cat(system.file("exec", "codend", package = "codend"))')" .local/bin/
-Rscript -e 'suppressMessages(library(codend)); write_trajectory(tow("towed_cable", 20), "tow.nc")'
+Rscript -e 'suppressMessages(library(codend)); write_result(tow("towed_cable", until = 20), "tow.nc")'
 mkdir -p tank
 
 PS4='$DOCUMENT:$LINENO: '
