@@ -122,7 +122,7 @@ formats_text <- function(of) {
 #' error.
 #'
 #' @param x A state, from [settle()] or [state_at()], or a trajectory, from [tow()].
-#' @param file Path of the file. It is written whole or not at all.
+#' @param file Path of the file; `read_result()` reads NetCDF. It is written whole or not at all.
 #' @param ... Of glTF: `colours`, `"tension"` or `"part"`, one colour for every part, in turns.
 #' @return `write_result()` gives `file`, invisibly. `read_result()` gives a state as [settle()]
 #'   returns it, or a trajectory as [tow()] does; of a run that did not end, one with all that was

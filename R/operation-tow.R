@@ -137,6 +137,8 @@ tow <- function(gear, schedule = NULL, until = NULL, every = NULL, scheme = NULL
   every <- asked("every", every)
   until <- tow_quantity(until, "until", "time")
   every <- if (is.null(every)) until / 200 else tow_quantity(every, "every", "time")
+  before <- if (going_on) gear$given$control_every
+  given$control_every <- first_of(given$control_every, first_of(before, usual_control_every))
   steered <- if (!is.null(given[["control"]])) given$control_every
   check_tow_times(until, c(every = every, control_every = steered))
   trajectory <- if (going_on) {
@@ -153,6 +155,9 @@ tow <- function(gear, schedule = NULL, until = NULL, every = NULL, scheme = NULL
   record <- if (!is.null(file)) function(what, frames) record_trajectory(what, frames, file)
   march_trajectory(trajectory, until, every, method, measures, record)
 }
+
+# Time between calls of a control where the schedule gives none, s.
+usual_control_every <- 10
 
 # More than any tow needs, s and times, and few enough to be held.
 most_tow_time <- 1e6

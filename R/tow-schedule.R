@@ -21,7 +21,7 @@
 #'   faster, and pay out where their tension at the vessel, at the very end, exceeds the limit.
 #' @param control A function of `measures` (as [measures()] of the present state) and `time` that
 #'   gives the speed at which warps are paid out, m/s: one number, or numbers named by rope.
-#' @param control_every Time between calls of `control`, s or text.
+#' @param control_every Time between calls of `control`, s or text; 10 s when `NULL`.
 #' @param current `list(speed = , toward = )` (m/s, rad), or a list of one such per depth of the
 #'   plan's current.
 #' @param heave Height of the towing points above where the plan has them, m; a sea state is a
@@ -49,7 +49,7 @@
 #' tow("towed_cable", until = 60, every = 20, schedule = faster)
 #' @export
 tow_schedule <- function(speed = NULL, course = NULL, warp_out = NULL, winch = NULL,
-                         control = NULL, control_every = 10, current = NULL, heave = NULL,
+                         control = NULL, control_every = NULL, current = NULL, heave = NULL,
                          vessel_motion = NULL, catch = NULL, breaking = NULL) {
   if (!is.null(control) && !is.function(control)) {
     abort_schedule("control", "must be a function of {.arg measures} and {.arg time}.")
@@ -61,14 +61,15 @@ tow_schedule <- function(speed = NULL, course = NULL, warp_out = NULL, winch = N
   )
   given <- Map(given_value, given, names(given))
   given["winch"] <- list(checked_winch(given$winch))
-  given$control_every <- tow_quantity(given$control_every, "control_every", "time")
+  if (!is.null(control_every)) {
+    given$control_every <- tow_quantity(given$control_every, "control_every", "time")
+  }
   structure(given, class = "codend_schedule")
 }
 
 #' @export
 print.codend_schedule <- function(x, ...) {
   given <- Filter(Negate(is.null), unclass(x))
-  if (is.null(given$control)) given$control_every <- NULL
   if (!length(given)) {
     cat("Tow schedule: nothing changes but what the gear's plan says\n")
     return(invisible(x))

@@ -31,6 +31,7 @@ continued_trajectory <- function(trajectory, given, until) {
   planned <- planned[!vapply(planned, is.null, NA)]
   trajectory$given[names(planned)] <- planned
   trajectory$given[intersect(new, lost)] <- given[intersect(new, lost)]
+  trajectory$given$control_every <- given$control_every
   lost <- setdiff(lost, c(new, names(planned)))
   if (length(lost)) {
     abort_schedule(lost[1], "was a function, which a file does not keep; give it again.")

@@ -39,8 +39,7 @@ test_that("warps are paid out from what they are, and a jump takes no time", {
   state <- settled("midwater_trawl", nodes = 500)
   given <- said_tow(state, list(warp_out = list(by = "-50 m", from = "0 s", over = "20 s"),
     course = list(by = "90 deg", from = "10 s", over = "0 s")))$schedule
-  expect_identical(names(Filter(Negate(is.null), unclass(given))),
-    c("course", "warp_out", "control_every"))
+  expect_identical(names(Filter(Negate(is.null), unclass(given))), c("course", "warp_out"))
   warps <- Filter(function(rope) identical(rope$role, "warp"), state$si$ropes)
   expect_identical(names(given$warp_out), names(warps))
   for (name in names(warps)) {

@@ -105,6 +105,15 @@ test_that("a control holds a weight at its depth by the warp", {
   expect_equal(measures(state_at(found, 600))[["depth_m"]], 60, tolerance = 1e-3)
   expect_wrong(tow(short_cable(), until = 20,
     schedule = tow_schedule(control = function(measures, time) NA)))
+  # a tow that goes on keeps the time between calls, or takes another one
+  asked <- numeric()
+  counted <- tow_schedule(control_every = 5, control = function(measures, time) {
+    asked <<- c(asked, time)
+    0
+  })
+  half <- tow(short_cable(), counted, until = 20, every = 10)
+  whole <- tow(tow(half, until = 30), tow_schedule(control_every = 10), until = 50)
+  expect_equal(asked, c(5, 10, 15, 20, 25, 30, 40, 50))
 })
 
 test_that("a cable that parts lets the weight sink freely", {
