@@ -1,6 +1,7 @@
 # Builds the site, by pkgdown without asking the network, into `site` or the folder that is named:
 #   Rscript tools/site.R [folder]
-# It needs codend installed from these sources. It fails where a link or a picture has no target.
+# It needs codend installed from these sources. It fails where a link or a picture has no target, on
+# the site or in a Markdown file of the sources.
 
 folder <- c(commandArgs(TRUE), "site")[1]
 options(pkgdown.internet = FALSE)
@@ -45,12 +46,16 @@ pkgdown::build_reference(site, devel = FALSE)
 pkgdown::build_articles(site, quiet = TRUE)
 pkgdown::build_news(site)
 
-# What CONTRIBUTING.md names of the sources is not on the site: words there, no links.
+# Files of the sources that CONTRIBUTING.md links to are not on the site: words there, no links. A
+# link to what the sources do not have either stays, and fails below.
+in_sources <- function(targets) {
+  file.exists(targets) | file.exists(sub("[.]html$", ".md", targets))
+}
 for (page in list.files(site$dst_path, "[.]html$", full.names = TRUE)) {
   text <- paste(readLines(page, encoding = "UTF-8", warn = FALSE), collapse = "\n")
   links <- unique(regmatches(text, gregexpr('<a href="[^"#:]+">', text))[[1]])
   aims <- sub('<a href="([^"]*)">', "\\1", links)
-  for (link in links[!file.exists(file.path(site$dst_path, aims))]) {
+  for (link in links[!file.exists(file.path(site$dst_path, aims)) & in_sources(aims)]) {
     parts <- strsplit(text, link, fixed = TRUE)[[1]]
     parts[-1] <- sub("</a>", "", parts[-1], fixed = TRUE)
     text <- paste(parts, collapse = "")
@@ -79,7 +84,20 @@ dead_targets <- function(page) {
   targets[!file.exists(file) | lacks_anchor]
 }
 
-dead <- lapply(stats::setNames(nm = names(pages)), dead_targets)
+# The same of a Markdown file of the sources, which need not be on the site.
+dead_files <- function(file) {
+  text <- paste(readLines(file, encoding = "UTF-8", warn = FALSE), collapse = "\n")
+  links <- regmatches(text, gregexpr("\\]\\([^)#: ]+[)#]", text))[[1]]
+  targets <- unique(substring(links, 3L, nchar(links) - 1L))
+  targets[!file.exists(file.path(dirname(file), targets))]
+}
+
+# The site's own first page links to pages of the site, where it is checked.
+markdown <- setdiff(system2("git", c("ls-files", "'*.md'"), stdout = TRUE), "pkgdown/index.md")
+dead <- c(
+  lapply(stats::setNames(nm = names(pages)), dead_targets),
+  lapply(stats::setNames(nm = markdown), dead_files)
+)
 dead <- dead[lengths(dead) > 0L]
 cat(sprintf("%s: no target of %s\n", rep(names(dead), lengths(dead)), unlist(dead)), sep = "")
 if (length(dead)) quit(status = 1L)
