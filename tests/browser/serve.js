@@ -1,9 +1,17 @@
 // Starts codend's flume tank. CODEND: the command [exec/codend of the checkout].
 'use strict';
 const { spawn } = require('node:child_process');
+const net = require('node:net');
 const path = require('node:path');
 
 const command = process.env.CODEND || path.join(__dirname, '..', '..', 'exec', 'codend');
+
+// Calls back once a server answers. Shiny prints its address before it listens.
+function answering(url, then) {
+  const { hostname, port } = new URL(url);
+  const socket = net.connect(port, hostname, () => { socket.destroy(); then(); });
+  socket.on('error', () => setTimeout(answering, 20, url, then));
+}
 
 // Resolves to { url, log (all that the process has said), pid, stop } once the page is served.
 function serve(...arguments_) {
@@ -13,7 +21,10 @@ function serve(...arguments_) {
     const listen = (chunk) => {
       tank.log += chunk;
       const found = tank.log.match(/Listening on (http:\S+)\s/);
-      if (found) { tank.url = found[1]; resolve(tank); }
+      if (found && !tank.url) {
+        tank.url = found[1];
+        answering(tank.url, () => resolve(tank));
+      }
     };
     child.stdout.on('data', listen);
     child.stderr.on('data', listen);
