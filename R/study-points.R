@@ -44,12 +44,14 @@ point_slopes <- function(points, point, of) {
   points$count$slopes <- points$count$slopes + 1L
   slopes <- matrix(NA_real_, length(of), length(points$fields), dimnames = list(of, NULL))
   if (!length(of)) return(slopes)
-  work <- tangent_work(point$state)
-  for (k in which(point$values != 0)) {
-    field <- slope_field(point$gear, points$fields[[k]]$paths)
-    found <- field_slopes(work, field, secants = FALSE)
-    slopes[, k] <- found$slope[of] / field$value * points$width[k]
-    if (field$whole) points$count$settles <- points$count$settles + 2L
+  by <- which(point$values != 0)
+  if (length(by)) {
+    work <- tangent_work(point$state)
+    fields <- slope_fields(point$gear, lapply(points$fields[by], `[[`, "paths"))
+    slopes[, by] <- vapply(fields, function(field) {
+      field_slopes(work, field, secants = FALSE)$slope[of] / field$value
+    }, numeric(length(of))) * rep(points$width[by], each = length(of))
+    points$count$settles <- points$count$settles + 2L * sum(whole_fields(points$fields[by]))
   }
   for (k in which(colSums(is.na(slopes)) > 0)) {
     slopes[, k] <- side_slopes(points, point, k, of)

@@ -5,6 +5,9 @@
 # gears that differ little from it in equilibrium (src/engine/measure/near_gear.hpp). A secant is
 # the slope to a gear that is settled at another value of the field.
 
+# Share of a field by which the derivatives of the engine's numbers are computed, and of secants.
+number_share <- 1e-6
+secant_share <- 0.01
 # How a tangent is computed: `shares` of the field's value that are tried in turn, as large as the
 # tangent holds, since tensions of stiff ropes are differences of positions, which round;
 # `renewals`, how often the matrix is factorised again at each; `steps`, most iterations with one
@@ -13,15 +16,12 @@
 # elements change.
 exact_tangent <- list(
   shares = c(1e-4, 1e-5, 1e-6, 1e-5), renewals = c(0L, 0L, 0L, 3L), steps = 20L,
-  tolerance = 1e-11, closes_in = TRUE, reach = 0.01
+  tolerance = 1e-11, closes_in = TRUE, reach = secant_share
 )
-# A budget of uncertainty needs a few digits.
+# A budget of uncertainty needs a few digits; its reach is how uncertain the field is.
 quick_tangent <- list(
-  shares = 1e-5, renewals = 0L, steps = 2L, tolerance = 1e-8, closes_in = FALSE, reach = 0.01
+  shares = 1e-5, renewals = 0L, steps = 2L, tolerance = 1e-8, closes_in = FALSE
 )
-# Share of a field by which the derivatives of the engine's numbers are computed, and of secants.
-number_share <- 1e-6
-secant_share <- 0.01
 # Of a slope, what two one-sided slopes at the state or the secants' mean may differ by, and what
 # the secants from each other; and the least slope, as an elasticity, that this is a share of.
 kink_share <- 0.005

@@ -162,8 +162,7 @@ contribution_scale <- function(work, spread) {
 # A source's slopes by its share, list(slope); NULL where there is no tangent, or where the slopes
 # to both sides differ.
 quick_slopes <- function(work, field, share) {
-  quick_tangent$reach <- share
-  found <- tangent_slopes(work, field, quick_tangent)
+  found <- tangent_slopes(work, field, c(quick_tangent, reach = share))
   if (is.null(found)) return(NULL)
   scale <- contribution_scale(work, found$slope * share)
   if (all(found$turn * share <= most_turn * scale, na.rm = TRUE)) found["slope"]
