@@ -1,12 +1,11 @@
-# Writes a state or a trajectory as a scene in glTF 2.0, `.glb` or `.gltf`. colours: "tension" or
-# "part". Returns `file`, invisibly.
-write_gltf <- function(x, file, colours = c("tension", "part")) {
+# Writes a state or a trajectory as a scene in glTF 2.0. write: write_glb or write_gltf_text;
+# colours: "tension" or "part". Returns `file`, invisibly.
+write_gltf <- function(x, file, write, colours = c("tension", "part")) {
   colours <- chosen(colours, c("tension", "part"))
   write_file(file, function(path) {
     buffer <- gltf_buffer(dirname(file))
     on.exit(buffer$remove())
     scene <- with_plain_numbers(gltf_scene(gltf_moments(x), colours, buffer))
-    write <- if (grepl("[.]glb$", file, ignore.case = TRUE)) write_glb else write_gltf_text
     with_plain_numbers(write(path, scene, buffer))
   })
 }

@@ -1,6 +1,7 @@
 # States as JSON (inst/schema/state.schema.json), for languages without a reader of NetCDF.
 
-write_state_json <- function(state, path) {
+# Writes a state. Returns `file`, invisibly.
+write_state_json <- function(state, file) {
   numbers <- state_numbers(state)
   numbers <- Filter(function(number) length(number$value) > 0L, numbers)
   numbers <- numbers[!startsWith(names(numbers), "kept_")]
@@ -24,7 +25,7 @@ write_state_json <- function(state, path) {
   text <- as.character(jsonlite::toJSON(of_state, auto_unbox = TRUE, null = "null",
     json_verbatim = TRUE))
   text <- paste0(substr(text, 1L, nchar(text) - 1L), ",\"plan\":", json_plan(state$gear), "}\n")
-  writeBin(charToRaw(enc2utf8(text)), path)
+  write_file(file, function(path) writeBin(charToRaw(enc2utf8(text)), path))
 }
 
 # A number to the last bit, for which jsonlite has too few digits.

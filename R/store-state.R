@@ -1,10 +1,7 @@
 # A state on disk: NetCDF in the classic format, with the names and units of a trajectory's file.
 
-# Writes a state as NetCDF (`.nc`) or JSON (`.json`). Returns `file`, invisibly.
+# Writes a state as NetCDF. Returns `file`, invisibly.
 write_state <- function(state, file) {
-  if (grepl("[.]json$", file, ignore.case = TRUE)) {
-    return(write_file(file, function(path) write_state_json(state, path)))
-  }
   check_netcdf()
   write_kept(file, function(nc) {
     numbers <- c(state_numbers(state), measure_numbers(state))
