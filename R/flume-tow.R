@@ -21,9 +21,8 @@ tow_asked <- function(state, said) {
 planned_tow <- function(state) {
   section <- tow_section(state$gear)
   if (!length(section)) abort_argument("The plan on screen has no section `tow`.")
-  changing <- intersect(names(formals(tow_schedule)), names(section))
   c(
-    list(schedule = do.call(tow_schedule, section[changing])),
+    list(schedule = with_planned(tow_schedule(), section)),
     section[intersect(c("scheme", "accuracy"), names(section))]
   )
 }

@@ -54,11 +54,7 @@ tow_schedule <- function(speed = NULL, course = NULL, warp_out = NULL, winch = N
   if (!is.null(control) && !is.function(control)) {
     abort_schedule("control", "must be a function of {.arg measures} and {.arg time}.")
   }
-  given <- list(
-    speed = speed, course = course, warp_out = warp_out, winch = winch, control = control,
-    control_every = control_every, current = current, heave = heave,
-    vessel_motion = vessel_motion, catch = catch, breaking = breaking
-  )
+  given <- mget(names(formals()))
   given <- Map(given_value, given, names(given))
   given["winch"] <- list(checked_winch(given$winch))
   if (!is.null(control_every)) {
