@@ -9,8 +9,9 @@ run_export <- function(given, options) {
   shown <- if (kept) read_result(plan)
   of_tow <- inherits(shown, "codend_trajectory")
   formats <- formats_of(if (of_tow) "trajectory" else "state")
-  for (file in files[vapply(lapply(files, format_of_file, formats), is.null, NA)]) {
-    abort_usage(file, if (of_tow) {
+  odd <- Find(function(file) is.null(format_of_file(file, formats)), files)
+  if (!is.null(odd)) {
+    abort_usage(odd, if (of_tow) {
       paste0(" holds a state, and ", plan, " a tow.")
     } else {
       " holds a tow; export it from the file of one (codend tow)."

@@ -116,10 +116,9 @@ measure_rows <- utils::read.csv(
 
 measure_entries <- function(rows) {
   setNames(lapply(rows, function(k) {
-    row <- as.list(measure_rows[k, ])
-    asks <- if (!is.na(row$asks)) get(paste0("asks_", row$asks))
-    list(kind = row$kind, unit = row$unit, definition = row$definition, sensor = row$sensor,
-      asks = asks)
+    asks <- measure_rows$asks[k]
+    c(as.list(measure_rows[k, c("kind", "unit", "definition", "sensor")]),
+      if (!is.na(asks)) list(asks = get(paste0("asks_", asks))))
   }), measure_rows$kind[rows])
 }
 
