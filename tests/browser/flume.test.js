@@ -306,8 +306,9 @@ test('an address that is no design is told, and nothing of it runs', async () =>
   await page.close();
 });
 
-test('begins at a gallery: a shipped gear, a new one from a few numbers, and a way out', async () => {
+test('begins at a gallery: a shipped gear, a new one from a few numbers, and a way out', async (t) => {
   const empty = await serve();
+  t.after(empty.stop);
   const page = await visit(browser, empty.url);
   await page.waitForSelector('.gear-card', { state: 'visible', ...patience });
   assert.ok(await page.locator('.gear-card').count() >= 15);
@@ -342,7 +343,6 @@ test('begins at a gallery: a shipped gear, a new one from a few numbers, and a w
   }
   clean(page);
   await page.close();
-  empty.stop();
 });
 
 test('the drawing is the editor: an unfinished net stays, is marked, and comes to fit', async () => {
@@ -438,9 +438,10 @@ test('a click on the net opens the fields of that part, and a turn of the pictur
   await page.close();
 });
 
-test('a reload, a link and a second tab open the design, begun from the gallery and a plan', async () => {
+test('a reload, a link and a second tab open the design, begun from the gallery and a plan', async (t) => {
   for (const plans of [[], ['towed_cable']]) {
     const own = await serve(...plans);
+    t.after(own.stop);
     const page = await visit(browser, own.url);
     if (!plans.length) await page.locator('[data-gear="towed_cable"]').click(patience);
     const speed = control(page, 'towing.speed').locator('.number');
@@ -467,7 +468,6 @@ test('a reload, a link and a second tab open the design, begun from the gallery 
     assert.match(await speed.inputValue(), /^-/);
     clean(page);
     await page.close();
-    own.stop();
   }
 });
 
@@ -585,8 +585,9 @@ test('the design on screen is towed, played and saved, and a wrong tow is told',
   await page.close();
 });
 
-test('at phone width a gear from far down the gallery opens at the top of the page', async () => {
+test('at phone width a gear from far down the gallery opens at the top of the page', async (t) => {
   const empty = await serve();
+  t.after(empty.stop);
   const page = await visit(browser, empty.url, { width: 390, height: 844 });
   const card = page.locator('[data-gear="stow_net"]');
   await card.waitFor(patience);
@@ -600,7 +601,6 @@ test('at phone width a gear from far down the gallery opens at the top of the pa
   assert.equal(await page.evaluate(() => window.scrollY), 0);
   clean(page);
   await page.close();
-  empty.stop();
 });
 
 test('at phone width nothing is wider than the screen, and every field has a name', async () => {
@@ -622,6 +622,7 @@ test('at phone width nothing is wider than the screen, and every field has a nam
 test('axe-core finds nothing: the gallery, the tank, its tabs, an unfinished drawing, a phone', async () => {
   const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
   const finds = async (page, state) => {
+    await complete(page);
     await page.evaluate(axe);
     const found = await page.evaluate(() => window.axe.run({ preload: false }));
     assert.deepEqual(found.violations.map((one) => `${state}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`), []);
@@ -651,7 +652,8 @@ test('axe-core finds nothing: the gallery, the tank, its tabs, an unfinished dra
 
 test('the page speaks the language of its address or browser, with no word left out, and finds others\'', async () => {
   const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
-  const context = await browser.newContext({ locale: 'nb-NO', viewport: { width: 390, height: 844 } });
+  const context = await browser.newContext({ locale: 'nb-NO', viewport: { width: 390, height: 844 },
+    reducedMotion: 'reduce' });
   const phone = await context.newPage();
   await phone.goto(tank.url);
   await phone.waitForSelector('.measures td', patience);
