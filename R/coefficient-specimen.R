@@ -3,28 +3,28 @@
 specimen_density <- 1000
 specimen_viscosity <- 1e-6
 
-# A lattice of the engine with no element: points (3 x n, m) in still water.
+# Fields of a mesh with no element: points (3 x n, m) in still water.
 specimen <- function(points, materials = twine_materials(list())) {
   n <- ncol(points)
   bare <- gear("Nothing",
     water = list(density = specimen_density, viscosity = specimen_viscosity),
     held_point = gear_point(position = list(0, 0, 0), held = "fixed")
   )
-  engine <- build_lattice(gear_si(bare))$engine
-  engine$nodes <- n
-  engine$held <- rep(TRUE, n)
-  engine$load <- numeric(3L * n)
-  engine$mass <- numeric(n)
-  engine$slack_twine <- "straight"
-  engine$materials <- engine$blended$materials <- materials
-  list(position = points, engine = engine)
+  fields <- mesh_fields(build_lattice(gear_si(bare))$mesh)
+  fields$nodes <- n
+  fields$held <- rep(TRUE, n)
+  fields$load <- numeric(3L * n)
+  fields$mass <- numeric(n)
+  fields$slack_twine <- "straight"
+  fields$materials <- fields$blended$materials <- materials
+  list(position = points, fields = fields)
 }
 
 # What the engine finds where elements of so many points move through still water at their speeds
 # (m/s; one for all will do) towards -x: the flow comes along x.
 evaluate_specimen <- function(specimen, speed, points) {
-  velocity <- rbind(-rep_len(rep(speed, each = points), specimen$engine$nodes), 0, 0)
-  engine_evaluate(specimen$engine, as.double(specimen$position), as.double(velocity))
+  velocity <- rbind(-rep_len(rep(speed, each = points), specimen$fields$nodes), 0, 0)
+  engine_evaluate(new_mesh(specimen$fields), as.double(specimen$position), as.double(velocity))
 }
 
 # Force (3 x n, N) over 1/2 rho U^2 times an area (m2): drag along the flow, lift across it to y.
@@ -49,7 +49,7 @@ twine_specimens <- function(coefficients, angle, reynolds, solidity) {
   # Its normal part of the flow is towards y.
   ends[, second] <- rbind(cos(angle), -sin(angle), 0)
   held <- specimen(ends, materials)
-  held$engine$bars <- list(
+  held$fields$bars <- list(
     node = seq_len(2L * n), rest = rep(1, n), multiplicity = rep(1, n), height = rep(diameter, n),
     material = rep(1L, n)
   )
@@ -90,13 +90,13 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
     height = rep(diameter, n), material = rep(1L, n)
   )
   if (law == "twines") {
-    held$engine$cells <- c(
+    held$fields$cells <- c(
       common, list(straight = numeric(n), inner = integer(n))
     )
   } else if (law == "blended") {
-    held$engine$blended[c(names(common), "overlap")] <- c(common, list(numeric(n)))
+    held$fields$blended[c(names(common), "overlap")] <- c(common, list(numeric(n)))
   } else {
-    held$engine$screens <- list(
+    held$fields$screens <- list(
       node = node, twine = twine, twine_area = rep(solidity * side^2, n),
       overlap = numeric(n),
       diameter = rep(diameter, n), multiplicity = rep(1, n),
@@ -122,7 +122,7 @@ board_specimens <- function(polar, angle, aspect_ratio) {
   )
   points <- vapply(angle, function(a) upright_board(board, c(0, 0, 0), a), matrix(0, 3L, 3L))
   held <- specimen(matrix(points, 3L))
-  held$engine$plates <- lapply(seq_along(angle), function(k) {
+  held$fields$plates <- lapply(seq_along(angle), function(k) {
     engine_board(board, 3L * (k - 1L) + 1:3, specimen_density)
   })
   speed <- 1
@@ -135,7 +135,7 @@ sphere_specimens <- function(reynolds, smooth = FALSE) {
   n <- length(reynolds)
   diameter <- 0.002
   held <- specimen(matrix(0, 3L, n))
-  held$engine$spheres <- list(
+  held$fields$spheres <- list(
     node = seq_len(n), drag_area = rep(pi / 4 * diameter^2, n), diameter = rep(diameter, n),
     smooth = rep(smooth, n), added_mass = numeric(n), height = rep(diameter, n)
   )

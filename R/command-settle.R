@@ -49,13 +49,13 @@ write_settled <- function(state, folder) {
 # What the command line writes as JSON: whether and how the gear settled, the lattice's size, and
 # the measures by name, and what is worth a look.
 state_record <- function(state) {
-  engine <- state$lattice$engine
+  mesh <- state$lattice$mesh
   found <- measures(state)
   list(
     converged = state$report$converged, iterations = state$report$iterations,
     residual = state$report$residual,
-    nodes = engine$nodes, bars = length(engine$bars$rest),
-    cells = length(engine$cells$rest),
+    nodes = mesh$nodes, bars = length(mesh$bars$rest),
+    cells = length(mesh$cells$rest),
     cpu_seconds = state$report$cpu_seconds,
     measures = as.list(found), errors = as.list(attr(found, "error")),
     main_error = main_error(found),

@@ -1,7 +1,7 @@
 # Writes the ropes of a state as a file of MoorDyn 2. Returns `file`, invisibly.
 write_moordyn <- function(state, file) {
   deck <- moordyn_deck(state)
-  water <- state$lattice$engine$water
+  water <- state$lattice$mesh$water
   if (any(c(water$x, water$y) != 0)) write_moordyn_currents(water, file)
   write_file(file, function(path) writeLines(deck, path))
 }
@@ -50,7 +50,7 @@ moordyn_deck <- function(state) {
     match(vapply(ropes, function(rope) rope$node[length(rope$node)], 0L), points$node),
     vapply(ropes, `[[`, 0, "length"), vapply(ropes, function(rope) length(rope$node) - 1, 0), "-"
   ))
-  water <- state$lattice$engine$water
+  water <- state$lattice$mesh$water
   c(
     "--------------------- MoorDyn Input File ---------------------",
     paste("Ropes of", gsub("[[:cntrl:]]", " ", si$name), "by codend"),
@@ -94,7 +94,7 @@ moordyn_type <- function(rope) {
 # Stretches of ropes between points: list(name, node (from its start on), length, m, unstretched).
 moordyn_ropes <- function(state) {
   lattice <- state$lattice
-  engine <- lattice$engine
+  mesh <- lattice$mesh
   names <- names(Filter(function(rope) is.null(rope$along) && !rope$strut, state$si$ropes))
   sliding <- names[lengths(lapply(state$si$ropes[names], `[[`, "through")) > 0L]
   if (length(sliding)) {
@@ -103,10 +103,10 @@ moordyn_ropes <- function(state) {
   path <- lapply(lattice$ropes[names], `[[`, "node")
   ends <- unlist(lapply(path, function(node) node[c(1L, length(node))]))
   all <- unlist(path)
-  stops <- unique(c(ends, all[duplicated(all)], engine$spheres$node, moordyn_held(state, names)))
+  stops <- unique(c(ends, all[duplicated(all)], mesh$spheres$node, moordyn_held(state, names)))
   unlist(lapply(names, function(name) {
     node <- path[[name]]
-    rest <- engine$bars$rest[bars_of_part(state, rope_part(lattice, name))]
+    rest <- mesh$bars$rest[bars_of_part(state, rope_part(lattice, name))]
     at <- which(node %in% stops)
     lapply(seq_len(length(at) - 1L), function(k) {
       within <- at[k]:at[k + 1L]
@@ -123,11 +123,11 @@ rope_part <- function(lattice, name) {
 # Nodes on which something acts that MoorDyn does not have; ropes: names of those that are written.
 moordyn_held <- function(state, ropes) {
   lattice <- state$lattice
-  engine <- lattice$engine
+  mesh <- lattice$mesh
   written <- lattice$bar_part %in% vapply(ropes, rope_part, 0L, lattice = lattice)
   unique(c(
-    which(engine$held), bar_ends(state, which(!written)), engine$cells$node, engine$blended$node,
-    engine$lifts$node, engine$plates$node, unlist(engine$ties[c("first", "second")]),
+    which(mesh$held), bar_ends(state, which(!written)), mesh$cells$node, mesh$blended$node,
+    mesh$lifts$node, mesh$plates$node, unlist(mesh$ties[c("first", "second")]),
     which(colSums(abs(matrix(point_loads(state), 3L))) > 0)
   ))
 }
@@ -145,7 +145,7 @@ point_loads <- function(state) {
 # A data frame of the points at the ends of stretches: node, attachment, x, y, z, mass, volume, CdA,
 # Ca.
 moordyn_points <- function(state, ropes) {
-  engine <- state$lattice$engine
+  mesh <- state$lattice$mesh
   node <- unique(unlist(lapply(ropes, function(rope) rope$node[c(1L, length(rope$node))])))
   of_ropes <- function(each) {
     share <- lapply(ropes, function(rope) {
@@ -154,23 +154,23 @@ moordyn_points <- function(state, ropes) {
     ends <- unlist(lapply(ropes, function(rope) rope$node[c(1L, length(rope$node))]))
     vapply(node, function(one) sum(rep(unlist(share), each = 2L)[ends == one]), 0)
   }
-  volumes <- engine$volumes
+  volumes <- mesh$volumes
   buoyancy <- vapply(node, function(one) sum(volumes$buoyancy[volumes$node == one]), 0)
-  weight <- engine$water$density * gear_gravity
+  weight <- mesh$water$density * gear_gravity
   volume <- if (weight > 0) buoyancy / weight else numeric(length(node))
   spheres <- function(value) {
-    vapply(node, function(one) sum(value[engine$spheres$node == one]), 0)
+    vapply(node, function(one) sum(value[mesh$spheres$node == one]), 0)
   }
   # what rounding leaves of differences is nothing
   left <- function(x, of) ifelse(x < 1e-9 * of, 0, signif(x, 12L))
-  mass <- left(engine$mass[node] - of_ropes(function(rope) rope$mass_per_length), engine$mass[node])
+  mass <- left(mesh$mass[node] - of_ropes(function(rope) rope$mass_per_length), mesh$mass[node])
   volume <- left(volume - of_ropes(function(rope) rope$volume_per_length), volume)
   held <- node %in% moordyn_held(state, unique(vapply(ropes, `[[`, "", "name")))
   at <- state$position[, node, drop = FALSE]
   data.frame(
     node = node, attachment = ifelse(held, "Fixed", "Free"), x = at[1L, ], y = at[2L, ],
     z = at[3L, ], mass = ifelse(held, 0, mass), volume = ifelse(held, 0, volume),
-    area = ifelse(held, 0, spheres(engine$spheres$drag_area)),
-    added = ifelse(held | volume == 0, 0, spheres(engine$spheres$added_mass) / volume)
+    area = ifelse(held, 0, spheres(mesh$spheres$drag_area)),
+    added = ifelse(held | volume == 0, 0, spheres(mesh$spheres$added_mass) / volume)
   )
 }

@@ -74,19 +74,19 @@ write_state_vtu <- function(state, path) {
 }
 
 vtk_point_data <- function(state, points, corners) {
-  engine <- state$lattice$engine
-  n <- engine$nodes
+  mesh <- state$lattice$mesh
+  n <- mesh$nodes
   none <- ncol(points) - n + corners
   filled <- function(vectors) cbind(vectors, matrix(0, 3L, none))
   knots <- which(state$lattice$parts$kind[state$lattice$sphere_part] == "netting")
   c(
     list(
       depth_m = 0 - c(points[3L, ], board_corners(state)[3L, ]), force_N = filled(state$force),
-      held = c(engine$held, logical(none))
+      held = c(mesh$held, logical(none))
     ),
     if (length(knots)) {
       drag <- sum_by_part(
-        flow_force(state, "spheres")[, knots, drop = FALSE], engine$spheres$node[knots],
+        flow_force(state, "spheres")[, knots, drop = FALSE], mesh$spheres$node[knots],
         ncol(points) + corners
       )
       list(knot_drag_N = drag)
@@ -99,16 +99,16 @@ vtk_point_data <- function(state, points, corners) {
 # of boards follow the points, four each.
 vtk_cells <- function(state, points) {
   lattice <- state$lattice
-  engine <- lattice$engine
+  mesh <- lattice$mesh
   pieces <- vtk_pieces(state)
   boards <- length(state$si$otter_boards)
   # A board's struts are drawn as its plate.
   bar <- which(lattice$parts$kind[lattice$bar_part] != "piece")
-  ends <- matrix(engine$bars$node, 2L)[, bar]
+  ends <- matrix(mesh$bars$node, 2L)[, bar]
   netting <- cell_corners(lattice)
   corners <- 4L - has_three_corners(netting)
   cells <- ncol(netting)
-  hexagonal <- engine$cells$straight > 0
+  hexagonal <- mesh$cells$straight > 0
   count <- c(line = length(bar), cell = cells, vertex = length(pieces$node), quad = boards)
   spread <- function(bars = NaN, cells = NaN, rest = NaN) {
     c(rep_len(bars, count[1L]), rep_len(cells, count[2L]), rep_len(rest, sum(count[3:4])))
@@ -130,7 +130,7 @@ vtk_cells <- function(state, points) {
   }
   if (any(hexagonal)) data$straight_tension_N <- spread(cells = straight)
   data$lines <- spread(
-    engine$bars$multiplicity[bar], if (cells) cell_bars(engine$cells), 0
+    mesh$bars$multiplicity[bar], if (cells) cell_bars(mesh$cells), 0
   )
   data$slack <- spread(as.double(state$bar_tension[bar] == 0), slack / families, 0)
   data$drag_N <- cbind(flow_force(state, "bars")[, bar], cell_flow_force(state), pieces$force,
@@ -164,9 +164,9 @@ vtk_pieces <- function(state) {
   lattice <- state$lattice
   sphere <- which(lattice$parts$kind[lattice$sphere_part] == "piece")
   part <- lattice$sphere_part[sphere]
-  node <- lattice$engine$spheres$node[sphere]
+  node <- lattice$mesh$spheres$node[sphere]
   force <- flow_force(state, "spheres")[, sphere, drop = FALSE]
-  at <- match(paste(lattice$lift_part, lattice$engine$lifts$node), paste(part, node))
+  at <- match(paste(lattice$lift_part, lattice$mesh$lifts$node), paste(part, node))
   force[, at] <- force[, at] + flow_force(state, "lifts")
   list(part = part, node = node, force = force)
 }

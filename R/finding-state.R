@@ -152,7 +152,7 @@ define_finding("weight on netting", "state",
     si <- state$si
     ropes <- which(state$lattice$parts$kind == "rope")
     bars <- which(state$lattice$bar_part %in% ropes)
-    cells <- state$lattice$engine$cells$node
+    cells <- state$lattice$mesh$cells$node
     hung <- Filter(function(name) {
       at <- si$pieces[[name]]$at
       if (!identical(si$pieces[[name]]$role, "weight") || is.null(at)) return(FALSE)
@@ -226,13 +226,13 @@ define_finding("slack netting", "state",
 
 # Share of netting, by length of twine, whose twines all are slack.
 loose_netting <- function(state) {
-  engine <- state$lattice$engine
-  cells <- engine$cells
+  mesh <- state$lattice$mesh
+  cells <- mesh$cells
   all <- seq_along(cells$rest)
   twine <- 2 * cell_bars(cells, all) * cells$rest
   loose <- state$u_tension == 0 & state$v_tension == 0
   bars <- state$lattice$parts$kind[state$lattice$bar_part] == "netting"
-  long <- (engine$bars$multiplicity * engine$bars$rest)[bars]
+  long <- (mesh$bars$multiplicity * mesh$bars$rest)[bars]
   (sum(twine[loose]) + sum(long[state$bar_tension[bars] == 0])) / (sum(twine) + sum(long))
 }
 

@@ -4,7 +4,7 @@
 # cells, then of the straight bars and the u and v twines of hexagonal ones; u, v, straight: of
 # all cells.
 engine_order <- function(lattice, bars, u, v, straight) {
-  hexagonal <- lattice$engine$cells$straight > 0
+  hexagonal <- lattice$mesh$cells$straight > 0
   c(bars, u[!hexagonal], v[!hexagonal], straight[hexagonal], u[hexagonal], v[hexagonal])
 }
 

@@ -3,7 +3,7 @@
 # Positions of all points that elements stand on, from those of the nodes: 3 x (nodes + tied
 # points), m.
 lattice_points <- function(lattice, position) {
-  ties <- lattice$engine$ties
+  ties <- lattice$mesh$ties
   x <- matrix(position, 3L)
   if (!length(ties$first)) return(x)
   share <- rep(ties$share, each = 3L)
@@ -32,7 +32,7 @@ has_three_corners <- function(corner) corner[3L, ] == corner[4L, ]
 
 # Corners of some cells of a lattice, 4 x n.
 cell_corners <- function(lattice, which = seq_along(lattice$cell_part)) {
-  matrix(lattice$engine$cells$node, 4L)[, which, drop = FALSE]
+  matrix(lattice$mesh$cells$node, 4L)[, which, drop = FALSE]
 }
 
 # Middles of a lattice's cells, 3 x cells, m.
@@ -49,7 +49,7 @@ cell_middles <- function(lattice, points) {
 }
 
 # Which cells of a lattice are of hexagonal meshes.
-has_straight_bars <- function(lattice) lattice$engine$cells$straight > 0
+has_straight_bars <- function(lattice) lattice$mesh$cells$straight > 0
 
 # The bar of a rope at its start, middle or end.
 rope_bar <- function(lattice, rope, place) {
@@ -58,7 +58,7 @@ rope_bar <- function(lattice, rope, place) {
     start = bars[1],
     end = bars[length(bars)],
     middle = {
-      rest <- lattice$engine$bars$rest[bars]
+      rest <- lattice$mesh$bars$rest[bars]
       bars[which(cumsum(rest) >= sum(rest) / 2)[1]]
     }
   )
@@ -66,9 +66,9 @@ rope_bar <- function(lattice, rope, place) {
 
 # The nodes that hold the ends of some bars: list(bar, node, share of the end that it holds).
 bar_shares <- function(lattice, bars) {
-  ties <- lattice$engine$ties
-  nodes <- lattice$engine$nodes
-  node <- matrix(lattice$engine$bars$node, 2L)[, bars]
+  ties <- lattice$mesh$ties
+  nodes <- lattice$nodes
+  node <- matrix(lattice$mesh$bars$node, 2L)[, bars]
   bar <- rep(bars, each = 2L)
   tied <- node > nodes
   tie <- node[tied] - nodes

@@ -7,8 +7,8 @@
 # panel's own; from: NULL for a crude start, or list(lattice, position = 3 x points) of the same
 # parts, whose shape is carried over; as many nodes of the same panels are divided as there, so that
 # two designs can be compared node by node.
-# Returns class codend_lattice: list(engine = what the engine reads (see binding.cpp), start = 3 x
-# nodes positions (m), parts = data.frame(name, kind, role), bar_part, cell_part, sphere_part,
+# Returns class codend_lattice: list(mesh = handle to what the engine holds (see mesh.R), start =
+# 3 x nodes positions (m), parts = data.frame(name, kind, role), bar_part, cell_part, sphere_part,
 # lift_part, board_part = rows of parts per element, ropes = nodes along each rope with their
 # fraction of its length, points = node of each point, places = node of each place by its
 # text, catch = where the catch may lie (see bag.hpp), with `blocked` meshes behind its front,
@@ -16,21 +16,22 @@
 # frame = what measures take of it (src/engine/measure/frame.hpp), division = how edges and grids
 # are divided, see gear_division(), held_edges = of every seam held
 # on a line its nodes, their fraction of its length and the names of its two points (between),
-# panels = what the views draw of each panel).
+# panels = what the views draw of each panel; changes, built_lengths: see mesh_recipe()).
 build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   asked <- asked_division(si, nodes, netting)
   alike <- identical(asked, from$lattice$counts$asked)
   if (alike && differ_in_conditions(si, from$settled)) return(lattice_in(si, from))
   numbers <- lattice_numbers(si, netting)
   found <- engine_lattice(
-    numbers$gear, asked$nodes, if (alike) from$lattice$counts[lattice_counts],
+    numbers$gear, numbers$model, planned_front(si), asked$nodes,
+    if (alike) from$lattice$counts[lattice_counts],
     if (!is.null(from) && !alike) part_map(si, from$lattice), as.double(from$position), alike
   )
   check_lattice(si, found$twine, found$bag$encloses, found$division)
-  lattice <- new_lattice(si, asked, numbers$model, found)
+  lattice <- new_lattice(si, asked, planned_front(si), found)
   # the same sheets of netting in the place of the last shape slow the water as they did
-  if (alike && identical(lattice$engine$wake_sheets, from$lattice$engine$wake_sheets)) {
-    lattice$engine$wake <- from$lattice$engine$wake
+  if (alike && identical(lattice$mesh$wake_sheets, from$lattice$mesh$wake_sheets)) {
+    lattice$mesh <- changed_mesh(lattice$mesh, list(wake = from$lattice$mesh$wake))
   }
   lattice
 }
@@ -44,11 +45,11 @@ asked_division <- function(si, nodes, netting) {
   )
 }
 
-# A lattice by names, from what the engine found of it; model: the numbers of its model.
-new_lattice <- function(si, asked, model, found) {
+# A lattice by names, from what the engine found of it; blocked: meshes behind its catch's front.
+new_lattice <- function(si, asked, blocked, found) {
   lattice <- c(
-    list(engine = engine_numbers(si, model, found), parts = part_table(si)),
-    found[c("nodes", "bar_part", "cell_part", "sphere_part", "lift_part")],
+    list(parts = part_table(si)),
+    found[c("mesh", "nodes", "bar_part", "cell_part", "sphere_part", "lift_part")],
     list(
       board_part = length(si$ropes) + length(si$panels) + length(si$pieces) +
         seq_along(si$otter_boards)
@@ -62,7 +63,7 @@ new_lattice <- function(si, asked, model, found) {
     list(start = matrix(found$start, 3L))
   )
   class(lattice) <- "codend_lattice"
-  lattice <- add_catch(si, lattice, found$bag)
+  if (!is.null(si$catch)) lattice$catch <- lattice_catch(found$bag, blocked)
   if (!is.null(si$shooting)) lattice$hung <- matrix(found$hung, 3L)
   lattice
 }
@@ -99,8 +100,11 @@ differ_in_conditions <- function(si, other) {
 # The lattice of a settled shape in a gear's conditions.
 lattice_in <- function(si, from) {
   lattice <- from$lattice
-  lattice$engine$water <- engine_water(si)
-  if (!is.null(si$ground)) lattice$engine$ground$velocity <- si$ground$velocity
+  water <- engine_water(si)
+  water["waves"] <- list(water$waves)
+  lattice$mesh <- changed_mesh(lattice$mesh, c(
+    list(water = water), if (!is.null(si$ground)) list(ground = si$ground["velocity"])
+  ))
   lattice$start <- matrix(from$position, 3L)[, seq_len(lattice$nodes), drop = FALSE]
   lattice
 }
@@ -121,36 +125,6 @@ part_table <- function(si) {
       if (has_catch) "catch"
     ))
   ))
-}
-
-# What the engine reads: what it made of a gear's parts, and what is the gear's as it is.
-engine_numbers <- function(si, model, found) {
-  points <- found$division$places
-  c(
-    found[c("nodes", "held", "ties")],
-    model[c("water", "slack_twine")],
-    found[c("load", "mass")],
-    model[c("materials", "load_table", if (any(is_multiplied(model$multipliers))) "multipliers")],
-    found[c("bars", "cells", "spheres", "lifts")],
-    list(
-      plates = Map(function(plate, board) {
-        plate$node <- points[match(board$points, names(si$points))]
-        plate
-      }, model$plates, unname(si$otter_boards)),
-      sliding = found$sliding, ground = model$ground, contacts = found$contacts,
-      line_friction = if (length(found$line_friction$node)) found$line_friction
-    ),
-    found[c("volumes", "wake_sheets")],
-    list(
-      wake = numeric(), screens = found$screens,
-      blended = c(found$blended, list(materials = if (length(found$blended$material)) {
-        model$blended
-      } else {
-        twine_materials(NULL, alone = FALSE)
-      }))
-    ),
-    found[c("openings", "bends")]
-  )
 }
 
 # How a gear is divided, by names: list(division = list(nodes, fraction, edge_node = fractions of an

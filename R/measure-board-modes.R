@@ -48,7 +48,7 @@ board_modes <- function(state) {
   check_given("state")
   check_is_state(state)
   found <- if (length(state$si$otter_boards)) {
-    engine_body_modes(state$lattice$engine, as.double(state$position), as.double(state$velocity))
+    engine_body_modes(state$lattice$mesh, as.double(state$position), as.double(state$velocity))
   }
   growth <- as.double(found$growth)
   frequency <- as.double(found$frequency)

@@ -3,7 +3,7 @@
 # Tension at both ends of bars of ropes, N, 2 x bars.
 end_tensions <- function(state, bars) {
   lattice <- state$lattice
-  matrix(engine_end_tensions(lattice$engine, lattice$frame, shape_of(state), as.integer(bars)), 2L)
+  matrix(engine_end_tensions(lattice$mesh, lattice$frame, shape_of(state), as.integer(bars)), 2L)
 }
 
 # Hydrodynamic force on every part, 3 x parts, N. Knots belong to their panel.

@@ -28,13 +28,13 @@ settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRU
   if (!length(report)) return(NULL)
   asked$nodes <- report$asked
   if (report$full_bag > 0) abort_catch_volume(si, report$full_bag)
-  lattice <- if (known) {
-    lattice_in(si, from)
+  if (known) {
+    lattice <- lattice_in(si, from)
+    if (!is.null(si$catch)) lattice <- set_catch_front(lattice, report$blocked)
+    lattice$mesh <- changed_mesh(lattice$mesh, list(wake = report$wake))
   } else {
-    new_lattice(si, asked, numbers$model, report$lattice)
+    lattice <- new_lattice(si, asked, report$blocked, report$lattice)
   }
-  if (!is.null(si$catch)) lattice <- set_catch_front(lattice, report$blocked)
-  lattice$engine$wake <- report$wake
   levels <- lapply(report$levels, function(level) {
     list(nodes = level$nodes, values = told_answers(si, level$measures)$values)
   })
@@ -48,20 +48,20 @@ settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRU
 # A shape to begin from as the engine reads it, for a gear that is to be divided as asked.
 begun_shape <- function(si, asked, from) {
   lattice <- from$lattice
-  engine <- lattice$engine
+  mesh <- lattice$mesh
   before <- lattice$counts$asked
   list(
     position = as.double(from$position), strain = as.double(from$strain),
     map = part_map(si, lattice),
     lines = list(
-      part_count = nrow(lattice$parts), bar_node = engine$bars$node,
-      cell_node = engine$cells$node, bar_part = lattice$bar_part, cell_part = lattice$cell_part,
-      bar_rest = engine$bars$rest, cell_straight = engine$cells$straight
+      part_count = nrow(lattice$parts), bar_node = mesh$bars$node,
+      cell_node = mesh$cells$node, bar_part = lattice$bar_part, cell_part = lattice$cell_part,
+      bar_rest = mesh$bars$rest, cell_straight = mesh$cells$straight
     ),
     nodes = first_of(before$nodes, 0),
     counts = if (!is.null(before)) lattice$counts[lattice_counts],
     bars = as.logical(before$bars), same_meshes = identical(asked$meshes, before$meshes),
-    wake_sheets = engine$wake_sheets, wake = as.double(engine$wake),
+    wake_sheets = mesh$wake_sheets, wake = as.double(mesh$wake),
     blocked = as.double(first_of(lattice$catch$blocked, 0)), settled = !is.null(from$settled),
     drag_growth = drag_growth(si, from$settled)
   )

@@ -46,7 +46,7 @@ measures <- function(state) {
 state_values <- function(state) {
   drag <- list(list(kind = "total_drag"))
   values <- measure_values(state, c(asked_of(state$si), drag))
-  light <- abs(values[length(values)]) < light_drag * sum(abs(state$lattice$engine$load))
+  light <- abs(values[length(values)]) < light_drag * sum(abs(state$lattice$mesh$load))
   c(told_answers(state$si, values[-length(values)]), light = light)
 }
 
@@ -132,6 +132,7 @@ measure_help <- function() {
 
 #' @rawNamespace S3method(base::"$",codend_trajectory)
 `$.codend_trajectory` <- function(x, name) {
+  if (name == "lattice") return(x[[name]])
   field_of(x, name, "A trajectory", "as.data.frame(trajectory)")
 }
 

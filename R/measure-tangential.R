@@ -6,14 +6,16 @@
 # gear would settle into another shape with other coefficients; what is left of the change then is
 # not computed.
 tangential_sensitivity <- function(state) {
-  engine <- state$lattice$engine
+  mesh <- state$lattice$mesh
   still <- numeric(length(state$position))
   flow <- flow_axes(state$si)[, "flow"]
-  own <- list(engine$materials$tangential_share, engine$blended$materials$tangential_share)
+  shared <- function(materials, share) {
+    list(materials = list(tangential_share = share * materials$tangential_share))
+  }
   along <- function(share) {
-    engine$materials$tangential_share <- share * own[[1L]]
-    engine$blended$materials$tangential_share <- share * own[[2L]]
-    forces <- engine_evaluate(engine, as.vector(state$position), still)$forces
+    changes <- shared(mesh$materials, share)
+    changes$blended <- shared(mesh$blended$materials, share)
+    forces <- engine_evaluate(changed_mesh(mesh, changes), as.vector(state$position), still)$forces
     in_unit(sum(flow * total_force(list(forces = lapply(forces, matrix, 3L)), "flow")), "kN")
   }
   now <- in_unit(measure_value(state, "total_drag"), "kN")

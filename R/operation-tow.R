@@ -277,12 +277,12 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   what$lattice$start[3, moved] <- what$lattice$start[3, moved] + now$heave
   start <- lattice_at(what, now)
   settled <- engine_settle(
-    start$engine, as.double(what$lattice$start), if (found$report$converged) "near" else "crude",
+    start$mesh, as.double(what$lattice$start), if (found$report$converged) "near" else "crude",
     numeric(), line_part(start), settle_tolerance, settle_iterations, progress
   )
   settled <- name_parts(settled, start)
   if (!settled$converged) abort_unsettled(settled, start, settled$position)
-  what$lattice$engine$wake <- settled$wake
+  what$lattice$mesh <- changed_mesh(what$lattice$mesh, settled["wake"])
   # its gear's errors, as shares, are those that it has as its plan's conditions settle it
   what$compared <- tryCatch(
     compared_lattices(settled_state(gear, nodes, netting, NULL)),

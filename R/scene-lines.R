@@ -71,7 +71,7 @@ rope_groups <- function(state, limit) {
   list(
     first = ends[1L, begins], second = ends[2L, !duplicated(group, fromLast = TRUE)],
     part = lattice$bar_part[bars[begins]], element = bars, group = group,
-    weight = lattice$engine$bars$rest[bars], count = sum(begins)
+    weight = lattice$mesh$bars$rest[bars], count = sum(begins)
   )
 }
 
@@ -144,7 +144,7 @@ seam_groups <- function(state, part, seams, k) {
   first <- first[once]
   second <- second[once]
   ending <- bar_shares(lattice, which(lattice$bar_part %in% on))
-  bars_at <- split(seq_along(ending$node), factor(ending$node, seq_len(lattice$engine$nodes)))
+  bars_at <- split(seq_along(ending$node), factor(ending$node, seq_len(lattice$nodes)))
   at <- Map(c, bars_at[first], bars_at[second])
   bars <- as.integer(unlist(at, use.names = FALSE))
   list(
@@ -214,7 +214,7 @@ block_cells <- function(state, name, part, block) {
   list(
     columns = columns, rows = rows, count = across * deep, cell = mine,
     block = cell %/% nrow(grid) %/% block * across + cell %% nrow(grid) %/% block + 1L,
-    weight = cell_bars(state$lattice$engine$cells, mine)
+    weight = cell_bars(state$lattice$mesh$cells, mine)
   )
 }
 
@@ -264,7 +264,7 @@ panel_bar_lines <- function(state, points, name, part, length) {
   line <- cumsum(begins)
   new_lines(
     points, from[begins], to[c(begins[-1L], TRUE)],
-    weighted_means(tension[kept], state$lattice$engine$bars$rest[bars[kept]], line, sum(begins)),
+    weighted_means(tension[kept], state$lattice$mesh$bars$rest[bars[kept]], line, sum(begins)),
     part
   )
 }
@@ -275,7 +275,7 @@ panel_bar_lines <- function(state, points, name, part, length) {
 bar_twines <- function(state, name, ends) {
   panel <- state$si$panels[[name]]
   drawn <- state$lattice$panels[[name]]
-  node <- point_number(drawn$node, state$lattice$engine$nodes)
+  node <- point_number(drawn$node, state$lattice$nodes)
   at <- matrix(match(ends, node), 2L)
   i <- matrix(drawn$i[at], 2L)
   j <- matrix(drawn$j[at], 2L)
@@ -309,7 +309,7 @@ piece_marks <- function(state, points) {
   if (!length(parts)) return(NULL)
   pieces <- unname(state$si$pieces[lattice$parts$name[parts]])
   nodes <- lapply(parts, function(part) {
-    node <- unique(lattice$engine$spheres$node[lattice$sphere_part == part])
+    node <- unique(lattice$mesh$spheres$node[lattice$sphere_part == part])
     n <- min(length(node), max(marks_of_piece, 1L))
     node[unique(round(seq(1, length(node), length.out = n)))]
   })

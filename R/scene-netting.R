@@ -118,7 +118,7 @@ what_clouds_are_of <- function(state) {
     si = list(panels = state$si$panels),
     lattice = list(
       panels = lattice$panels, bar_part = lattice$bar_part,
-      engine = list(nodes = lattice$engine$nodes, bars = lattice$engine$bars["node"])
+      nodes = lattice$nodes, mesh = list(bars = lattice$mesh$bars["node"])
     )
   )
 }
@@ -139,10 +139,10 @@ cloud_frame <- function(of, p, part, places) {
   drawn <- of$lattice$panels[[p]]
   panel <- of$si$panels[[name]]
   on_edges <- which(places$panel == p)
-  node <- point_number(drawn$node, of$lattice$engine$nodes)
+  node <- point_number(drawn$node, of$lattice$nodes)
   left <- panel_left(panel, drawn$j)
   s <- (drawn$i - left) / pmax(panel_right(panel, drawn$j) - left, 1e-9)
-  point <- c(node, point_number(places$node[on_edges], of$lattice$engine$nodes))
+  point <- c(node, point_number(places$node[on_edges], of$lattice$nodes))
   s <- c(pmin(pmax(s, 0), 1), places$s[on_edges])
   t <- c(drawn$j / panel$deep, places$t[on_edges])
   kept <- which(!duplicated(round(s * 1e6) + 1e7 * round(t * 1e6)))

@@ -43,17 +43,17 @@ drag_growth <- function(si, settled) {
 # Whether a shape to begin with was settled on the same lattice, whatever its numbers.
 settled_alike <- function(lattice, from) {
   same <- function(kind) {
-    identical(lattice$engine[[kind]]$node, from$lattice$engine[[kind]]$node)
+    identical(lattice$mesh[[kind]]$node, from$lattice$mesh[[kind]]$node)
   }
   !is.null(from$settled) && lattice$nodes == from$lattice$nodes && same("bars") && same("cells")
 }
 
 # A state's shape, to carry over.
 state_shape <- function(state) {
-  engine <- state$lattice$engine
-  cells <- engine$cells
+  mesh <- state$lattice$mesh
+  cells <- mesh$cells
   strain <- engine_order(
-    state$lattice, state$bar_length / engine$bars$rest - 1, state$u_length / cells$rest - 1,
+    state$lattice, state$bar_length / mesh$bars$rest - 1, state$u_length / cells$rest - 1,
     state$v_length / cells$rest - 1, state$straight_length / cells$straight - 1
   )
   list(

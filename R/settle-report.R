@@ -70,7 +70,7 @@ abort_unsettled <- function(report, lattice, position, advice = NULL) {
 
 # The parts that meet at a node, by number.
 parts_at <- function(lattice, node) {
-  e <- lattice$engine
+  e <- lattice$mesh
   touching <- function(nodes, width, part) unique(part[(which(nodes == node) - 1L) %/% width + 1L])
   unique(c(
     touching(e$bars$node, 2L, lattice$bar_part),

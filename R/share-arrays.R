@@ -110,7 +110,7 @@ letters_of <- function(bytes) {
 # with `page/` what pictures and warnings take. A catch's pressure follows its front. standard: the
 # engine's names of measures of every gear that it is asked for.
 filled_arrays <- function(si, lattice, standard) {
-  engine <- lattice$engine
+  engine <- mesh_fields(lattice$mesh)
   # they act at a surface alone, and one that joins others changes their number
   if (!si$water$free_surface) engine$volumes <- lapply(engine$volumes, `[`, 0L)
   engine[c("wake", "pressure")] <- list(NULL, engine$pressure[c("node", "drag_coefficient")])
@@ -127,7 +127,7 @@ page_arrays <- function(si, lattice) {
   strength <- rep(0, parts)
   strength[seq_len(n)] <- vapply(si$ropes, function(rope) as.double(first_of(rope$strength, 0)), 0)
   strength[is.na(strength)] <- 0
-  held <- which(lattice$engine$held[seq_len(lattice$nodes)])
+  held <- which(lattice$mesh$held[seq_len(lattice$nodes)])
   boards <- unlist(lapply(unname(si$otter_boards), function(board) {
     c(board$attachment, board$chord, board$span)
   }))

@@ -29,7 +29,7 @@ shared_model <- function(state, fields) {
     "start/strain" = single_floats(few_figures(shape_now$strain, 13)),
     "start/part" = line_part(state$lattice) - 1L
   ))
-  wake <- state$lattice$engine$wake
+  wake <- state$lattice$mesh$wake
   if (length(wake)) arrays[["start/wake"]] <- as.double(wake)
   # what a page fills is a double
   for (name in unique(vapply(terms, `[[`, "", "array"))) arrays[[name]] <- as.double(arrays[[name]])

@@ -14,8 +14,8 @@ shared_scene <- function(state, shape, keep) {
       boards = unname(lapply(state$si$otter_boards, function(board) {
         I(unname(lattice$points[board$points]) - 1L)
       })),
-      ties = list(first = keep(as.integer(lattice$engine$ties$first) - 1L),
-        second = keep(as.integer(lattice$engine$ties$second) - 1L))
+      ties = list(first = keep(as.integer(lattice$mesh$ties$first) - 1L),
+        second = keep(as.integer(lattice$mesh$ties$second) - 1L))
     ),
     if (length(state$si$panels)) list(meshes = shared_meshes(state, fixed$netting, keep))
   )

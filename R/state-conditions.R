@@ -2,13 +2,13 @@
 
 # Water past the gear at the depth of its middle, m/s (x aft, y starboard).
 flow_past <- function(state) {
-  if (state$lattice$engine$water$density == 0) return(c(0, 0))
+  if (state$lattice$mesh$water$density == 0) return(c(0, 0))
   water_velocity(state, -mean(range(state$position[3L, ])))
 }
 
 # Velocity (m/s, along x and y) of the water past the vessel at a depth (m).
 water_velocity <- function(state, depth) {
-  water <- state$lattice$engine$water
+  water <- state$lattice$mesh$water
   if (length(water$depth) == 1L) return(c(water$x, water$y))
   vapply(water[c("x", "y")], function(speed) {
     stats::approx(water$depth, speed, depth, rule = 2)$y

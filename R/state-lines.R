@@ -12,8 +12,8 @@ state_lines <- function(state) {
   lattice <- state$lattice
   # A board's struts are no lines of the gear.
   bar <- which(lattice$parts$kind[lattice$bar_part] != "piece")
-  bars <- lapply(lattice$engine$bars[c("rest", "multiplicity")], `[`, bar)
-  cells <- lattice$engine$cells
+  bars <- lapply(lattice$mesh$bars[c("rest", "multiplicity")], `[`, bar)
+  cells <- lattice$mesh$cells
   in_cell <- cell_bars(cells)
   cell <- seq_along(cells$rest)
   hexagon <- which(cells$straight > 0)
@@ -45,6 +45,6 @@ bars_of_part <- function(state, part) which(state$lattice$bar_part == part)
 
 # Nodes at the ends of some bars: 2 x bars.
 bar_ends <- function(state, bars) {
-  node <- state$lattice$engine$bars$node
+  node <- state$lattice$mesh$bars$node
   rbind(node[2L * bars - 1L], node[2L * bars])
 }

@@ -1,29 +1,28 @@
 # A state: plain data, from which its mesh and forces are computed when they are asked for.
 
 # gear: with or without its check; si: the gear's numbers; position: 3 x nodes (m); report: the
-# solver's; velocity: as position (m/s), or NULL where nothing moves; changed: whether the lattice
-# is not the one of the gear and si alone, as at a moment of a tow: then it is kept.
+# solver's; velocity: as position (m/s), or NULL where nothing moves.
 #
 # A codend_state is a list of `gear`, `report`, `position`, `velocity` (NULL at rest), `si` (NULL
-# for the plan's), `lattice` or `mesh` (see mesh_recipe()), `levels` or `compared` (see
-# levels_of()), `time` and `step_accuracy` of a moment of a tow, and `handle`, which holds what
-# computed_state() gives and is empty in another process and after readRDS().
-new_state <- function(gear, si, lattice, position, report, velocity = NULL, changed = FALSE) {
-  plain <- gear
-  plain$checked <- NULL
-  state <- list(gear = plain, report = report, position = matrix(position, 3L))
+# for the plan's), `mesh` (see mesh_recipe()), `levels` or `compared` (see levels_of()), `time` and
+# `step_accuracy` of a moment of a tow, and `handle`, which holds what computed_state() gives and is
+# empty in another process and after readRDS().
+new_state <- function(gear, si, lattice, position, report, velocity = NULL) {
+  state <- list(gear = plain_gear(gear), report = report, position = matrix(position, 3L))
   if (any(velocity != 0)) state$velocity <- matrix(velocity, 3L)
   if (!identical(si, gear_si(gear))) state$si <- si
-  if (changed) {
-    state$lattice <- lattice
-  } else {
-    lattice$start <- state$position
-    state$mesh <- mesh_recipe(lattice)
-  }
+  lattice$start <- state$position
+  state$mesh <- mesh_recipe(lattice)
   state$handle <- engine_handle()
   state <- structure(state, class = "codend_state")
   engine_fill_handle(state$handle, evaluated(gear, si, lattice, state))
   state
+}
+
+# A gear without its check.
+plain_gear <- function(gear) {
+  gear$checked <- NULL
+  gear
 }
 
 # What a state has beside its plain data: list(gear, with its check, si, lattice, velocity and the
@@ -35,10 +34,7 @@ computed_state <- function(state) {
   gear <- .subset2(state, "gear")
   gear$checked <- gear_checked(gear)
   si <- first_of(.subset2(state, "si"), gear_si(gear))
-  lattice <- .subset2(state, "lattice")
-  if (is.null(lattice)) {
-    lattice <- lattice_of_recipe(si, .subset2(state, "mesh"), .subset2(state, "position"))
-  }
+  lattice <- lattice_of_recipe(si, .subset2(state, "mesh"), .subset2(state, "position"))
   found <- evaluated(gear, si, lattice, state)
   engine_fill_handle(handle, found)
   found
@@ -47,7 +43,7 @@ computed_state <- function(state) {
 evaluated <- function(gear, si, lattice, state) {
   position <- .subset2(state, "position")
   velocity <- first_of(.subset2(state, "velocity"), 0 * position)
-  found <- engine_evaluate(lattice$engine, as.double(position), as.double(velocity))
+  found <- engine_evaluate(lattice$mesh, as.double(position), as.double(velocity))
   three <- function(x) matrix(x, 3L)
   c(
     list(gear = gear, si = si, lattice = lattice, velocity = velocity, force = three(found$force)),
@@ -70,30 +66,6 @@ shape_of <- function(state) {
 
 line_fields <- paste0(c("bar", "u", "v", "straight"), rep(c("_tension", "_length"), each = 4L))
 computed_fields <- c("gear", "si", "lattice", "velocity", "force", line_fields, "forces", "boards")
-
-# What a lattice is built again from, with the numbers of its gear: about how many nodes were asked
-# for, which panels are of bars, how everything is divided, wakes, and where a catch's front is.
-mesh_recipe <- function(lattice) {
-  list(
-    nodes = lattice$counts$asked$nodes, bars = unname(lattice$counts$asked$bars),
-    counts = lattice$counts[lattice_counts], wake = lattice$engine$wake,
-    blocked = lattice$catch$blocked, let_go = lattice$let_go
-  )
-}
-
-lattice_of_recipe <- function(si, mesh, position) {
-  si$panels <- Map(function(panel, of_bars) {
-    panel$netting <- if (of_bars) "bars" else "cells"
-    panel
-  }, si$panels, mesh$bars)
-  asked <- asked_division(si, mesh$nodes, NULL)
-  shape <- list(lattice = list(counts = c(list(asked = asked), mesh$counts)))
-  lattice <- build_lattice(si, mesh$nodes, NULL, shape)
-  lattice$start <- position
-  lattice$engine$wake <- mesh$wake
-  lattice$let_go <- mesh$let_go
-  if (is.null(mesh$blocked)) lattice else set_catch_front(lattice, mesh$blocked)
-}
 
 # The forces on elements that the engine reports, from its own table: a data frame with a row per
 # force, `name`, `kind` of element and `cause` ("flow", "ground" or "surface"). cause: of this

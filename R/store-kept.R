@@ -9,9 +9,9 @@ write_kept <- function(file, fill) {
   })
 }
 
-# Formats that this codend reads; it writes the last. States of format 7 hold their mesh;
-# places of the mesh stand beside it in format 7 and in trajectories of format 10.
-kept_versions <- list(state = 7:8, trajectory = 10:11)
+# Formats that this codend reads; it writes the last. States of format 7, moments of tows of format
+# 8 and trajectories up to format 11 hold the arrays of their mesh.
+kept_versions <- list(state = 7:9, trajectory = 10:12)
 
 # An open NetCDF file as this version of codend keeps it, with the attributes `what` ("state" or
 # "trajectory") and `records`, their number. A trajectory without a seal is one of a run that was
@@ -88,13 +88,13 @@ file_variable <- function(type, across, words = NULL, unit = NULL, value = NULL)
 
 # The variables of a gear's model, by name.
 model_variables <- function(lattice) {
-  engine <- lattice$engine
+  mesh <- lattice$mesh
   whole <- function(value, across, words) file_variable("NC_INT", across, words, value = value)
   list(
-    bar_node = whole(matrix(engine$bars$node, 2L), c("bar_end", "bar"),
+    bar_node = whole(matrix(mesh$bars$node, 2L), c("bar_end", "bar"),
       "nodes that a bar joins, from 1"),
     bar_part = whole(lattice$bar_part, "bar", "part that a bar belongs to, from 1"),
-    cell_node = whole(matrix(engine$cells$node, 4L), c("corner", "cell"),
+    cell_node = whole(matrix(mesh$cells$node, 4L), c("corner", "cell"),
       "nodes at a cell's corners, from 1; of three the last is there twice"),
     cell_part = whole(lattice$cell_part, "cell", "part that a cell belongs to, from 1"),
     part_name = file_variable("NC_CHAR", c("letter", "part"), "name of a part in the plan",
@@ -107,7 +107,7 @@ model_variables <- function(lattice) {
 define_file <- function(nc, variables, sizes, lattice, gear, title, what) {
   length_of <- function(name) length(variables[[name]]$value)
   sizes <- c(
-    node = lattice$engine$nodes, part = nrow(lattice$parts), bar_end = 2L, corner = 4L,
+    node = lattice$nodes, part = nrow(lattice$parts), bar_end = 2L, corner = 4L,
     letter = max(nchar(variables$part_name$value, "bytes")), sizes,
     kept_byte = length_of("kept_form"), kept_number = length_of("kept_numbers"),
     kept_integer = length_of("kept_integers")
@@ -139,9 +139,8 @@ kept_numbers <- function(what) {
   what$plan_text <- enc2utf8(format(what$gear))
   what$plan_file <- what$gear$file
   if (!is.null(what$gear$source)) what$plan_source <- enc2utf8(what$gear$source)
-  # both follow from what it was made from
-  if (!is.null(what$lattice)) what$lattice$frame <- list()
-  what$gear <- NULL
+  if (!is.null(what$lattice)) what$mesh <- mesh_recipe(what$lattice)
+  what$gear <- what$lattice <- NULL
   what$levels_in_si <- TRUE
   flat <- flatten_tree(what)
   list(
@@ -166,21 +165,24 @@ read_kept_numbers <- function(get) {
   what[setdiff(names(what), c("plan_text", "plan_file", "plan_source", "places", "levels_in_si"))]
 }
 
-# What a file keeps with its lattice made whole.
+# What a file of an older format keeps, with a recipe in place of its lattice.
 with_kept_lattice <- function(what) {
-  if (!inherits(what$lattice, "codend_lattice")) stop("it holds no model")
+  old <- what$lattice
+  if (!inherits(old, "codend_lattice")) stop("it holds no model")
+  fields <- old$engine
   # Files of before crossings of knotless netting counted once in wakes.
-  sheets <- what$lattice$engine$wake_sheets
-  if (is.null(sheets$overlap)) {
-    what$lattice$engine$wake_sheets$overlap <- numeric(length(sheets$law))
+  if (is.null(fields$wake_sheets$overlap)) {
+    fields$wake_sheets$overlap <- numeric(length(fields$wake_sheets$law))
   }
   # Files of before levels' measures were kept in SI.
   if (is.null(what$levels_in_si)) what <- with_levels_in_si(what)
-  if (is.null(what$lattice$places)) what$lattice$places <- what$places
-  check_indices(what$lattice)
-  # what measures take of a lattice, which files do not hold
-  again <- lattice_of_recipe(what$si, mesh_recipe(what$lattice), what$lattice$start)
-  what$lattice$frame <- again$frame
+  old$mesh <- new_mesh(fields)
+  fields <- mesh_fields(old$mesh)
+  what$mesh <- mesh_recipe(old)
+  again <- mesh_fields(lattice_of_recipe(what$si, what$mesh)$mesh)
+  if (!identical(lengths(again$mass), lengths(fields$mass))) stop("its nodes do not fit")
+  what$mesh$changes <- fields[!mapply(identical, fields, again[names(fields)])]
+  what$lattice <- NULL
   what
 }
 
@@ -214,33 +216,4 @@ gear_of_text <- function(text, file, source) {
   gear <- gear_of_bytes(charToRaw(enc2utf8(text)), "plan", file)
   gear["source"] <- list(source)
   gear
-}
-
-# Numbers of nodes and parts that a lattice refers to must be there. The engine checks its own
-# arrays.
-check_indices <- function(lattice) {
-  engine <- lattice$engine
-  points <- length(engine$mass)
-  within <- function(number, most, name) {
-    if (length(number) && (!is.numeric(number) || anyNA(number) || min(number) < 1 ||
-      max(number) > most)) {
-      stop("its ", name, " refer to what is not there")
-    }
-  }
-  if (!identical(as.double(lattice$nodes), as.double(engine$nodes)) || engine$nodes > points) {
-    stop("its nodes do not fit")
-  }
-  for (name in c("bar_part", "cell_part", "sphere_part", "lift_part", "board_part")) {
-    within(lattice[[name]], nrow(lattice$parts), name)
-  }
-  within(unlist(lattice$points), points, "points")
-  within(unlist(lapply(lattice$ropes, `[[`, "node")), points, "ropes")
-  within(lattice$division$edge_node, points, "edges")
-  within(lattice$catch$node, points, "catch")
-  if (!all(vapply(lattice$panels, function(panel) is_text(panel$netting), NA))) {
-    stop("its panels are of no netting")
-  }
-  still <- numeric(3 * engine$nodes)
-  engine_evaluate(engine, still, still)
-  invisible()
 }

@@ -23,13 +23,12 @@ read_state <- function(nc, file) {
     position <- as.vector(places(names[1:3]))
     velocity <- as.vector(places(names[4:6]))
     if (!length(velocity)) velocity <- numeric(length(position))
-    if (is.null(what$lattice)) what$lattice <- lattice_of_recipe(what$si, what$mesh, position)
-    sizes <- c(length(position), length(velocity)) == 3L * what$lattice$engine$nodes
+    lattice <- lattice_of_recipe(what$si, what$mesh, position)
+    sizes <- c(length(position), length(velocity)) == 3L * lattice$nodes
     if (!all(sizes) || !all(is.finite(c(position, velocity)))) {
       stop("its places do not fit its model")
     }
-    state <- new_state(what$gear, what$si, what$lattice, position, what$report, velocity,
-      changed = !is.null(what$time))
+    state <- new_state(what$gear, what$si, lattice, position, what$report, velocity)
     for (name in c("time", "compared", "step_accuracy")) state[[name]] <- what[[name]]
     if (length(what$levels)) state$levels <- new_levels(what$levels, complete = TRUE)
     state
@@ -54,7 +53,7 @@ state_numbers <- function(state) {
     setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
   })
   drag <- drag_table(state)
-  plain <- c("si", "mesh", "lattice", "report", "time", "compared", "step_accuracy")
+  plain <- c("si", "mesh", "report", "time", "compared", "step_accuracy")
   kept <- c(
     Filter(Negate(is.null), lapply(setNames(nm = plain), function(name) .subset2(state, name))),
     list(gear = state$gear, levels = levels_of(state, plain_measures(measures(state))))
@@ -63,7 +62,7 @@ state_numbers <- function(state) {
     do.call(c, vectors),
     list(
       held = file_variable("NC_INT", "node", "1 where a node is held",
-        value = as.integer(state$lattice$engine$held)),
+        value = as.integer(state$lattice$mesh$held)),
       bar_tension = real(state$bar_tension, "bar", "N", "tension of one line"),
       u_tension = real(state$u_tension, "cell", "N", "tension of one twine along u"),
       v_tension = real(state$v_tension, "cell", "N", "tension of one twine along v"),

@@ -8,10 +8,7 @@
 # Writes a trajectory as NetCDF. Returns `file`, invisibly.
 write_trajectory <- function(trajectory, file) {
   check_netcdf()
-  constants <- intersect(trajectory_constants, names(trajectory))
-  record <- record_trajectory(
-    unclass(trajectory)[constants], trajectory_frames(trajectory), file
-  )
+  record <- record_trajectory(constants_of(trajectory), trajectory_frames(trajectory), file)
   record$close(trajectory$end)
   invisible(file)
 }
@@ -37,7 +34,8 @@ read_trajectory <- function(nc, file) {
     end <- file_ends[1L + get("end")]
     if (is.na(end)) stop("its end is unknown")
     if (end != "interrupted" && seal_of(file) == "none") stop("it ends without its checksum")
-    gather_trajectory(what, read_frames(get, n), end)
+    what$lattice <- lattice_of_recipe(what$si, what$mesh)
+    gather_trajectory(what[names(what) != "mesh"], read_frames(get, n), end)
   })
 }
 
@@ -125,7 +123,7 @@ define_trajectory <- function(nc, what, frame, measured) {
     hexagonal_cell = length(frame$straight_tension), point = length(frame$wake),
     catch = length(frame$catch_front), energy_part = length(engine_energy_parts()),
     growing_part = length(frame$done$length), rupture = length(frame$done$broken),
-    anchor = length(frame$done$anchor), component = 3L * lattice$engine$nodes, slot = 2L,
+    anchor = length(frame$done$anchor), component = 3L * lattice$nodes, slot = 2L,
     report_number = length(report_numbers)
   )
   RNetCDF::dim.def.nc(nc, "time", unlim = TRUE)

@@ -58,7 +58,7 @@ tangent_work <- function(state, base = state_values(state)) {
     work$numbers <- near_numbers(work, si)
     found <- engine_near_gear(
       work$numbers, state$lattice$counts[lattice_counts], as.double(state_points(state)),
-      as.double(state$lattice$engine$wake)
+      as.double(state$lattice$mesh$wake)
     )
     work$cost$factorisations <- 1L
     if (!is.null(found)) {

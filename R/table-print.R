@@ -21,7 +21,7 @@ conditions_text <- function(si) {
 }
 
 size_text <- function(state) {
-  e <- state$lattice$engine
+  e <- state$lattice$mesh
   sprintf("%d nodes, %d bars, %d netting cells", e$nodes, length(e$bars$rest),
     length(e$cells$rest))
 }

@@ -97,15 +97,15 @@ as.data.frame.codend_state <- function(x, row.names = NULL, optional = FALSE,
 }
 
 line_table <- function(state) {
-  engine <- state$lattice$engine
+  mesh <- state$lattice$mesh
   parts <- state$lattice$parts
   lines <- state_lines(state)
   points <- state_points(state)
   in_cells <- cell_middles(state$lattice, points)
-  in_bars <- element_middles(points, engine$bars$node, 2L)
+  in_bars <- element_middles(points, mesh$bars$node, 2L)
   in_bars <- in_bars[, lines$element[lines$family == "bar"], drop = FALSE]
   middle <- cbind(in_bars, in_cells, in_cells,
-    in_cells[, engine$cells$straight > 0, drop = FALSE])
+    in_cells[, mesh$cells$straight > 0, drop = FALSE])
   data.frame(
     part = parts$name[lines$part], kind = parts$kind[lines$part], role = parts$role[lines$part],
     element = lines$element, family = lines$family,
@@ -119,13 +119,13 @@ node_table <- function(state) {
   x <- state$position
   data.frame(
     node = seq_len(ncol(x)), x_m = x[1, ], y_m = x[2, ], z_m = x[3, ],
-    parts = node_parts(state$lattice), held = state$lattice$engine$held
+    parts = node_parts(state$lattice), held = state$lattice$mesh$held
   )
 }
 
 # Names of the ropes and panels that meet at every node, in the order of the plan.
 node_parts <- function(lattice) {
-  e <- lattice$engine
+  e <- lattice$mesh
   hexagon <- which(e$cells$inner > 0L)
   point <- c(e$bars$node, e$cells$node, e$cells$inner[hexagon])
   part <- c(rep(lattice$bar_part, each = 2L), rep(lattice$cell_part, each = 4L),

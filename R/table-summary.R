@@ -35,7 +35,7 @@
 #' @export
 summary.codend_state <- function(object, uncertainty = NULL, ...) {
   check_is_uncertainty(uncertainty)
-  engine <- object$lattice$engine
+  mesh <- object$lattice$mesh
   drag <- drag_table(object)
   structure(
     c(list(
@@ -47,8 +47,8 @@ summary.codend_state <- function(object, uncertainty = NULL, ...) {
       boards = board_table(object), reactions = reaction_table(object),
       balance = balance_table(object),
       report = c(object$report, list(
-        nodes = engine$nodes, bars = length(engine$bars$rest),
-        cells = length(engine$cells$rest)
+        nodes = mesh$nodes, bars = length(mesh$bars$rest),
+        cells = length(mesh$cells$rest)
       ))
     ), if (!is.null(uncertainty)) list(uncertainty = uncertainty)),
     class = "codend_summary"

@@ -21,19 +21,16 @@ si_catch_share <- function(catch, share) {
   catch
 }
 
-# The lattice with the front where the netting behind it, at a place (3 x nodes, m), holds a share
-# of the plan's catch.
-place_catch_front <- function(si, lattice, share, position) {
+# The front of a lattice's catch (meshes from the lower edges) where the netting behind it, at a
+# place (3 x nodes, m), holds a share of the plan's catch.
+found_catch_front <- function(si, lattice, share, position) {
   asked <- si_catch_share(si$catch, share)
-  if (is.na(asked$volume)) return(set_catch_front(lattice, max(asked$blocked, least_front)))
-  over <- function(front) {
-    catch_volume(set_catch_front(lattice, front), position) - asked$volume
-  }
-  if (over(least_front) >= 0) return(set_catch_front(lattice, least_front))
+  if (is.na(asked$volume)) return(max(asked$blocked, least_front))
+  over <- function(front) catch_volume(lattice, position, front) - asked$volume
+  if (over(least_front) >= 0) return(least_front)
   full <- over(si$catch$deep)
   if (full < 0) abort_catch_volume(si_with(si, "catch", asked), full + asked$volume)
-  front <- stats::uniroot(over, c(least_front, si$catch$deep), tol = 1e-9 * si$catch$deep)$root
-  set_catch_front(lattice, front)
+  stats::uniroot(over, c(least_front, si$catch$deep), tol = 1e-9 * si$catch$deep)$root
 }
 
 si_with <- function(si, field, value) {
@@ -42,17 +39,16 @@ si_with <- function(si, field, value) {
 }
 
 # The front of a lattice's catch: meshes behind it, and the volume (m3) there.
-catch_front <- function(lattice, position) {
+catch_front <- function(lattice, position, blocked = lattice$catch$blocked) {
   if (is.null(lattice$catch)) return(numeric())
-  c(lattice$catch$blocked, max(catch_volume(lattice, position), 0))
+  c(blocked, max(catch_volume(lattice, position, blocked), 0))
 }
 
 # Mass of the lattice's points with that of a catch of a volume (m3), kg: as heavy as the water that
-# it displaces, so it weighs nothing, but has to be moved.
-catch_masses <- function(si, lattice, volume) {
-  mass <- lattice$engine$mass
-  pressure <- lattice$engine$pressure
-  weight <- rowsum(abs(pressure$weight), pressure$node)
+# it displaces, so it weighs nothing, but has to be moved. pressure: weights of its pressure.
+catch_masses <- function(si, lattice, volume, pressure) {
+  mass <- lattice$mesh$mass
+  weight <- rowsum(abs(pressure), as.vector(lattice$catch$node))
   node <- as.integer(rownames(weight))
   all <- si$water$density * volume
   if (sum(weight) > 0) mass[node] <- mass[node] + all * weight[, 1] / sum(weight)
@@ -63,16 +59,18 @@ catch_masses <- function(si, lattice, volume) {
 # the pressure, node and mass (kg) of the points around the catch, front = as catch_front()).
 catch_mover <- function(what) {
   share <- what$curves$catch
-  nodes <- sort(unique(what$lattice$engine$pressure$node))
+  lattice <- what$lattice
+  nodes <- sort(unique(as.vector(lattice$catch$node)))
   function(frame) {
     position <- matrix(frame$now$position, 3L)
-    lattice <- place_catch_front(
-      what$si, what$lattice, curve_at(share, frame$now$time, after = TRUE), position
+    blocked <- found_catch_front(
+      what$si, lattice, curve_at(share, frame$now$time, after = TRUE), position
     )
-    front <- catch_front(lattice, position)
+    front <- catch_front(lattice, position, blocked)
+    weight <- engine_bag_weights(filled_bag(lattice, blocked))
     list(
-      weight = lattice$engine$pressure$weight, node = nodes,
-      mass = catch_masses(what$si, lattice, front[2])[nodes], front = front
+      weight = weight, node = nodes,
+      mass = catch_masses(what$si, lattice, front[2], weight)[nodes], front = front
     )
   }
 }

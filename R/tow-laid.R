@@ -19,7 +19,7 @@ laid_position <- function(state) {
   ends <- vapply(ropes, function(rope) {
     position[, state$lattice$places[[paste0(rope, ".end")]]]
   }, numeric(3))
-  held <- state$lattice$engine$held
+  held <- state$lattice$mesh$held
   moved <- c(laid$net - rowMeans(ends)[1:2], 0)
   # as high above the sea bed as before
   above <- height_above_ground(ground, position)

@@ -155,7 +155,7 @@ growing_warp <- function(si, lattice, rope, curve, given) {
       abort_schedule(name, paste("must be left out for", rope, "which was laid: give `warp_out`."))
     }
   }
-  long <- lattice$engine$bars$rest[bars]
+  long <- lattice$mesh$bars$rest[bars]
   long <- long * whole / sum(long)
   least <- least_bar * long
   # the length that is out when a bar is in
@@ -172,8 +172,8 @@ least_bar <- 0.01
 # Bars of a warp as one group. whole: their length in the plan, m; curve: that by time.
 growing_bars <- function(si, lattice, rope, bars, whole, curve, given) {
   full <- si$ropes[[rope]]
-  rest <- lattice$engine$bars$rest[bars]
-  ends <- lattice$engine$bars$node[rep(2L * bars, each = 2L) - 1:0]
+  rest <- lattice$mesh$bars$rest[bars]
+  ends <- lattice$mesh$bars$node[rep(2L * bars, each = 2L) - 1:0]
   half <- rep(rest / 2, each = 2L)
   mass <- half * full$mass_per_length
   weight <- gear_gravity * (mass - half * full$volume_per_length * si$water$density)
@@ -206,7 +206,7 @@ growing_bars <- function(si, lattice, rope, bars, whole, curve, given) {
 # Where a group's buoyancy (N, of bodies that leave the water over these heights at these points) is
 # among the lattice's volumes.
 own_volumes <- function(lattice, point, height, buoyancy) {
-  known <- lattice$engine$volumes
+  known <- lattice$mesh$volumes
   at <- match(paste(point, height), paste(known$node, known$height))
   volumes <- unique(at[!is.na(at)])
   own <- buoyancy[!is.na(at)]
@@ -225,7 +225,7 @@ catch_parts <- function(lattice) {
 growing_catch <- function(si, lattice, part, curve) {
   spheres <- which(lattice$sphere_part == part)
   piece <- si$pieces[[lattice$parts$name[part]]]
-  node <- lattice$engine$spheres$node[spheres]
+  node <- lattice$mesh$spheres$node[spheres]
   n <- length(node)
   each <- piece$number / max(n, 1L)
   c(
@@ -233,8 +233,8 @@ growing_catch <- function(si, lattice, part, curve) {
       name = lattice$parts$name[part], whole = 1, factor = curve, control = NULL, bars = integer(),
       rest = numeric(), points = node, mass = rep(each * piece$mass, n),
       load = rep(-gear_gravity * each * (piece$mass - si$water$density * piece$volume), n),
-      spheres = spheres, drag_area = lattice$engine$spheres$drag_area[spheres],
-      added_mass = lattice$engine$spheres$added_mass[spheres]
+      spheres = spheres, drag_area = lattice$mesh$spheres$drag_area[spheres],
+      added_mass = lattice$mesh$spheres$added_mass[spheres]
     ),
     own_volumes(lattice, node, rep(piece$height, n),
       rep(gear_gravity * si$water$density * each * piece$volume, n))

@@ -22,7 +22,7 @@ shot_position <- function(si, lattice) {
   depth <- abs(hung[3, ])
   on_way <- vessel_way(si$shooting, si$ropes[[si$shooting$rope]]$length, shot_reach(si, lattice))
   position <- rbind(on_way, -depth * min(1, bunched_depth / max(depth)))
-  held <- lattice$engine$held
+  held <- lattice$mesh$held
   position[, held] <- lattice$start[, held]
   position
 }
@@ -33,6 +33,6 @@ shooting_times <- function(si, lattice) {
   if (is.null(lattice$hung) || isTRUE(lattice$let_go)) {
     return(list(node = integer(), time = numeric()))
   }
-  free <- which(!lattice$engine$held)
+  free <- which(!lattice$mesh$held)
   list(node = free, time = shot_reach(si, lattice)[free] / si$shooting$speed)
 }

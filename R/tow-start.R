@@ -41,7 +41,9 @@ continued_trajectory <- function(trajectory, given, until) {
       format(trajectory$memory$now$time)))
   }
   lattice <- trajectory$lattice
-  lattice$engine$water$x <- lattice$engine$water$x + trajectory$si$towing$speed
+  lattice <- change_lattice(lattice, list(
+    water = list(x = lattice$mesh$water$x + trajectory$si$towing$speed)
+  ))
   fresh <- tow_start(trajectory$gear, trajectory$si, lattice, trajectory$given, until)
   trajectory[c("schedule", "curves", "breaks")] <- fresh[c("schedule", "curves", "breaks")]
   trajectory
@@ -57,8 +59,10 @@ is_lost <- function(schedule) {
 
 # The lattice over the ground, and the tow in the engine's terms.
 tow_start <- function(gear, si, lattice, given, until) {
-  lattice$engine$water$x <- lattice$engine$water$x - si$towing$speed
-  if (!is.null(lattice$engine$ground)) lattice$engine$ground$velocity <- c(0, 0, 0)
+  lattice <- change_lattice(lattice, c(
+    list(water = list(x = lattice$mesh$water$x - si$towing$speed)),
+    if (!is.null(si$ground)) list(ground = list(velocity = c(0, 0, 0)))
+  ))
   c(
     list(gear = gear, si = si, lattice = lattice, given = given),
     scheduled_motion(si, lattice, given, until)
@@ -67,18 +71,19 @@ tow_start <- function(gear, si, lattice, given, until) {
 
 # A trajectory of one moment.
 add_start <- function(what, position, velocity) {
-  n <- what$lattice$engine$nodes
-  held <- what$lattice$engine$held
+  n <- what$lattice$nodes
+  mesh <- what$lattice$mesh
   speed <- matrix(velocity, 3L, n)
-  speed[, setdiff(which(held), what$schedule$motion$node)] <- 0
+  speed[, setdiff(which(mesh$held), what$schedule$motion$node)] <- 0
   motion <- list(
     time = 0, position = as.vector(position), velocity = as.vector(speed),
     acceleration = numeric(3L * n), algorithmic_acceleration = numeric(3L * n)
   )
-  engine <- lattice_at(what, conditions_at(what, 0))$engine
-  engine$water$x <- what$lattice$engine$water$x
-  engine$ground <- what$lattice$engine$ground
-  found <- engine_evaluate(engine, motion$position, motion$velocity)
+  water <- mesh$water["x"]
+  mesh <- changed_mesh(
+    lattice_at(what, conditions_at(what, 0))$mesh, list(water = water, ground = mesh$ground)
+  )
+  found <- engine_evaluate(mesh, motion$position, motion$velocity)
   controls <- lapply(what$schedule$growing, `[[`, "control")
   of <- function(field) vapply(controls, function(one) if (is.null(one)) 0 else one[[field]], 0)
   done <- list(
@@ -93,7 +98,7 @@ add_start <- function(what, position, velocity) {
     now = motion, before = motion, steps = 0L, caution = 0L, step = NA_real_, done = done,
     bar_tension = found$bar_tension, u_tension = found$u_tension, v_tension = found$v_tension,
     straight_tension = found$straight_tension[has_straight_bars(what$lattice)],
-    wake = engine$wake, catch_front = catch_front(what$lattice, matrix(position, 3L)),
+    wake = mesh$wake, catch_front = catch_front(what$lattice, matrix(position, 3L)),
     energy = numeric(length(engine_energy_parts())), report = NULL
   )
   gather_trajectory(what, list(frame), "reached")

@@ -39,8 +39,7 @@ state_at <- function(trajectory, time) {
     as.vector(turned %*% (trajectory$position[, , k] - c(now$x, now$y, 0))),
     c(list(converged = TRUE, iterations = trajectory$report$iterations, residual = NA_real_),
       trajectory$report["steps"]),
-    as.vector(turned %*% (trajectory$velocity[, , k] - c(now$x_rate, now$y_rate, 0))),
-    changed = TRUE
+    as.vector(turned %*% (trajectory$velocity[, , k] - c(now$x_rate, now$y_rate, 0)))
   )
   state$time <- trajectory$time[k]
   state$compared <- compared_at(trajectory, state$time)
@@ -78,7 +77,7 @@ scheduled_table <- function(what, time, found) {
     y_rate = velocity[2, ], speed = curve_at(what$curves$speed, time, after = TRUE),
     course = found$heading, heave = origin[3, ]
   )
-  waves <- what$lattice$engine$water$waves
+  waves <- what$lattice$mesh$water$waves
   if (!is.null(waves)) {
     table$elevation <- engine_elevation(waves, table$x, table$y, as.double(time))
   }
@@ -135,22 +134,26 @@ si_at <- function(what, now) {
 lattice_at <- function(what, now) {
   lattice <- what$lattice
   si <- si_at(what, now)
-  lattice$engine <- scheduled_engine(lattice$engine, what$schedule, now)
-  lattice$engine$water$x <- si$water$current$x + now$speed
-  lattice$engine$water$y <- si$water$current$y
-  lattice$engine$water$waves <-
-    waves_from_vessel(lattice$engine$water$waves, now$time, c(now$x, now$y), now$course)
-  if (!is.null(now$wake)) lattice$engine$wake <- now$wake
+  ropes <- intersect(vapply(what$schedule$growing, `[[`, "", "name"), names(what$si$ropes))
+  lattice$built_lengths <- c(
+    lattice$built_lengths, vapply(setdiff(ropes, names(lattice$built_lengths)), function(rope) {
+      what$si$ropes[[rope]]$length
+    }, 0)
+  )
+  mesh <- lattice$mesh
+  changes <- scheduled_fields(mesh, what$schedule, now)
+  changes$water <- list(x = si$water$current$x + now$speed, y = si$water$current$y)
+  changes$water$waves <-
+    waves_from_vessel(mesh$water$waves, now$time, c(now$x, now$y), now$course)
+  if (!is.null(now$wake)) changes$wake <- now$wake
+  if (!is.null(si$ground)) changes$ground <- ground_from_vessel(mesh$ground, now)
   if (length(now$catch_front)) lattice <- set_catch_front(lattice, now$catch_front[1L])
-  if (!is.null(lattice$engine$ground)) {
-    lattice$engine$ground <- ground_from_vessel(lattice$engine$ground, now)
-  }
-  lattice
+  change_lattice(lattice, changes)
 }
 
-# The engine's lattice with its growing parts as they are at one time and its broken bars gone.
-scheduled_engine <- function(engine, schedule, now) {
-  if (!length(schedule$growing) && !any(now$broken > 0)) return(engine)
+# Fields of a mesh that follow from its growing parts at one time and from its broken bars.
+scheduled_fields <- function(mesh, schedule, now) {
+  if (!length(schedule$growing) && !any(now$broken > 0)) return(list())
   still <- numeric(length(now$winch_length))
   broken <- integer(length(schedule$ruptures))
   broken[seq_along(now$broken)] <- as.integer(now$broken)
@@ -158,12 +161,11 @@ scheduled_engine <- function(engine, schedule, now) {
     length = now$winch_length, since = still + now$time, speed = still, target_speed = still,
     near_limit = still > 0, broken = broken, broken_at = 0 * broken
   )
-  found <- engine_scheduled(engine, schedule_as_done(schedule, done), now$time)
-  engine[c("mass", "load")] <- found[c("mass", "load")]
-  engine$bars[c("rest", "multiplicity")] <- found[c("rest", "multiplicity")]
-  engine$spheres[c("drag_area", "added_mass")] <- found[c("drag_area", "added_mass")]
-  engine$volumes$buoyancy <- found$buoyancy
-  engine
+  found <- engine_scheduled(mesh, schedule_as_done(schedule, done), now$time)
+  c(found[c("mass", "load")], list(
+    bars = found[c("rest", "multiplicity")], spheres = found[c("drag_area", "added_mass")],
+    volumes = found["buoyancy"]
+  ))
 }
 
 # The sea bed in the vessel's axes, where it passes by at the towing speed.

@@ -6,6 +6,25 @@ trajectory_constants <- c(
   "method", "every"
 )
 
+# The constants of a trajectory, as a list.
+constants_of <- function(trajectory) {
+  kept <- intersect(setdiff(trajectory_constants, "lattice"), names(trajectory))
+  c(unclass(trajectory)[kept], list(lattice = trajectory$lattice))
+}
+
+# A trajectory has the recipe of its lattice, and a handle that holds it, as a state has.
+#' @export
+`[[.codend_trajectory` <- function(x, i, ...) {
+  if (!identical(i, "lattice")) return(.subset2(x, i))
+  handle <- .subset2(x, "handle")
+  lattice <- engine_handle_value(handle)
+  if (is.null(lattice)) {
+    lattice <- lattice_of_recipe(.subset2(x, "si"), .subset2(x, "mesh"))
+    engine_fill_handle(handle, lattice)
+  }
+  lattice
+}
+
 # What a march needs of the one before: see engine_tow().
 memory_fields <- c("now", "before", "steps", "caution", "step", "done")
 
@@ -13,7 +32,7 @@ memory_fields <- c("now", "before", "steps", "caution", "step", "done")
 gather_trajectory <- function(what, frames, end) {
   last <- frames[[length(frames)]]
   each <- function(pick) matrix(as.double(unlist(lapply(frames, pick))), ncol = length(frames))
-  n <- what$lattice$engine$nodes
+  n <- what$lattice$nodes
   three <- function(x) array(x, c(3L, n, length(frames)))
   out <- c(what, list(
     time = vapply(frames, function(f) f$now$time, 0),
@@ -23,6 +42,10 @@ gather_trajectory <- function(what, frames, end) {
     end = end, report = last$report, memory = last[memory_fields]
   ))
   out$conditions <- conditions_table(out)
+  out$lattice <- NULL
+  out$mesh <- mesh_recipe(what$lattice)
+  out$handle <- engine_handle()
+  engine_fill_handle(out$handle, what$lattice)
   out$conditions$energy_imbalance <- energy_imbalance(out$energy)
   out$conditions$energy_put_through <- out$energy[match("put_through", engine_energy_parts()), ]
   structure(out, class = "codend_trajectory")
@@ -32,7 +55,7 @@ gather_trajectory <- function(what, frames, end) {
 # told; record: NULL, or a function(what, frames) that keeps frames and gives list(add =
 # function(frame), close = function(end)) for those that follow.
 march_trajectory <- function(trajectory, until, every, method, measured = NULL, record = NULL) {
-  what <- unclass(trajectory)[intersect(trajectory_constants, names(trajectory))]
+  what <- constants_of(trajectory)
   what$method <- method
   what$every <- every
   past <- trajectory$memory
@@ -62,8 +85,8 @@ march_trajectory <- function(trajectory, until, every, method, measured = NULL, 
   report <- NULL
   tryCatch(
     {
-      engine <- marched_engine(what, trajectory)
-      report <- engine_tow(engine, schedule_as_done(what$schedule, past$done), past, method,
+      mesh <- marched_mesh(what, trajectory)
+      report <- engine_tow(mesh, schedule_as_done(what$schedule, past$done), past, method,
         stops, keep, steerer(what, measured, function() front), refill,
         tow_progress(past$now$time, until))
       end <- report$end
@@ -80,16 +103,18 @@ march_trajectory <- function(trajectory, until, every, method, measured = NULL, 
   out
 }
 
-# The engine's lattice as the last of a trajectory's times left it.
-marched_engine <- function(what, trajectory) {
+# The mesh as the last of a trajectory's times left it.
+marched_mesh <- function(what, trajectory) {
   n <- length(trajectory$time)
   lattice <- what$lattice
+  changes <- list(wake = trajectory$wake[, n])
   if (!is.null(what$si$catch)) {
     lattice <- set_catch_front(lattice, trajectory$catch_front[1L, n])
-    lattice$engine$mass <- catch_masses(what$si, lattice, trajectory$catch_front[2L, n])
+    changes$mass <- catch_masses(
+      what$si, lattice, trajectory$catch_front[2L, n], lattice$mesh$pressure$weight
+    )
   }
-  lattice$engine$wake <- trajectory$wake[, n]
-  lattice$engine
+  changed_mesh(lattice$mesh, changes)
 }
 
 # Times at which steps end, and what happens there.

@@ -1,7 +1,7 @@
 # Written by tools/compiled.R; do not edit.
 
 compiled_functions <- c(
-  "add_catch", "begun_shape", "board_modes", "board_table", "bottom_trawl_measures",
+  "begun_shape", "board_modes", "board_table", "bottom_trawl_measures",
   "bottom_trawl_net", "by_method", "cage_frame", "cage_measures", "cage_moorings", "cage_net",
   "cage_outline", "chain_ends", "check_boards", "check_cage", "check_given",
   "check_held_between", "check_held_edges", "check_joined", "check_lattice_size", "check_list",
@@ -9,7 +9,7 @@ compiled_functions <- c(
   "check_seams", "check_section_names", "check_taken", "check_text", "check_through",
   "check_wing_ends", "choose_node", "complete_counts", "complete_meshes", "conditions_text",
   "counts_again", "covers_of", "curve_breaks", "divided_at_most", "drag_table", "drag_totals",
-  "drawn_panels", "edge_length", "engine_numbers", "engine_water", "error_text",
+  "drawn_panels", "edge_length", "engine_water", "error_text",
   "estimate_errors", "expand_cage", "expand_midwater_trawl", "expanded_again", "figures",
   "fill_places", "find_edge", "find_material", "find_panels", "find_parts", "finding_field",
   "finding_rows", "flow_axes", "found_by", "gather_trajectory", "gear_division", "gear_numbers",

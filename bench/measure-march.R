@@ -15,7 +15,7 @@ found <- march()
 seconds <- stats::median(vapply(1:3, function(k) cpu(march()), 0))
 report <- found$report
 leave_results(list(
-  nodes = begun$lattice$engine$nodes, cpu_per_second = seconds / case$until, steps = report$steps,
+  nodes = begun$lattice$nodes, cpu_per_second = seconds / case$until, steps = report$steps,
   repeated = report$repeated, not_found = report$not_found, iterations = report$iterations,
   factorisations = report$factorisations
 ), given[4])

@@ -55,7 +55,7 @@ coarse_of <- function(levels) {
 # Nodes where three bars or more meet; NA of netting in cells.
 knots_of <- function(state) {
   if (case$netting[[version]] != "bars") return(NA)
-  sum(tabulate(state$lattice$engine$bars$node)[seq_len(ncol(state$position))] >= 3, na.rm = TRUE)
+  sum(tabulate(state$lattice$mesh$bars$node)[seq_len(ncol(state$position))] >= 3, na.rm = TRUE)
 }
 
 steps_of <- function(levels) sum(vapply(levels, `[[`, 0L, "factorisations"))

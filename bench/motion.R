@@ -28,7 +28,7 @@ how <- function(scheme, accuracy = NULL, step = NULL) {
 measure_march <- function(begun, until, every, way, reference = NULL) {
   march <- function() codend:::march_trajectory(begun, until, every, way$method)
   seconds <- cpu(found <- tryCatch(within_time(march()), error = identity))
-  row <- list(nodes = begun$lattice$engine$nodes, scheme = way$method$scheme, setting = way$label)
+  row <- list(nodes = begun$lattice$nodes, scheme = way$method$scheme, setting = way$label)
   if (inherits(found, "error")) return(c(row, remark = conditionMessage(found)))
   if (seconds < short_run) {
     seconds <- stats::median(c(seconds, vapply(1:2, function(k) cpu(march()), 0)))

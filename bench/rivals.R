@@ -10,17 +10,17 @@
 asked_error <- 0.01  # m
 rival_limit <- 120   # CPU seconds; beyond, a march's cost is extrapolated from how far it got
 
-# The net as a system of equations: list(engine, start = 3n, answer = 3n, free = places of the free
+# The net as a system of equations: list(mesh, start = 3n, answer = 3n, free = places of the free
 # coordinates in them, error = function(3n), evaluations = function() -> calls of rate and force so
 # far, reset = function(), force = function(free coordinates) -> net forces there,
 # rate = function(t, (free coordinates, their velocities)) -> their rates).
 rival_problem <- function() {
   lattice <- codend:::build_lattice(codend:::gear_si(square_net(16)))
-  engine <- lattice$engine
+  mesh <- lattice$mesh
   start <- as.double(lattice$start)
-  free <- which(rep(!engine$held, each = 3L))
+  free <- which(rep(!mesh$held, each = 3L))
   known <- codend:::engine_settle(
-    engine, start, "crude", numeric(), integer(), 1e-12, 3200L, function(iteration, residual) NULL
+    mesh, start, "crude", numeric(), integer(), 1e-12, 3200L, function(iteration, residual) NULL
   )
   stopifnot(known$converged)
   evaluations <- 0
@@ -31,11 +31,11 @@ rival_problem <- function() {
     velocity <- numeric(length(start))
     position[free] <- x
     velocity[free] <- v
-    codend:::engine_evaluate(engine, position, velocity)
+    codend:::engine_evaluate(mesh, position, velocity)
   }
   half <- seq_along(free)
   list(
-    engine = engine, start = start, answer = known$position, free = free,
+    mesh = mesh, start = start, answer = known$position, free = free,
     error = function(position) {
       max(sqrt(colSums(matrix(position - known$position, 3L)^2)))
     },
@@ -130,7 +130,7 @@ march_symplectic_euler <- function(problem) {
 march_paper <- function(problem, simulated) {
   march <- function(step, seconds) {
     steps <- as.integer(ceiling(seconds / step))
-    codend:::engine_march(problem$engine, problem$start, numeric(length(problem$start)),
+    codend:::engine_march(problem$mesh, problem$start, numeric(length(problem$start)),
       seconds / steps, steps, 1e-5, 200L)
   }
   steps <- 1.6e-3 / 2^(0:4)

@@ -26,9 +26,9 @@ list plate_table(const std::vector<codend::PlateAttitude>& plates) {
 
 }  // namespace
 
-[[cpp11::register]] list engine_evaluate(list lattice, doubles position, doubles velocity) {
+[[cpp11::register]] list engine_evaluate(SEXP mesh, doubles position, doubles velocity) {
   return guarded([&]() -> list {
-    const codend::Model model = read_model(lattice);
+    const codend::Model model = read_model(mesh);
     codend::Assembly assembly(model);
     const std::vector<double> x = of_nodes(position, model, "position"),
                               v = of_nodes(velocity, model, "velocity");

@@ -1,5 +1,5 @@
 // Lattices of gears for R.
-#include "binding_framed.h"
+#include "binding_mesh_list.h"
 #include "binding_model.h"
 #include "engine/solve/layout.hpp"
 
@@ -24,10 +24,11 @@ void lay_out_strings(const codend::Strings& strings, double* x) {
 
 }  // namespace
 
-// counts: of another lattice of the gear, or NULL; map: of the lattice that `position` (3 x points) is
+// model: the numbers of its model; blocked: meshes of its catch behind the front; counts: of another
+// lattice of the gear, or NULL; map: of the lattice that `position` (3 x points) is
 // carried over from, or NULL; alike: whether that one is divided alike.
-[[cpp11::register]] list engine_lattice(list numbers, double nodes, SEXP counts, SEXP map,
-                                        doubles position, bool alike) {
+[[cpp11::register]] list engine_lattice(list numbers, list model, double blocked, double nodes,
+                                        SEXP counts, SEXP map, doubles position, bool alike) {
   return guarded([&]() -> list {
     const codend::Gear gear = read_gear(numbers);
     codend::Counts known;
@@ -42,10 +43,8 @@ void lay_out_strings(const codend::Strings& strings, double* x) {
     from.alike = alike;
     from.position = binding::numbers(position);
     if (!Rf_isNull(map)) from.map = codend::read_fields<codend::PartMap>(ListSource(map));
-    Framed framed;
-    framed.lattice = codend::build_lattice(gear, fineness, from, lay_out_strings);
-    framed.frame = codend::measure_frame(gear, framed.lattice);
-    return ListWriter::written(framed);
+    return mesh_list(gear, codend::read_fields<codend::GearModel>(ListSource(model)),
+                     codend::build_lattice(gear, fineness, from, lay_out_strings), blocked, {});
   });
 }
 

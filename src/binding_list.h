@@ -8,6 +8,7 @@
 
 #include "binding_numbers.h"
 #include "engine/base/fields.hpp"
+#include "engine/base/geometry.hpp"
 #include "engine/base/names.hpp"
 
 namespace binding {
@@ -56,9 +57,45 @@ class ListWriter {
   void list(const char* name, std::vector<Value>& values, codend::Shape shape = {}) {
     (*this)(name, values, shape);
   }
+  template <class Enumeration, std::enable_if_t<std::is_enum_v<Enumeration>, int> = 0>
+  void operator()(const char* name, Enumeration& value, codend::Shape = {}) {
+    std::vector<Enumeration> one{value};
+    (*this)(name, one);
+  }
+  void operator()(const char* name, codend::Vector& value, codend::Shape = {}) {
+    std::vector<double> three(value.data(), value.data() + 3);
+    (*this)(name, three);
+  }
+  template <std::size_t n>
+  void operator()(const char* name, std::array<codend::Vector, n>& values, codend::Shape = {}) {
+    std::vector<double> all;
+    for (const codend::Vector& one : values) all.insert(all.end(), one.data(), one.data() + 3);
+    (*this)(name, all);
+  }
+  void component(const char* name, std::vector<codend::Vector>& vectors, int which) {
+    std::vector<double> values;
+    for (const codend::Vector& one : vectors) values.push_back(one[which]);
+    (*this)(name, values);
+  }
+  template <class Struct>
+  void columns(const char* name, std::vector<Struct>& of) {
+    ListWriter inner;
+    Columns<Struct> columns{inner, of};
+    Struct none;
+    none.fields(columns);
+    add(name, inner.all());
+  }
   template <class Struct>
   void group(const char* name, Struct& of) {
     add(name, written(of));
+  }
+  template <class Struct>
+  void optional(const char* name, Struct& of, bool given) {
+    if (given) group(name, of);
+  }
+  template <class Struct>
+  void optional(const char* name, Struct& of) {
+    optional(name, of, of.present());
   }
   template <class Struct>
   void items(const char* name, std::vector<Struct>& of) {
@@ -71,21 +108,56 @@ class ListWriter {
   void count(codend::Among, std::size_t) {}
 
   // All that has been visited, by name.
-  template <class Struct>
-  static cpp11::list written(Struct& of) {
-    ListWriter writer;
-    of.fields(writer);
-    writable::list out(static_cast<R_xlen_t>(writer.values_.size()));
-    writable::strings names(static_cast<R_xlen_t>(writer.values_.size()));
-    for (std::size_t k = 0; k < writer.values_.size(); ++k) {
-      SET_VECTOR_ELT(out, static_cast<R_xlen_t>(k), writer.values_[k]);
-      SET_STRING_ELT(names, static_cast<R_xlen_t>(k), Rf_mkChar(writer.names_[k].c_str()));
+  cpp11::list all() const {
+    writable::list out(static_cast<R_xlen_t>(values_.size()));
+    writable::strings names(static_cast<R_xlen_t>(values_.size()));
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      SET_VECTOR_ELT(out, static_cast<R_xlen_t>(k), values_[k]);
+      SET_STRING_ELT(names, static_cast<R_xlen_t>(k), Rf_mkChar(names_[k].c_str()));
     }
     out.attr("names") = names;
     return out;
   }
+  template <class Struct>
+  static cpp11::list written(Struct& of) {
+    ListWriter writer;
+    of.fields(writer);
+    return writer.all();
+  }
 
  private:
+  // One array per field of a struct: visits the fields of one, and for each picks that of all.
+  template <class Struct>
+  struct Columns {
+    ListWriter& to;
+    std::vector<Struct>& of;
+    std::size_t fields = 0;
+
+    template <class Value>
+    struct Pick {
+      std::size_t wanted, seen = 0;
+      Value found = {};
+      template <class Other>
+      void operator()(const char*, Other& value, codend::Shape = {}) {
+        if constexpr (std::is_same_v<Value, Other>) {
+          if (seen == wanted) found = value;
+        }
+        ++seen;
+      }
+    };
+    template <class Value>
+    void operator()(const char* name, Value&, codend::Shape shape = {}) {
+      std::vector<std::conditional_t<std::is_same_v<Value, bool>, char, Value>> values;
+      for (Struct& one : of) {
+        Pick<Value> pick{fields};
+        one.fields(pick);
+        values.push_back(pick.found);
+      }
+      to(name, values, shape);
+      ++fields;
+    }
+  };
+
   void add(const char* name, cpp11::sexp value) {
     names_.emplace_back(name);
     values_.push_back(value);

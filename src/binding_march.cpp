@@ -77,10 +77,10 @@ double potential_of(const codend::Model& model, double error) {
 
 }  // namespace
 
-[[cpp11::register]] list engine_march(list lattice, doubles position, doubles velocity, double step,
+[[cpp11::register]] list engine_march(SEXP mesh, doubles position, doubles velocity, double step,
                                       int steps, double tolerance, int substitutions) {
   return guarded([&]() -> list {
-    codend::Model model = read_model(lattice);
+    codend::Model model = read_model(mesh);
     codend::Assembly assembly(model);
     std::vector<double> x = of_nodes(position, model, "position"),
                         v = of_nodes(velocity, model, "velocity");
@@ -105,11 +105,11 @@ double potential_of(const codend::Model& model, double error) {
 // tensions, and all that is needed to go on from there; steer(frame) answers with the speed wanted
 // of every growing group; refill(frame) with weight, node and mass of the catch; watch(time, steps)
 // is called after steps, at most some ten times a second.
-[[cpp11::register]] list engine_tow(list lattice, list schedule, list past, list control,
-                                    list stops, function keep, function steer, function refill,
+[[cpp11::register]] list engine_tow(SEXP mesh, list schedule, list past, list control, list stops,
+                                    function keep, function steer, function refill,
                                     function watch) {
   return guarded([&]() -> list {
-    codend::Model model = read_model(lattice);
+    codend::Model model = read_model(mesh);
     codend::Assembly assembly(model);
     codend::Past from;
     from.now = read_motion(list(past["now"]), model);

@@ -43,10 +43,10 @@ codend::FilledBag read_bag(SEXP bag) {
 
 // Measures in SI, not a number where the gear does not have one. lattice: the engine's; frame: as
 // engine_lattice() gives it; questions: see measures.hpp; bag: or NULL; state: what acts in it.
-[[cpp11::register]] doubles engine_measures(list lattice, list frame, list questions, SEXP bag,
+[[cpp11::register]] doubles engine_measures(SEXP mesh, list frame, list questions, SEXP bag,
                                             list state) {
   return guarded([&]() -> doubles {
-    const codend::Model model = read_model(lattice);
+    const codend::Model model = read_model(mesh);
     codend::FilledBag filled;
     if (!Rf_isNull(bag)) filled = read_bag(bag);
     return as_doubles(codend::measure(read_frame(frame), model,
@@ -86,10 +86,9 @@ codend::FilledBag read_bag(SEXP bag) {
 }
 
 // Tension at both ends of bars of ropes, 2 each, N.
-[[cpp11::register]] doubles engine_end_tensions(list lattice, list frame, list state,
-                                                integers bars) {
+[[cpp11::register]] doubles engine_end_tensions(SEXP mesh, list frame, list state, integers bars) {
   return guarded([&]() -> doubles {
-    const codend::Model model = read_model(lattice);
+    const codend::Model model = read_model(mesh);
     const codend::MeasureFrame read = read_frame(frame);
     const codend::MeasuredShape<double> shape = read_shape(state);
     std::vector<double> out;

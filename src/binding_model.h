@@ -83,12 +83,12 @@ class ListSource {
   SEXP list_;
 };
 
-// The model of a lattice, ready for use. Copies every array once. Throws InputError.
-inline codend::Model read_model(const cpp11::list& lattice) {
-  codend::Model model = codend::read_fields<codend::Model>(ListSource(lattice));
-  model.prepare();
-  return model;
-}
+// A handle to a mesh, which the engine holds.
+cpp11::sexp mesh_handle(codend::Model&& model);
+
+// The model of a mesh, a copy that is ready for use. Throws InputError where the handle is empty, as in
+// another process.
+codend::Model read_model(SEXP mesh);
 
 // Numbers of all nodes, 3 each, such as positions.
 inline std::vector<double> of_nodes(const cpp11::doubles& values, const codend::Model& model,

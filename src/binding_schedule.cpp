@@ -139,9 +139,9 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
 }
 
 // A lattice's numbers that a schedule changes, as they are at a time (s), after its jumps.
-[[cpp11::register]] list engine_scheduled(list lattice, list schedule, double time) {
+[[cpp11::register]] list engine_scheduled(SEXP mesh, list schedule, double time) {
   return guarded([&]() -> list {
-    codend::Model model = read_model(lattice);
+    codend::Model model = read_model(mesh);
     codend::Assembly assembly(model);
     codend::Motion motion;
     motion.time = time;

@@ -1,7 +1,7 @@
 // Equilibria for R.
 #include <algorithm>
 
-#include "binding_framed.h"
+#include "binding_mesh_list.h"
 #include "binding_model.h"
 #include "engine/measure/settled_gear.hpp"
 #include "engine/solve/body_modes.hpp"
@@ -72,11 +72,11 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
 }  // namespace
 
 // from: what the start is, a name of codend::Start; part: of every line, counted from 1, or empty.
-[[cpp11::register]] list engine_settle(list lattice, doubles start, std::string from,
-                                       doubles strain, integers part, double tolerance,
-                                       int iterations, function watch) {
+[[cpp11::register]] list engine_settle(SEXP mesh, doubles start, std::string from, doubles strain,
+                                       integers part, double tolerance, int iterations,
+                                       function watch) {
   return guarded([&]() -> list {
-    codend::Model model = read_model(lattice);
+    codend::Model model = read_model(mesh);
     codend::Assembly assembly(model);
     std::vector<double> x = of_nodes(start, model, "start");
     const std::vector<double> v(x.size(), 0.0);
@@ -169,9 +169,8 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
     add("blocked", cpp11::as_sexp(found.gear.bag.blocked));
     add("full_bag", cpp11::as_sexp(found.full_bag));
     if (told) {
-      Framed framed{std::move(found.gear.lattice), {}};
-      framed.frame = codend::measure_frame(read.gear, framed.lattice);
-      add("lattice", ListWriter::written(framed));
+      add("lattice", mesh_list(read.gear, read.model, std::move(found.gear.lattice),
+                               found.gear.bag.blocked, found.gear.model.wake));
     }
     return out;
   });
@@ -179,9 +178,9 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
 
 // Per motion in which a rigid body takes part: its rate (1/s) by real and imaginary part, the node of a
 // body that moves most, whether it is certain, and what is left of the equations.
-[[cpp11::register]] list engine_body_modes(list lattice, doubles position, doubles velocity) {
+[[cpp11::register]] list engine_body_modes(SEXP mesh, doubles position, doubles velocity) {
   return guarded([&]() -> list {
-    codend::Model model = read_model(lattice);
+    codend::Model model = read_model(mesh);
     codend::Assembly assembly(model);
     const std::vector<double> x = of_nodes(position, model, "position");
     const std::vector<double> v = of_nodes(velocity, model, "velocity");

@@ -6,10 +6,10 @@
 #include <R_ext/Visibility.h>
 
 // binding_gear.cpp
-list engine_lattice(list numbers, double nodes, SEXP counts, SEXP map, doubles position, bool alike);
-extern "C" SEXP _codend_engine_lattice(SEXP numbers, SEXP nodes, SEXP counts, SEXP map, SEXP position, SEXP alike) {
+list engine_lattice(list numbers, list model, double blocked, double nodes, SEXP counts, SEXP map, doubles position, bool alike);
+extern "C" SEXP _codend_engine_lattice(SEXP numbers, SEXP model, SEXP blocked, SEXP nodes, SEXP counts, SEXP map, SEXP position, SEXP alike) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_lattice(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<double>>(nodes), cpp11::as_cpp<cpp11::decay_t<SEXP>>(counts), cpp11::as_cpp<cpp11::decay_t<SEXP>>(map), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<bool>>(alike)));
+    return cpp11::as_sexp(engine_lattice(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<list>>(model), cpp11::as_cpp<cpp11::decay_t<double>>(blocked), cpp11::as_cpp<cpp11::decay_t<double>>(nodes), cpp11::as_cpp<cpp11::decay_t<SEXP>>(counts), cpp11::as_cpp<cpp11::decay_t<SEXP>>(map), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<bool>>(alike)));
   END_CPP11
 }
 // binding_gear.cpp
@@ -42,17 +42,17 @@ extern "C" SEXP _codend_engine_fill_handle(SEXP handle, SEXP value) {
   END_CPP11
 }
 // binding_march.cpp
-list engine_march(list lattice, doubles position, doubles velocity, double step, int steps, double tolerance, int substitutions);
-extern "C" SEXP _codend_engine_march(SEXP lattice, SEXP position, SEXP velocity, SEXP step, SEXP steps, SEXP tolerance, SEXP substitutions) {
+list engine_march(SEXP mesh, doubles position, doubles velocity, double step, int steps, double tolerance, int substitutions);
+extern "C" SEXP _codend_engine_march(SEXP mesh, SEXP position, SEXP velocity, SEXP step, SEXP steps, SEXP tolerance, SEXP substitutions) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_march(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity), cpp11::as_cpp<cpp11::decay_t<double>>(step), cpp11::as_cpp<cpp11::decay_t<int>>(steps), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(substitutions)));
+    return cpp11::as_sexp(engine_march(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity), cpp11::as_cpp<cpp11::decay_t<double>>(step), cpp11::as_cpp<cpp11::decay_t<int>>(steps), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(substitutions)));
   END_CPP11
 }
 // binding_march.cpp
-list engine_tow(list lattice, list schedule, list past, list control, list stops, function keep, function steer, function refill, function watch);
-extern "C" SEXP _codend_engine_tow(SEXP lattice, SEXP schedule, SEXP past, SEXP control, SEXP stops, SEXP keep, SEXP steer, SEXP refill, SEXP watch) {
+list engine_tow(SEXP mesh, list schedule, list past, list control, list stops, function keep, function steer, function refill, function watch);
+extern "C" SEXP _codend_engine_tow(SEXP mesh, SEXP schedule, SEXP past, SEXP control, SEXP stops, SEXP keep, SEXP steer, SEXP refill, SEXP watch) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_tow(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<list>>(past), cpp11::as_cpp<cpp11::decay_t<list>>(control), cpp11::as_cpp<cpp11::decay_t<list>>(stops), cpp11::as_cpp<cpp11::decay_t<function>>(keep), cpp11::as_cpp<cpp11::decay_t<function>>(steer), cpp11::as_cpp<cpp11::decay_t<function>>(refill), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+    return cpp11::as_sexp(engine_tow(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<list>>(past), cpp11::as_cpp<cpp11::decay_t<list>>(control), cpp11::as_cpp<cpp11::decay_t<list>>(stops), cpp11::as_cpp<cpp11::decay_t<function>>(keep), cpp11::as_cpp<cpp11::decay_t<function>>(steer), cpp11::as_cpp<cpp11::decay_t<function>>(refill), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
   END_CPP11
 }
 // binding_march.cpp
@@ -70,10 +70,10 @@ extern "C" SEXP _codend_engine_schemes() {
   END_CPP11
 }
 // binding_measure.cpp
-doubles engine_measures(list lattice, list frame, list questions, SEXP bag, list state);
-extern "C" SEXP _codend_engine_measures(SEXP lattice, SEXP frame, SEXP questions, SEXP bag, SEXP state) {
+doubles engine_measures(SEXP mesh, list frame, list questions, SEXP bag, list state);
+extern "C" SEXP _codend_engine_measures(SEXP mesh, SEXP frame, SEXP questions, SEXP bag, SEXP state) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_measures(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<list>>(questions), cpp11::as_cpp<cpp11::decay_t<SEXP>>(bag), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
+    return cpp11::as_sexp(engine_measures(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<list>>(questions), cpp11::as_cpp<cpp11::decay_t<SEXP>>(bag), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
   END_CPP11
 }
 // binding_measure.cpp
@@ -91,10 +91,10 @@ extern "C" SEXP _codend_engine_part_forces(SEXP frame, SEXP state) {
   END_CPP11
 }
 // binding_measure.cpp
-doubles engine_end_tensions(list lattice, list frame, list state, integers bars);
-extern "C" SEXP _codend_engine_end_tensions(SEXP lattice, SEXP frame, SEXP state, SEXP bars) {
+doubles engine_end_tensions(SEXP mesh, list frame, list state, integers bars);
+extern "C" SEXP _codend_engine_end_tensions(SEXP mesh, SEXP frame, SEXP state, SEXP bars) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_end_tensions(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<list>>(state), cpp11::as_cpp<cpp11::decay_t<integers>>(bars)));
+    return cpp11::as_sexp(engine_end_tensions(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<list>>(state), cpp11::as_cpp<cpp11::decay_t<integers>>(bars)));
   END_CPP11
 }
 // binding_measure.cpp
@@ -118,6 +118,27 @@ extern "C" SEXP _codend_engine_bag_sizes(SEXP bag, SEXP points) {
     return cpp11::as_sexp(engine_bag_sizes(cpp11::as_cpp<cpp11::decay_t<list>>(bag), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
   END_CPP11
 }
+// binding_mesh.cpp
+SEXP engine_mesh(list fields);
+extern "C" SEXP _codend_engine_mesh(SEXP fields) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_mesh(cpp11::as_cpp<cpp11::decay_t<list>>(fields)));
+  END_CPP11
+}
+// binding_mesh.cpp
+list engine_mesh_fields(SEXP mesh);
+extern "C" SEXP _codend_engine_mesh_fields(SEXP mesh) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_mesh_fields(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh)));
+  END_CPP11
+}
+// binding_mesh.cpp
+SEXP engine_mesh_field(SEXP mesh, std::string name);
+extern "C" SEXP _codend_engine_mesh_field(SEXP mesh, SEXP name) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_mesh_field(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<std::string>>(name)));
+  END_CPP11
+}
 // binding_schedule.cpp
 doubles engine_curve_at(list curve, doubles time, bool after);
 extern "C" SEXP _codend_engine_curve_at(SEXP curve, SEXP time, SEXP after) {
@@ -133,17 +154,17 @@ extern "C" SEXP _codend_engine_schedule_at(SEXP schedule, SEXP time, SEXP length
   END_CPP11
 }
 // binding_schedule.cpp
-list engine_scheduled(list lattice, list schedule, double time);
-extern "C" SEXP _codend_engine_scheduled(SEXP lattice, SEXP schedule, SEXP time) {
+list engine_scheduled(SEXP mesh, list schedule, double time);
+extern "C" SEXP _codend_engine_scheduled(SEXP mesh, SEXP schedule, SEXP time) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_scheduled(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<double>>(time)));
+    return cpp11::as_sexp(engine_scheduled(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<double>>(time)));
   END_CPP11
 }
 // binding_settle.cpp
-list engine_settle(list lattice, doubles start, std::string from, doubles strain, integers part, double tolerance, int iterations, function watch);
-extern "C" SEXP _codend_engine_settle(SEXP lattice, SEXP start, SEXP from, SEXP strain, SEXP part, SEXP tolerance, SEXP iterations, SEXP watch) {
+list engine_settle(SEXP mesh, doubles start, std::string from, doubles strain, integers part, double tolerance, int iterations, function watch);
+extern "C" SEXP _codend_engine_settle(SEXP mesh, SEXP start, SEXP from, SEXP strain, SEXP part, SEXP tolerance, SEXP iterations, SEXP watch) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<std::string>>(from), cpp11::as_cpp<cpp11::decay_t<doubles>>(strain), cpp11::as_cpp<cpp11::decay_t<integers>>(part), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+    return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<std::string>>(from), cpp11::as_cpp<cpp11::decay_t<doubles>>(strain), cpp11::as_cpp<cpp11::decay_t<integers>>(part), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
   END_CPP11
 }
 // binding_settle.cpp
@@ -154,10 +175,10 @@ extern "C" SEXP _codend_engine_settle_gear(SEXP numbers, SEXP nodes, SEXP from, 
   END_CPP11
 }
 // binding_settle.cpp
-list engine_body_modes(list lattice, doubles position, doubles velocity);
-extern "C" SEXP _codend_engine_body_modes(SEXP lattice, SEXP position, SEXP velocity) {
+list engine_body_modes(SEXP mesh, doubles position, doubles velocity);
+extern "C" SEXP _codend_engine_body_modes(SEXP mesh, SEXP position, SEXP velocity) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_body_modes(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
+    return cpp11::as_sexp(engine_body_modes(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
   END_CPP11
 }
 // binding_tangent.cpp
@@ -182,10 +203,10 @@ extern "C" SEXP _codend_engine_near_settled(SEXP near, SEXP numbers, SEXP tolera
   END_CPP11
 }
 // binding.cpp
-list engine_evaluate(list lattice, doubles position, doubles velocity);
-extern "C" SEXP _codend_engine_evaluate(SEXP lattice, SEXP position, SEXP velocity) {
+list engine_evaluate(SEXP mesh, doubles position, doubles velocity);
+extern "C" SEXP _codend_engine_evaluate(SEXP mesh, SEXP position, SEXP velocity) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_evaluate(cpp11::as_cpp<cpp11::decay_t<list>>(lattice), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
+    return cpp11::as_sexp(engine_evaluate(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
   END_CPP11
 }
 // binding.cpp
@@ -274,10 +295,13 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,           0},
     {"_codend_engine_handle",          (DL_FUNC) &_codend_engine_handle,           0},
     {"_codend_engine_handle_value",    (DL_FUNC) &_codend_engine_handle_value,     1},
-    {"_codend_engine_lattice",         (DL_FUNC) &_codend_engine_lattice,          6},
+    {"_codend_engine_lattice",         (DL_FUNC) &_codend_engine_lattice,          8},
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,            7},
     {"_codend_engine_measure_errors",  (DL_FUNC) &_codend_engine_measure_errors,   5},
     {"_codend_engine_measures",        (DL_FUNC) &_codend_engine_measures,         5},
+    {"_codend_engine_mesh",            (DL_FUNC) &_codend_engine_mesh,             1},
+    {"_codend_engine_mesh_field",      (DL_FUNC) &_codend_engine_mesh_field,       2},
+    {"_codend_engine_mesh_fields",     (DL_FUNC) &_codend_engine_mesh_fields,      1},
     {"_codend_engine_mesh_places",     (DL_FUNC) &_codend_engine_mesh_places,      2},
     {"_codend_engine_near_changes",    (DL_FUNC) &_codend_engine_near_changes,     8},
     {"_codend_engine_near_gear",       (DL_FUNC) &_codend_engine_near_gear,        4},

@@ -91,13 +91,15 @@ kinds <- list(
   })),
   model = list(share = 2, run = function() {
     model <- one_of(kept()$models)
-    engine <- model$engine
-    for (k in seq_len(1L + stats::rpois(1L, 0.5))) engine <- changed_model(engine)
-    evaluated <- judged(codend:::engine_evaluate(engine, model$start, 0 * model$start))
+    fields <- model$fields
+    for (k in seq_len(1L + stats::rpois(1L, 0.5))) fields <- changed_model(fields)
+    mesh <- judged(codend:::new_mesh(fields))
+    if (is.null(mesh)) return("refused")
+    evaluated <- judged(codend:::engine_evaluate(mesh, model$start, 0 * model$start))
     if (is.null(evaluated)) return("refused")
     quiet <- function(...) NULL
     judged(codend:::engine_settle(
-      engine, model$start, "crude", numeric(), integer(), 1e-8, 3L, quiet
+      mesh, model$start, "crude", numeric(), integer(), 1e-8, 3L, quiet
     ))
     "taken"
   }),

@@ -73,7 +73,7 @@ gear_checks <- list(
 
 # ---- states --------------------------------------------------------------------------------------
 
-engine_of <- function(state) state$lattice$engine
+engine_of <- function(state) state$lattice$mesh
 
 netting_of <- function(state) if (length(engine_of(state)$cells$rest)) "cells" else "bars"
 

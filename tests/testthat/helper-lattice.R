@@ -4,11 +4,18 @@
 lattice_of <- function(x) if (inherits(x, "codend_lattice")) x else x$lattice
 
 # An array of the engine as the engine has it, such as engine_array(x, "bars", "rest"); without
-# names all that the engine is given.
+# names the mesh that the engine holds.
 engine_array <- function(x, ...) {
-  found <- lattice_of(x)$engine
+  found <- lattice_of(x)$mesh
   for (name in c(...)) found <- found[[name]]
   found
+}
+
+# A lattice with the fields of its mesh in the place of the handle to it.
+plain_lattice <- function(x) {
+  lattice <- unclass(lattice_of(x))
+  lattice$mesh <- mesh_fields(lattice$mesh)
+  lattice
 }
 
 # Parts of the gear: data.frame(name, kind, role).
@@ -51,12 +58,12 @@ plain_result <- function(x) {
   x
 }
 
-# A lattice of what a test needs of it: ropes = nodes of each by name, engine = some of the engine's
+# A lattice of what a test needs of it: ropes = nodes of each by name, mesh = some of the engine's
 # arrays, parts = data.frame(name, kind, role), bar_part.
-sketched_lattice <- function(ropes = list(), engine = list(), parts = NULL,
+sketched_lattice <- function(ropes = list(), mesh = list(), parts = NULL,
                              bar_part = integer()) {
   structure(list(
-    ropes = lapply(ropes, function(node) list(node = node)), engine = engine,
+    ropes = lapply(ropes, function(node) list(node = node)), mesh = mesh, nodes = mesh$nodes,
     parts = parts, bar_part = bar_part, cell_part = integer()
   ), class = "codend_lattice")
 }

@@ -264,7 +264,7 @@ test_that("a law outside what it was measured for warns", {
   # a plane by hand: its normal 80 degrees from the flow
   tilt <- 80 * pi / 180
   plane <- list(si = list(towing = list(speed = 1), water = list(current = list(x = 0, y = 0))),
-    lattice = list(engine = list(cells = list(node = c(1:3, 3L)))),
+    lattice = list(mesh = list(cells = list(node = c(1:3, 3L)))),
     position = cbind(c(0, 0, 0), c(0, 2, 0), c(sin(tilt), 0, cos(tilt))))
   expect_equal(netting_to_flow(plane, 1L), list(angle = 80, area = 1))
   expect_gt(share, 50)

@@ -86,7 +86,7 @@ test_that("a haul closes, balances and ends at the speed of vessel and winch", {
     0.02 * max(haul$conditions$energy_put_through))
   # towed steadily at the end, what moves the gear is nothing to its drag
   state <- state_at(haul, max(haul$time))
-  free <- !state$lattice$engine$held
+  free <- !state$lattice$mesh$held
   expect_lt(abs(sum(state$force[1, free])), 0.05 * 1000 * measures(state)[["total_drag_kN"]])
 })
 

@@ -16,11 +16,12 @@ test_that("other conditions change the water and the ground of a lattice, and no
     shape <- list(lattice = first, position = lattice_points(first, first$start))
     again <- build_lattice(changed_gear(gear, change[[2]], change[[3]]), 300, NULL, shape)
     label <- paste(change[[1]], change[[2]])
-    same <- setdiff(names(first$engine), change[[4]])
-    expect_identical(again$engine[same], first$engine[same], label = label)
-    expect_false(identical(again$engine[[change[[4]]]], first$engine[[change[[4]]]]), label = label)
+    fields <- mesh_fields(first$mesh)
+    same <- setdiff(names(fields), change[[4]])
+    expect_identical(mesh_fields(again$mesh)[same], fields[same], label = label)
+    expect_false(identical(again$mesh[[change[[4]]]], fields[[change[[4]]]]), label = label)
     expect_identical(again$start, first$start, label = label)
-    parts <- setdiff(names(first), c("engine", "place"))
+    parts <- setdiff(names(first), c("mesh", "place"))
     expect_identical(unclass(again)[parts], unclass(first)[parts], label = label)
     expect_identical(again$places, first$places, label = label)
   }
@@ -54,7 +55,10 @@ test_that("a shape of other parts is refused by the engine", {
   other <- gear_si(read_gear("model_cage"))
   map <- part_map(gear_si(read_gear("midwater_trawl")), first)
   expect_error(
-    engine_lattice(gear_numbers(other), 200, NULL, map, as.double(first$start), FALSE),
+    engine_lattice(
+      gear_numbers(other), lattice_numbers(other, NULL)$model, 0, 200, NULL, map,
+      as.double(first$start), FALSE
+    ),
     "not those of the gear's parts", class = "codend_error_engine"
   )
 })

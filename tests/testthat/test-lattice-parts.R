@@ -151,7 +151,7 @@ test_that("knotted netting weighs what the published table says, with both kinds
       )), points = list(nail = list(at = "net.upper_left", position = c(0, 0, 0), held = "fixed"))
     ))
   }
-  mass <- function(gear, netting) sum(build_lattice(gear_si(gear), 300, netting)$engine$mass)
+  mass <- function(gear, netting) sum(build_lattice(gear_si(gear), 300, netting)$mesh$mass)
   for (netting in c("bars", "cells")) {
     ratio <- mapply(function(mesh, twine) {
       mass(plan(mesh, twine, TRUE), netting) / mass(plan(mesh, twine, FALSE), netting)

@@ -211,7 +211,7 @@ test_that("stiff knots of bars have their couples on sheets that hold all of the
   cells <- build_lattice(si, netting = "cells")
   # area of the triangles in twine coordinates (m) times their multiplicity: knots, as in cells
   knots <- function(lattice) {
-    openings <- lattice$engine$openings
+    openings <- lattice$mesh$openings
     at <- cell_twine_places(list(twine = openings$twine), seq_along(openings$couple))
     sum(cell_area(at$u, at$v) * openings$multiplicity)
   }

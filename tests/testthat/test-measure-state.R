@@ -49,7 +49,7 @@ test_that("a measure of the plan hides the general one of its name", {
 })
 
 test_that("filtered volume takes the water's speed at the mouth's depth", {
-  state <- list(lattice = sketched_lattice(engine = list(
+  state <- list(lattice = sketched_lattice(mesh = list(
     water = list(depth = c(0, 100), x = c(2, 1), y = c(0, 0))
   )))
   expect_equal(water_velocity(state, 25), c(1.75, 0))
@@ -128,9 +128,10 @@ test_that("a state that was saved computes the same mesh, forces and measures", 
   for (name in c("poly_noreastern_trawl", "stow_net", "cage", "longline", "purse_seine")) {
     state <- settled(name, nodes = 300)
     again <- unserialize(serialize(state, NULL))
-    for (field in computed_fields) {
+    for (field in setdiff(computed_fields, "lattice")) {
       expect_identical(again[[field]], state[[field]])
     }
+    expect_identical(plain_lattice(again), plain_lattice(state))
     expect_identical(measures(again), measures(state))
   }
 })

@@ -155,10 +155,10 @@ test_that("at the time of a jump a state is that after it, as the motion goes on
   # the engine's own: where it put the towing point, and what its motion weighs
   expect_equal(found$conditions$heave[2], found$position[3, 1, 2], tolerance = 1e-12)
   expect_equal(state$position[3, 1], 0.2, tolerance = 1e-12)
-  spheres <- function(state) state$lattice$engine$spheres$drag_area
+  spheres <- function(state) state$lattice$mesh$spheres$drag_area
   expect_equal(spheres(state), 0.5 * spheres(state_at(found, 0)), tolerance = 1e-12)
   expect_identical(spheres(state), spheres(state_at(found, 20)))
-  mass <- function(state) sum(state$lattice$engine$mass)
+  mass <- function(state) sum(state$lattice$mesh$mass)
   expect_equal(mass(state_at(found, 0)) - mass(state), 50, tolerance = 1e-12)
 })
 

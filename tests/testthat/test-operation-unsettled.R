@@ -5,7 +5,7 @@ test_that("advice names slack netting, the line along it, and a law that lets it
   state <- suppressWarnings(settle_gear(gear, 300, "cells", NULL))
   lattice <- state$lattice
   # a node of netting that a rope is laced to, in a shape all of whose lines are slack, then none
-  node <- intersect(lattice$engine$cells$node, lattice$engine$bars$node)[1]
+  node <- intersect(lattice$mesh$cells$node, lattice$mesh$bars$node)[1]
   advised <- function(strain) {
     unsettled_advice(gear, state$si, list(
       lattice = lattice, report = list(worst_node = node),

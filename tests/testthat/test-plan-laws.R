@@ -10,7 +10,7 @@ test_that("every law of the table has a force or a wake, and the engine knows no
   for (law in law_names("wake")) expect_lt(across("wake", law, 0, "speed"), 0.95)
   known <- function(field) {
     engine <- specimen(matrix(0, 3L, 4L))
-    engine$engine$screens <- list(node = 1:4, twine = numeric(8), twine_area = 1, overlap = 0,
+    engine$fields$screens <- list(node = 1:4, twine = numeric(8), twine_area = 1, overlap = 0,
       diameter = 1, multiplicity = 1, height = 1, law = "no law")
     said <- tryCatch(evaluate_specimen(engine, 1, 4L), error = conditionMessage)
     sub(".*must be ", "", gsub("\\s+", " ", said))

@@ -92,8 +92,7 @@ test_that("every multiplier of a trawl is linear in its force, and its short for
   net_force <- function(by) {
     si <- state$si
     si$multipliers[names(by)] <- by
-    engine <- build_lattice(si, 400)$engine
-    engine_evaluate(engine, as.vector(state$position), still)$force
+    engine_evaluate(build_lattice(si, 400)$mesh, as.vector(state$position), still)$force
   }
   one <- net_force(numeric())
   of <- names(force_multipliers)

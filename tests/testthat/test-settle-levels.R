@@ -45,9 +45,9 @@ test_that("where steps from a state do not close in its lattice is settled from 
   gear <- update(state$gear, warps.length = "100 m")
   near <- settle(gear, nodes = 500, from = state)
   lattice <- build_lattice(gear_si(gear), 500, NULL, state_shape(state))
-  expect_identical(near$lattice$engine$bars, lattice$engine$bars)
+  expect_identical(near$lattice$mesh$bars, lattice$mesh$bars)
   # the same numbers from a start that was never settled
-  bare <- engine_settle(lattice$engine, as.double(lattice$start), "crude", numeric(),
+  bare <- engine_settle(lattice$mesh, as.double(lattice$start), "crude", numeric(),
     line_part(lattice), settle_tolerance, settle_iterations, function(...) NULL)
   expect_equal(as.double(near$position), bare$position, tolerance = 1e-6)
 })

@@ -74,41 +74,6 @@ test_that("files of an older format, which held objects of R, are refused", {
   }
 })
 
-test_that("a lattice that refers to what is not there is refused", {
-  lattice <- settled("towed_cable")$lattice
-  expect_null(check_indices(lattice))
-  for (wrong in list(0L, NA, 1e9L)) {
-    spoiled <- lattice
-    spoiled$engine$bars$node[3] <- wrong
-    expect_error(check_indices(spoiled), "bars")
-  }
-  lattice$bar_part[1] <- 99L
-  expect_error(check_indices(lattice), "bar_part")
-  full <- settled("t90_codend", nodes = 100)$lattice
-  bad <- full
-  bad$catch$node[5] <- 1000000L
-  expect_error(check_indices(bad), "catch")
-  bad <- full
-  bad$division$edge_node[1] <- 0L
-  expect_error(check_indices(bad), "edges")
-  full$panels[[2]]$netting <- NULL
-  expect_error(check_indices(full), "netting")
-})
-
-# Runs code with these as the measures of any state: the engine gives none of a forged one.
-with_measures <- function(measured, code) {
-  here <- asNamespace("codend")
-  own <- get("measures", here)
-  put <- function(value) {
-    unlockBinding("measures", here)
-    assign("measures", value, here)
-    lockBinding("measures", here)
-  }
-  put(function(...) measured)
-  on.exit(put(own))
-  code
-}
-
 test_that("a forged file with a right checksum holds no place that is not there", {
   skip_if_not_installed("RNetCDF")
   table <- list2DF(engine_fields())
@@ -117,30 +82,39 @@ test_that("a forged file with a right checksum holds no place that is not there"
   forged <- 0
   for (name in c("midwater_trawl", "beam_trawl", "cage", "purse_seine", "t90_codend")) {
     state <- settled(name, nodes = 100)
+    fields <- mesh_fields(state$lattice$mesh)
     for (k in seq_len(nrow(table))) {
       path <- c(strsplit(table$kind[k], ".", fixed = TRUE)[[1]], table$name[k])
       # plates and sliding ropes are a group each
       if (path[1] %in% c("plates", "sliding")) path <- append(path, 1L, 1L)
-      places <- tryCatch(state$lattice$engine[[path]], error = function(e) NULL)
+      places <- tryCatch(fields[[path]], error = function(e) NULL)
       if (!length(places)) next
       # too large and too small in turn, the other way round in the next gear
       wrong <- c(1000000L, -1L)[(k + nchar(name)) %% 2 + 1]
-      bad <- state$lattice
-      bad$engine[[path]][length(places)] <- wrong
-      expect_error(check_indices(bad), label = paste(c(name, path, wrong), collapse = " "))
+      bad <- fields
+      bad[[path]][length(places)] <- wrong
+      expect_error(
+        new_mesh(bad), class = "codend_error_engine",
+        label = paste(c(name, path, wrong), collapse = " ")
+      )
       forged <- forged + 1
     }
-    measured <- measures(state)
-    # nothing but the reader looks at these
-    for (kind in intersect(c("contacts", "bends", "openings"), names(state$lattice$engine))) {
+    for (kind in c("contacts", "bends", "openings")) {
+      node <- fields[[kind]]$node
+      if (!length(node)) next
       bad <- state
-      if (!length(bad$lattice$engine[[kind]]$node)) next
-      bad$lattice$engine[[kind]]$node[1] <- 1000000L
-      file <- with_measures(measured, write_result(bad, file.path(folder, "forged.nc")))
+      bad$mesh$changes <- setNames(list(list(node = replace(node, 1L, 1000000L))), kind)
+      file <- write_result(bad, file.path(folder, "forged.nc"))
       expect_error(
         read_result(file), paste0("damaged.*", kind, ".node"), class = "codend_error_file"
       )
     }
+    bad <- state
+    bad$mesh$counts$pieces <- bad$mesh$counts$pieces[-1L]
+    expect_error(
+      read_result(write_result(bad, file.path(folder, "forged.nc"))), "damaged",
+      class = "codend_error_file"
+    )
   }
   # ties, bars, triangles, bodies, sea bed, boards, ropes that slide or bend, and a catch among them
   expect_gt(forged, 40)

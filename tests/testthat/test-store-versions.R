@@ -52,6 +52,14 @@ test_that("tows of earlier versions are read, or refused by the number of their 
   expect_identical(max(formats), as.double(max(kept_versions$trajectory)))
 })
 
+test_that("a moment of a tow from an earlier version has the measures of its tow", {
+  skip_if_not_installed("RNetCDF")
+  tow <- read_result(test_path("kept", "tow-11.nc"))
+  moment <- read_result(test_path("kept", "moment-8.nc"))
+  expect_identical(moment$time, 20)
+  expect_identical(measures(moment), measures(state_at(tow, 20)))
+})
+
 test_that("plans of earlier versions are read", {
   # the plan in a file of this version is text of its time
   skip_if_not_installed("RNetCDF")

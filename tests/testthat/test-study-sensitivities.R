@@ -109,7 +109,7 @@ test_that("slopes of a trawl are those of settled shapes, from few factorisation
   tightly <- function(gear) {
     si <- gear_si(gear)
     near <- settle_numbers(si, 1500, NULL, shape, FALSE, quiet)
-    tight <- engine_settle(near$lattice$engine, as.double(near$position), "settled",
+    tight <- engine_settle(near$lattice$mesh, as.double(near$position), "settled",
       as.double(near$strain), integer(), 1e-13, 200L, quiet)
     codend:::values_at(work, gear, si, near$lattice, tight$position)[of]
   }
@@ -133,7 +133,7 @@ test_that("slopes of a trawl are those of settled shapes, from few factorisation
 test_that("a wake follows the netting that makes it", {
   state <- suppressWarnings(settle("cage", nodes = 400))
   work <- tangent_work(state)
-  expect_gt(length(state$lattice$engine$wake), 0)
+  expect_gt(length(state$lattice$mesh$wake), 0)
   field <- slope_fields(state$gear, "water.current.speed")[[1]]
   slope <- tangent_slopes(work, field)$slope
   # Wakes are settled to 1e-5 of the free flow's speed, over twice 0.2 % of it: 0.3 %.

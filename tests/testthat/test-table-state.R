@@ -38,7 +38,7 @@ test_that("lines times their unstretched length is the plan's twine", {
 test_that("tied points lie between their nodes", {
   state <- structure(list(
     position = cbind(c(0, 0, 0), c(4, 8, 0)),
-    lattice = sketched_lattice(engine = list(ties = list(first = 1L, second = 2L, share = 0.25)))
+    lattice = sketched_lattice(mesh = list(ties = list(first = 1L, second = 2L, share = 0.25)))
   ), class = "codend_state")
   expect_equal(state_points(state)[, 3], c(1, 2, 0))
 })
@@ -56,7 +56,7 @@ test_that("nodes tell which parts meet there and whether they are held", {
 
 test_that("elements on tied points belong to both nodes that carry them", {
   lattice <- sketched_lattice(
-    engine = list(
+    mesh = list(
       nodes = 3L, ties = list(first = 1L, second = 2L, share = 0.5),
       bars = list(node = c(4L, 3L)), cells = list(node = integer())
     ),

@@ -8,7 +8,7 @@ complaint_of_schedule <- function(change) {
   schedule <- change(scheduled_motion(si, lattice, given, until = 10)$schedule)
   error <- tryCatch(
     {
-      engine_scheduled(lattice$engine, schedule, 0)
+      engine_scheduled(lattice$mesh, schedule, 0)
       NULL
     },
     codend_error_engine = identity

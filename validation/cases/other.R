@@ -15,7 +15,7 @@ case_model_cage <- function() {
   # heavier; the power of the drag is told as less than 2
   falls <- -1
   rbind(
-    compared("water_left", "middle of the model", 0.8, min(still$lattice$engine$wake)),
+    compared("water_left", "middle of the model", 0.8, min(still$lattice$mesh$wake)),
     sign_of("volume", "speed", falls, speeds, of(states, "volume_left_percent")),
     sign_of("volume", "sinkers", 1, masses, of(weighted, "volume_left_percent")),
     sign_of("drag", "sinkers", 1, masses, of(weighted, "net_drag_kN")),

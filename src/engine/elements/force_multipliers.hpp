@@ -27,6 +27,7 @@ struct ForceMultipliers {
     visit("screen_lift", screen_lift);
     visit("screen_friction", screen_friction);
   }
+  bool present() const { return !normal.empty(); }
 };
 
 }  // namespace codend

@@ -21,6 +21,7 @@ struct LineFriction {
     visit("along", along);
     visit("across", across);
   }
+  bool present() const { return !node.empty(); }
 };
 
 class GroundContacts {

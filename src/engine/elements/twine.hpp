@@ -67,6 +67,7 @@ struct LoadTable {
     visit("strain", strain);
     visit("load", load);
   }
+  bool present() const { return !material.empty(); }
 };
 
 // Tension (N) at a strain before it is clipped, its derivative, and its integral over the strain.

@@ -50,7 +50,6 @@ Model model_of(const Gear& gear, const Lattice& lattice, const GearModel& number
   out.volumes = lattice.volumes;
   out.wake_sheets = lattice.wake_sheets;
   out.pressure.drag_coefficient = numbers.drag_coefficient;
-  out.prepare();
   return out;
 }
 

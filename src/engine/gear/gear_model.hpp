@@ -36,7 +36,7 @@ struct GearModel {
   }
 };
 
-// Ready for use.
+// Not ready for use, and without the nodes and weights of the pressure.
 Model model_of(const Gear& gear, const Lattice& lattice, const GearModel& numbers);
 
 // The part of every line of the model (Model::lines()).

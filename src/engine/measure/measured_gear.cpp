@@ -17,18 +17,27 @@ MeasuredGear measured_gear(const GearNumbers& numbers, const Gear& gear, const F
   });
   out.model = model_of(gear, out.lattice, numbers.model);
   if (gear.has_bag) {
-    const BagTriangles& bag = out.lattice.bag;
-    out.bag = {static_cast<int>(out.lattice.mass.size()),
-               bag.node,
-               bag.depth,
-               bag.across,
-               bag.real,
-               bag.weight,
-               numbers.blocked};
-    out.model.pressure.node = bag.node;
-    out.model.pressure.weight = pressure_weights(out.bag);
+    out.bag = filled_bag(out.lattice, numbers.blocked);
+    press(out.bag, out.model);
   }
+  out.model.prepare();
   return out;
+}
+
+FilledBag filled_bag(const Lattice& lattice, double blocked) {
+  const BagTriangles& bag = lattice.bag;
+  return {static_cast<int>(lattice.mass.size()),
+          bag.node,
+          bag.depth,
+          bag.across,
+          bag.real,
+          bag.weight,
+          blocked};
+}
+
+void press(const FilledBag& bag, Model& model) {
+  model.pressure.node = bag.node;
+  model.pressure.weight = pressure_weights(bag);
 }
 
 std::vector<double> measures_at(const GearNumbers& numbers, const Gear& gear,

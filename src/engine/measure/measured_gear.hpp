@@ -37,6 +37,12 @@ struct MeasuredGear {
 MeasuredGear measured_gear(const GearNumbers& numbers, const Gear& gear, const Fineness& fineness,
                            const FromShape& from, const std::function<void()>& pause = {});
 
+// The bag of a lattice whose gear has one, filled up to `blocked` meshes from its end.
+FilledBag filled_bag(const Lattice& lattice, double blocked);
+
+// Puts the pressure within a filled bag into a model.
+void press(const FilledBag& bag, Model& model);
+
 // Measures of the questions, SI, at positions x (m, 3 per node) at rest. assembly: of its model.
 std::vector<double> measures_at(const GearNumbers& numbers, const Gear& gear,
                                 const MeasuredGear& of, Assembly& assembly,

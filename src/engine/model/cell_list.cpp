@@ -48,6 +48,37 @@ void CellList::divide(NettingCells& plain, HexagonalTriangles& hexagons,
   }
 }
 
+CellList join_cells(const NettingCells& plain, const HexagonalTriangles& hexagons,
+                    const std::vector<char>& hexagonal) {
+  CellList out;
+  std::size_t next[2] = {0, 0};
+  for (const char is : hexagonal) {
+    const std::size_t e = next[static_cast<int>(is)]++;
+    const auto append = [&out, e](const auto& from, std::size_t corners) {
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t corner = std::min(k, corners - 1);
+        copy(from.node, 1, 4 * e + corner, out.node);
+        copy(from.twine, 2, corners * e + corner, out.twine);
+      }
+      out.multiplicity.push_back(from.multiplicity[e]);
+      out.material.push_back(from.material[e]);
+      out.height.push_back(from.height[e]);
+    };
+    if (is) {
+      append(hexagons, 3);
+      out.inner.push_back(hexagons.node[4 * e + 3]);
+      out.straight.push_back(hexagons.straight[e]);
+      out.rest.push_back(hexagons.oblique[e]);
+    } else {
+      append(plain, 4);
+      out.inner.push_back(-1);
+      out.straight.push_back(0.0);
+      out.rest.push_back(plain.rest[e]);
+    }
+  }
+  return out;
+}
+
 std::vector<double> in_list_order(const std::vector<char>& hexagonal, std::size_t width,
                                   const std::vector<double>& plain, const double* of_hexagons,
                                   std::size_t hexagons) {

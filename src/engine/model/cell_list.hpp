@@ -38,6 +38,10 @@ struct CellList {
               std::vector<char>& hexagonal) const;
 };
 
+// The list that was divided into these.
+CellList join_cells(const NettingCells& plain, const HexagonalTriangles& hexagons,
+                    const std::vector<char>& hexagonal);
+
 // Numbers of cells (`width` each) in the order of their list.
 std::vector<double> in_list_order(const std::vector<char>& hexagonal, std::size_t width,
                                   const std::vector<double>& plain, const double* of_hexagons,

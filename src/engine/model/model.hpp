@@ -44,7 +44,8 @@ struct Tie {
   }
 };
 
-// Holds no pointer into itself: copies are whole.
+// Holds no pointer into itself: copies are whole. What hosts fill and read is not ready for use, see
+// prepare().
 struct Model {
   int nodes = 0;
   std::vector<char> held;  // per node: 1 where its position is given
@@ -99,8 +100,10 @@ struct Model {
     visit.optional("multipliers", multipliers);
     visit.group("bars", bars);
     visit.count(Among::bars, static_cast<std::size_t>(bars.count()));
-    CellList list;
+    CellList list = join_cells(cells, hexagons, hexagonal);
     visit.group("cells", list);
+    cells = {};
+    hexagons = {};
     list.divide(cells, hexagons, hexagonal);
     visit.group("spheres", spheres);
     visit.group("lifts", lifts);
