@@ -36,36 +36,36 @@ engine_schemes <- function() {
   .Call(`_codend_engine_schemes`)
 }
 
-engine_measures <- function(mesh, frame, questions, bag, state) {
-  .Call(`_codend_engine_measures`, mesh, frame, questions, bag, state)
+engine_measures <- function(mesh, questions, state) {
+  .Call(`_codend_engine_measures`, mesh, questions, state)
 }
 
 engine_measure_errors <- function(kinds, nodes, values, tolerance, step_accuracy) {
   .Call(`_codend_engine_measure_errors`, kinds, nodes, values, tolerance, step_accuracy)
 }
 
-engine_part_forces <- function(frame, state) {
-  .Call(`_codend_engine_part_forces`, frame, state)
+engine_part_forces <- function(mesh, state) {
+  .Call(`_codend_engine_part_forces`, mesh, state)
 }
 
-engine_end_tensions <- function(mesh, frame, state, bars) {
-  .Call(`_codend_engine_end_tensions`, mesh, frame, state, bars)
+engine_end_tensions <- function(mesh, state, bars) {
+  .Call(`_codend_engine_end_tensions`, mesh, state, bars)
 }
 
-engine_mesh_places <- function(frame, points) {
-  .Call(`_codend_engine_mesh_places`, frame, points)
+engine_mesh_places <- function(mesh, points) {
+  .Call(`_codend_engine_mesh_places`, mesh, points)
 }
 
-engine_bag_weights <- function(bag) {
-  .Call(`_codend_engine_bag_weights`, bag)
+engine_catch_sizes <- function(mesh, blocked, points) {
+  .Call(`_codend_engine_catch_sizes`, mesh, blocked, points)
 }
 
-engine_bag_sizes <- function(bag, points) {
-  .Call(`_codend_engine_bag_sizes`, bag, points)
+engine_mesh <- function(fields, like) {
+  .Call(`_codend_engine_mesh`, fields, like)
 }
 
-engine_mesh <- function(fields) {
-  .Call(`_codend_engine_mesh`, fields)
+engine_filled_mesh <- function(mesh, blocked) {
+  .Call(`_codend_engine_filled_mesh`, mesh, blocked)
 }
 
 engine_mesh_fields <- function(mesh) {

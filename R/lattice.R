@@ -10,13 +10,13 @@
 # Returns class codend_lattice: list(mesh = handle to what the engine holds (see mesh.R), start =
 # 3 x nodes positions (m), parts = data.frame(name, kind, role), bar_part, cell_part, sphere_part,
 # lift_part, board_part = rows of parts per element, ropes = nodes along each rope with their
-# fraction of its length, points = node of each point, places = node of each place by its
-# text, catch = where the catch may lie (see bag.hpp), with `blocked` meshes behind its front,
-# hung = of a gear that is shot, positions before it is in the water; let_go = TRUE once it is,
-# frame = what measures take of it (src/engine/measure/frame.hpp), division = how edges and grids
-# are divided, see gear_division(), held_edges = of every seam held
-# on a line its nodes, their fraction of its length and the names of its two points (between),
-# panels = what the views draw of each panel; changes, built_lengths: see mesh_recipe()).
+# fraction of its length, points = node of each point, places = node of each place by its text,
+# catch = of a gear with one list(cell = cells of the triangles that it may lie against (NA: of a
+# sheet), blocked = meshes behind its front), hung = of a gear that is shot, positions before it is
+# in the water; let_go = TRUE once it is, division = how edges and grids are divided, see
+# gear_division(), held_edges = of every seam held on a line its nodes, their fraction of its length
+# and the names of its two points (between), panels = what the views draw of each panel; changes,
+# built_lengths: see mesh_recipe()).
 build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
   asked <- asked_division(si, nodes, netting)
   alike <- identical(asked, from$lattice$counts$asked)
@@ -27,7 +27,7 @@ build_lattice <- function(si, nodes = 1500, netting = NULL, from = NULL) {
     if (alike) from$lattice$counts[lattice_counts],
     if (!is.null(from) && !alike) part_map(si, from$lattice), as.double(from$position), alike
   )
-  check_lattice(si, found$twine, found$bag$encloses, found$division)
+  check_lattice(si, found$twine, found$encloses, found$division)
   lattice <- new_lattice(si, asked, planned_front(si), found)
   # the same sheets of netting in the place of the last shape slow the water as they did
   if (alike && identical(lattice$mesh$wake_sheets, from$lattice$mesh$wake_sheets)) {
@@ -59,11 +59,15 @@ new_lattice <- function(si, asked, blocked, found) {
       panels = drawn_panels(si, found),
       counts = c(list(asked = asked), found$counts[lattice_counts])
     ),
-    found[c("sheets", "on_cell", "on_sheet", "frame")],
+    found[c("sheets", "on_cell", "on_sheet")],
     list(start = matrix(found$start, 3L))
   )
   class(lattice) <- "codend_lattice"
-  if (!is.null(si$catch)) lattice$catch <- lattice_catch(found$bag, blocked)
+  if (!is.null(si$catch)) {
+    lattice$catch <- list(
+      cell = replace(found$bag_cell, found$bag_cell == 0L, NA), blocked = blocked
+    )
+  }
   if (!is.null(si$shooting)) lattice$hung <- matrix(found$hung, 3L)
   lattice
 }

@@ -3,11 +3,11 @@
 # Tension at both ends of bars of ropes, N, 2 x bars.
 end_tensions <- function(state, bars) {
   lattice <- state$lattice
-  matrix(engine_end_tensions(lattice$mesh, lattice$frame, shape_of(state), as.integer(bars)), 2L)
+  matrix(engine_end_tensions(lattice$mesh, shape_of(state), as.integer(bars)), 2L)
 }
 
 # Hydrodynamic force on every part, 3 x parts, N. Knots belong to their panel.
-part_drag <- function(state) matrix(engine_part_forces(state$lattice$frame, shape_of(state)), 3L)
+part_drag <- function(state) matrix(engine_part_forces(state$lattice$mesh, shape_of(state)), 3L)
 
 # Unit vectors, as columns: along the flow past the gear, across it to starboard, and up. A towed
 # gear meets the flow along x; a held one along the fastest current of its profile, and along x when

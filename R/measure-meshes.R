@@ -13,8 +13,8 @@
 # across and from `fore` to `aft` down the panel, in meshes from the place), and for each family of
 # bars its vector of one bar: u_x, u_y, u_z, v_x, v_y, v_z (m).
 mesh_places <- function(state, names = base::names(state$si$panels)) {
-  at <- state$lattice$frame$meshes
-  found <- engine_mesh_places(state$lattice$frame, as.double(state_points(state)))
+  at <- state$lattice$mesh$frame$meshes
+  found <- engine_mesh_places(state$lattice$mesh, as.double(state_points(state)))
   found$angle[is.nan(found$angle)] <- NA
   panel <- at$row_panel[at$row + 1L]
   all <- list2DF(c(

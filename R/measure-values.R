@@ -4,8 +4,7 @@
 # has, the engine's name as `kind` alone. Returns a number each, NaN of what the gear does not have.
 measure_values <- function(state, asked) {
   engine_measures(
-    state$lattice$mesh, state$lattice$frame, questions_of(state$si, state$lattice, asked),
-    filled_bag(state$lattice), shape_of(state)
+    state$lattice$mesh, questions_of(state$si, state$lattice, asked), shape_of(state)
   )
 }
 

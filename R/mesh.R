@@ -8,9 +8,11 @@
 #' @rawNamespace S3method(base::"$",codend_mesh)
 `$.codend_mesh` <- function(x, name) x[[name]]
 
-# A mesh from all of its fields, and these.
-new_mesh <- function(fields) engine_mesh(fields)
+# A mesh from all of its fields, and these. like: NULL, or the mesh that it differs from.
+new_mesh <- function(fields, like = NULL) engine_mesh(fields, like)
 mesh_fields <- function(mesh) engine_mesh_fields(mesh)
 
 # A mesh like another with other values of some fields, as nested lists; NULL takes one out.
-changed_mesh <- function(mesh, fields) new_mesh(utils::modifyList(mesh_fields(mesh), fields))
+changed_mesh <- function(mesh, fields) {
+  new_mesh(utils::modifyList(mesh_fields(mesh), fields), mesh)
+}

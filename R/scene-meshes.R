@@ -57,7 +57,7 @@ mesh_means <- function(state, panel, ends, colour, found = mesh_places(state)) {
 # How mesh_means() takes what places of netting show from all places of meshes: a sparse matrix of
 # rows, as row, column and weight of what is in it.
 mesh_mean_terms <- function(state, panel, ends) {
-  meshes <- state$lattice$frame$meshes
+  meshes <- state$lattice$mesh$frame$meshes
   rows <- list(panel = meshes$row_panel, t = meshes$row_t, row = meshes$row + 1L, s = meshes$s)
   places <- panel_places(
     panel_table(state$si$panels), state$lattice$division, state$lattice$panels

@@ -115,8 +115,8 @@ filled_arrays <- function(si, lattice, standard) {
   if (!si$water$free_surface) engine$volumes <- lapply(engine$volumes, `[`, 0L)
   engine[c("wake", "pressure")] <- list(NULL, engine$pressure[c("node", "drag_coefficient")])
   read <- list(
-    model = engine, frame = lattice$frame,
-    questions = shared_questions(si, lattice, standard), bag = filled_bag(lattice)
+    model = engine, frame = lattice$mesh$frame,
+    questions = shared_questions(si, lattice, standard), bag = lattice$mesh$bag
   )
   c(flat_arrays(read), page_arrays(si, lattice))
 }

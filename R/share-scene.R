@@ -40,7 +40,7 @@ shared_marks <- function(state, marks) {
 
 # What mesh_means() takes of the lattice.
 shared_meshes <- function(state, netting, keep) {
-  meshes <- state$lattice$frame$meshes
+  meshes <- state$lattice$mesh$frame$meshes
   panel <- meshes$row_panel[meshes$row + 1L]
   list(
     panel = keep(panel - 1L), unit = keep(meshes$unit),

@@ -39,16 +39,17 @@ si_with <- function(si, field, value) {
 }
 
 # The front of a lattice's catch: meshes behind it, and the volume (m3) there.
-catch_front <- function(lattice, position, blocked = lattice$catch$blocked) {
+catch_front <- function(lattice, position) {
   if (is.null(lattice$catch)) return(numeric())
-  c(blocked, max(catch_volume(lattice, position, blocked), 0))
+  c(lattice$catch$blocked, max(catch_volume(lattice, position), 0))
 }
 
 # Mass of the lattice's points with that of a catch of a volume (m3), kg: as heavy as the water that
-# it displaces, so it weighs nothing, but has to be moved. pressure: weights of its pressure.
-catch_masses <- function(si, lattice, volume, pressure) {
+# it displaces, so it weighs nothing, but has to be moved.
+catch_masses <- function(si, lattice, volume) {
   mass <- lattice$mesh$mass
-  weight <- rowsum(abs(pressure), as.vector(lattice$catch$node))
+  pressure <- lattice$mesh$pressure
+  weight <- rowsum(abs(pressure$weight), pressure$node)
   node <- as.integer(rownames(weight))
   all <- si$water$density * volume
   if (sum(weight) > 0) mass[node] <- mass[node] + all * weight[, 1] / sum(weight)
@@ -59,18 +60,16 @@ catch_masses <- function(si, lattice, volume, pressure) {
 # the pressure, node and mass (kg) of the points around the catch, front = as catch_front()).
 catch_mover <- function(what) {
   share <- what$curves$catch
-  lattice <- what$lattice
-  nodes <- sort(unique(as.vector(lattice$catch$node)))
+  nodes <- sort(unique(what$lattice$mesh$pressure$node))
   function(frame) {
     position <- matrix(frame$now$position, 3L)
-    blocked <- found_catch_front(
-      what$si, lattice, curve_at(share, frame$now$time, after = TRUE), position
-    )
-    front <- catch_front(lattice, position, blocked)
-    weight <- engine_bag_weights(filled_bag(lattice, blocked))
+    lattice <- set_catch_front(what$lattice, found_catch_front(
+      what$si, what$lattice, curve_at(share, frame$now$time, after = TRUE), position
+    ))
+    front <- catch_front(lattice, position)
     list(
-      weight = weight, node = nodes,
-      mass = catch_masses(what$si, lattice, front[2], weight)[nodes], front = front
+      weight = lattice$mesh$pressure$weight, node = nodes,
+      mass = catch_masses(what$si, lattice, front[2])[nodes], front = front
     )
   }
 }

@@ -110,9 +110,7 @@ marched_mesh <- function(what, trajectory) {
   changes <- list(wake = trajectory$wake[, n])
   if (!is.null(what$si$catch)) {
     lattice <- set_catch_front(lattice, trajectory$catch_front[1L, n])
-    changes$mass <- catch_masses(
-      what$si, lattice, trajectory$catch_front[2L, n], lattice$mesh$pressure$weight
-    )
+    changes$mass <- catch_masses(what$si, lattice, trajectory$catch_front[2L, n])
   }
   changed_mesh(lattice$mesh, changes)
 }

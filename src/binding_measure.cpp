@@ -31,27 +31,16 @@ codend::MeasuredShape<double> read_shape(const list& state) {
   return out;
 }
 
-codend::MeasureFrame read_frame(const list& frame) {
-  return codend::read_fields<codend::MeasureFrame>(ListSource(frame));
-}
-
-codend::FilledBag read_bag(SEXP bag) {
-  return codend::read_fields<codend::FilledBag>(ListSource(bag));
-}
-
 }  // namespace
 
-// Measures in SI, not a number where the gear does not have one. lattice: the engine's; frame: as
-// engine_lattice() gives it; questions: see measures.hpp; bag: or NULL; state: what acts in it.
-[[cpp11::register]] doubles engine_measures(SEXP mesh, list frame, list questions, SEXP bag,
-                                            list state) {
+// Measures in SI, not a number where the gear does not have one. questions: see measures.hpp; state: what
+// acts in it.
+[[cpp11::register]] doubles engine_measures(SEXP mesh, list questions, list state) {
   return guarded([&]() -> doubles {
-    const codend::Model model = read_model(mesh);
-    codend::FilledBag filled;
-    if (!Rf_isNull(bag)) filled = read_bag(bag);
-    return as_doubles(codend::measure(read_frame(frame), model,
+    const HeldMesh& held = held_mesh(mesh);
+    return as_doubles(codend::measure(held.frame, read_model(mesh),
                                       codend::read_fields<codend::Questions>(ListSource(questions)),
-                                      Rf_isNull(bag) ? nullptr : &filled, read_shape(state)));
+                                      held.catch_bag(), read_shape(state)));
   });
 }
 
@@ -79,30 +68,30 @@ codend::FilledBag read_bag(SEXP bag) {
 }
 
 // Force of the flow on every part, 3 each, N.
-[[cpp11::register]] doubles engine_part_forces(list frame, list state) {
+[[cpp11::register]] doubles engine_part_forces(SEXP mesh, list state) {
   return guarded([&]() -> doubles {
-    return as_doubles(codend::part_forces(read_frame(frame), read_shape(state)));
+    return as_doubles(codend::part_forces(held_mesh(mesh).frame, read_shape(state)));
   });
 }
 
 // Tension at both ends of bars of ropes, 2 each, N.
-[[cpp11::register]] doubles engine_end_tensions(SEXP mesh, list frame, list state, integers bars) {
+[[cpp11::register]] doubles engine_end_tensions(SEXP mesh, list state, integers bars) {
   return guarded([&]() -> doubles {
     const codend::Model model = read_model(mesh);
-    const codend::MeasureFrame read = read_frame(frame);
+    const codend::MeasureFrame& frame = held_mesh(mesh).frame;
     const codend::MeasuredShape<double> shape = read_shape(state);
     std::vector<double> out;
     for (const int bar : places(bars)) {
-      for (const double end : codend::end_tensions(read, model, shape, bar)) out.push_back(end);
+      for (const double end : codend::end_tensions(frame, model, shape, bar)) out.push_back(end);
     }
     return as_doubles(out);
   });
 }
 
 // Meshes at all places of panels, as columns; points: 3 each, m.
-[[cpp11::register]] list engine_mesh_places(list frame, doubles points) {
+[[cpp11::register]] list engine_mesh_places(SEXP mesh, doubles points) {
   return guarded([&]() -> list {
-    const codend::MeshFrame meshes = read_frame(frame).meshes;
+    const codend::MeshFrame& meshes = held_mesh(mesh).frame.meshes;
     std::map<std::string, std::vector<double>> columns;
     for (const auto& place : codend::mesh_places(meshes, numbers(points))) {
       columns["opening"].push_back(place.opening);
@@ -126,16 +115,13 @@ codend::FilledBag read_bag(SEXP bag) {
   });
 }
 
-// Of a filled bag: weights of its pressure, 3 per triangle; volume (m3) and surface (m2), points: 3
-// each, m.
-[[cpp11::register]] doubles engine_bag_weights(list bag) {
-  return guarded([&]() -> doubles { return as_doubles(codend::pressure_weights(read_bag(bag))); });
-}
-[[cpp11::register]] doubles engine_bag_sizes(list bag, doubles points) {
+// Volume (m3) and surface (m2) of the netting behind a catch's front, `blocked` meshes from the bag's end;
+// points: 3 each, m.
+[[cpp11::register]] doubles engine_catch_sizes(SEXP mesh, double blocked, doubles points) {
   return guarded([&]() -> doubles {
-    const codend::FilledBag read = read_bag(bag);
+    codend::FilledBag bag = held_mesh(mesh).bag;
+    bag.blocked = blocked;
     const std::vector<double> x = numbers(points);
-    return as_doubles(
-        std::vector<double>{codend::bag_volume(read, x), codend::bag_surface(read, x)});
+    return as_doubles(std::vector<double>{codend::bag_volume(bag, x), codend::bag_surface(bag, x)});
   });
 }

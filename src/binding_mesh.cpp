@@ -1,17 +1,11 @@
 // Meshes of gears: the engine holds them, R has handles to them.
 #include "binding_list.h"
 #include "binding_model.h"
+#include "engine/measure/measured_gear.hpp"
 
 using namespace binding;
 
 namespace {
-
-codend::Model& model_of_handle(SEXP mesh) {
-  if (TYPEOF(mesh) != EXTPTRSXP) throw codend::InputError("mesh", "mesh must be a mesh");
-  auto* held = static_cast<codend::Model*>(R_ExternalPtrAddr(mesh));
-  if (!held) throw codend::InputError("mesh", "mesh is of another process");
-  return *held;
-}
 
 // Writes one field of a struct.
 class OneField {
@@ -49,38 +43,62 @@ class OneField {
 
 namespace binding {
 
-sexp mesh_handle(codend::Model&& model) {
-  external_pointer<codend::Model> handle(new codend::Model(std::move(model)));
+sexp mesh_handle(HeldMesh&& mesh) {
+  const external_pointer<HeldMesh> handle(new HeldMesh(std::move(mesh)));
   sexp out(static_cast<SEXP>(handle));
   out.attr("class") = "codend_mesh";
   return out;
 }
 
-codend::Model read_model(SEXP mesh) {
-  codend::Model model = model_of_handle(mesh);
+HeldMesh& held_mesh(SEXP handle) {
+  if (TYPEOF(handle) != EXTPTRSXP) throw codend::InputError("mesh", "mesh must be a mesh");
+  auto* held = static_cast<HeldMesh*>(R_ExternalPtrAddr(handle));
+  if (!held) throw codend::InputError("mesh", "mesh is of another process");
+  return *held;
+}
+
+codend::Model read_model(SEXP handle) {
+  codend::Model model = held_mesh(handle).model;
   model.prepare();
   return model;
 }
 
 }  // namespace binding
 
-// A mesh from all of its fields, see codend::Model.
-[[cpp11::register]] SEXP engine_mesh(list fields) {
+// A mesh from all of its fields, see codend::Model. like: NULL, or the mesh that it differs from.
+[[cpp11::register]] SEXP engine_mesh(list fields, SEXP like) {
   return guarded([&]() -> SEXP {
-    return mesh_handle(codend::read_fields<codend::Model>(ListSource(fields)));
+    HeldMesh held;
+    if (!Rf_isNull(like)) held = held_mesh(like);
+    held.model = codend::read_fields<codend::Model>(ListSource(fields));
+    return mesh_handle(std::move(held));
+  });
+}
+
+// A mesh whose catch has its front `blocked` meshes from the bag's end.
+[[cpp11::register]] SEXP engine_filled_mesh(SEXP mesh, double blocked) {
+  return guarded([&]() -> SEXP {
+    HeldMesh held = held_mesh(mesh);
+    held.bag.blocked = blocked;
+    codend::press(held.bag, held.model);
+    return mesh_handle(std::move(held));
   });
 }
 
 // All fields of a mesh.
 [[cpp11::register]] list engine_mesh_fields(SEXP mesh) {
-  return guarded([&]() -> list { return ListWriter::written(model_of_handle(mesh)); });
+  return guarded([&]() -> list { return ListWriter::written(held_mesh(mesh).model); });
 }
 
-// A field of a mesh, or NULL where it has none of the name.
+// A field of a mesh, or its `frame` (codend::MeasureFrame) or `bag` (codend::FilledBag); NULL where it has
+// none of the name.
 [[cpp11::register]] SEXP engine_mesh_field(SEXP mesh, std::string name) {
   return guarded([&]() -> SEXP {
+    HeldMesh& held = held_mesh(mesh);
+    if (name == "frame") return ListWriter::written(held.frame);
+    if (name == "bag" && held.catch_bag()) return ListWriter::written(held.bag);
     OneField field(name);
-    model_of_handle(mesh).fields(field);
+    held.model.fields(field);
     const list found = field.found();
     return found.size() ? found[0] : R_NilValue;
   });

@@ -1,4 +1,4 @@
-// A gear's mesh for R, with what R and measures take of its lattice.
+// A gear's mesh for R, with what R takes of its lattice.
 #pragma once
 
 #include "binding_list.h"
@@ -10,7 +10,6 @@ namespace binding {
 
 struct MeshReport {
   codend::Lattice lattice;
-  codend::MeasureFrame frame;
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -22,14 +21,14 @@ struct MeshReport {
     visit.group("sheets", lattice.sheets);
     visit.group("on_cell", lattice.on_cell);
     visit.group("on_sheet", lattice.on_sheet);
-    visit.group("bag", lattice.bag);
+    visit.list("bag_cell", lattice.bag.cell, {1, codend::Among::elements});
+    visit("encloses", lattice.bag.encloses);
     visit.group("division", lattice.division);
     visit.group("counts", lattice.counts);
     visit.items("panels", lattice.panels);
     visit.list("twine", lattice.twine);
     visit.list("start", lattice.start);
     visit.list("hung", lattice.hung);
-    visit.group("frame", frame);
   }
 };
 
@@ -37,13 +36,17 @@ struct MeshReport {
 // point, or empty.
 inline list mesh_list(const codend::Gear& gear, const codend::GearModel& numbers,
                       codend::Lattice&& lattice, double blocked, const std::vector<double>& wake) {
-  codend::Model model = codend::model_of(gear, lattice, numbers);
-  if (gear.has_bag) codend::press(codend::filled_bag(lattice, blocked), model);
-  model.wake = wake;
-  MeshReport report{std::move(lattice), {}};
-  report.frame = codend::measure_frame(gear, report.lattice);
+  HeldMesh held;
+  held.model = codend::model_of(gear, lattice, numbers);
+  held.model.wake = wake;
+  held.frame = codend::measure_frame(gear, lattice);
+  if (gear.has_bag) {
+    held.bag = codend::filled_bag(lattice, blocked);
+    codend::press(held.bag, held.model);
+  }
+  MeshReport report{std::move(lattice)};
   writable::list out(ListWriter::written(report));
-  out.push_back("mesh"_nm = mesh_handle(std::move(model)));
+  out.push_back("mesh"_nm = mesh_handle(std::move(held)));
   return out;
 }
 

@@ -10,6 +10,8 @@
 #include "binding_errors.h"
 #include "binding_numbers.h"
 #include "engine/base/read_fields.hpp"
+#include "engine/measure/filled_bag.hpp"
+#include "engine/measure/frame.hpp"
 #include "engine/model/model.hpp"
 
 namespace binding {
@@ -83,12 +85,22 @@ class ListSource {
   SEXP list_;
 };
 
-// A handle to a mesh, which the engine holds.
-cpp11::sexp mesh_handle(codend::Model&& model);
+// What the engine holds of a gear for R: the model of its mesh, which is not ready for use, what measures
+// take of it, and the bag around its catch.
+struct HeldMesh {
+  codend::Model model;
+  codend::MeasureFrame frame;
+  codend::FilledBag bag;
 
-// The model of a mesh, a copy that is ready for use. Throws InputError where the handle is empty, as in
-// another process.
-codend::Model read_model(SEXP mesh);
+  const codend::FilledBag* catch_bag() const { return bag.points > 0 ? &bag : nullptr; }
+};
+cpp11::sexp mesh_handle(HeldMesh&& mesh);
+
+// Of a handle. Throws InputError where it is empty, as in another process.
+HeldMesh& held_mesh(SEXP handle);
+
+// The model of a mesh, a copy that is ready for use.
+codend::Model read_model(SEXP handle);
 
 // Numbers of all nodes, 3 each, such as positions.
 inline std::vector<double> of_nodes(const cpp11::doubles& values, const codend::Model& model,

@@ -70,10 +70,10 @@ extern "C" SEXP _codend_engine_schemes() {
   END_CPP11
 }
 // binding_measure.cpp
-doubles engine_measures(SEXP mesh, list frame, list questions, SEXP bag, list state);
-extern "C" SEXP _codend_engine_measures(SEXP mesh, SEXP frame, SEXP questions, SEXP bag, SEXP state) {
+doubles engine_measures(SEXP mesh, list questions, list state);
+extern "C" SEXP _codend_engine_measures(SEXP mesh, SEXP questions, SEXP state) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_measures(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<list>>(questions), cpp11::as_cpp<cpp11::decay_t<SEXP>>(bag), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
+    return cpp11::as_sexp(engine_measures(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(questions), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
   END_CPP11
 }
 // binding_measure.cpp
@@ -84,45 +84,45 @@ extern "C" SEXP _codend_engine_measure_errors(SEXP kinds, SEXP nodes, SEXP value
   END_CPP11
 }
 // binding_measure.cpp
-doubles engine_part_forces(list frame, list state);
-extern "C" SEXP _codend_engine_part_forces(SEXP frame, SEXP state) {
+doubles engine_part_forces(SEXP mesh, list state);
+extern "C" SEXP _codend_engine_part_forces(SEXP mesh, SEXP state) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_part_forces(cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
+    return cpp11::as_sexp(engine_part_forces(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
   END_CPP11
 }
 // binding_measure.cpp
-doubles engine_end_tensions(SEXP mesh, list frame, list state, integers bars);
-extern "C" SEXP _codend_engine_end_tensions(SEXP mesh, SEXP frame, SEXP state, SEXP bars) {
+doubles engine_end_tensions(SEXP mesh, list state, integers bars);
+extern "C" SEXP _codend_engine_end_tensions(SEXP mesh, SEXP state, SEXP bars) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_end_tensions(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<list>>(state), cpp11::as_cpp<cpp11::decay_t<integers>>(bars)));
+    return cpp11::as_sexp(engine_end_tensions(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(state), cpp11::as_cpp<cpp11::decay_t<integers>>(bars)));
   END_CPP11
 }
 // binding_measure.cpp
-list engine_mesh_places(list frame, doubles points);
-extern "C" SEXP _codend_engine_mesh_places(SEXP frame, SEXP points) {
+list engine_mesh_places(SEXP mesh, doubles points);
+extern "C" SEXP _codend_engine_mesh_places(SEXP mesh, SEXP points) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_mesh_places(cpp11::as_cpp<cpp11::decay_t<list>>(frame), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
+    return cpp11::as_sexp(engine_mesh_places(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
   END_CPP11
 }
 // binding_measure.cpp
-doubles engine_bag_weights(list bag);
-extern "C" SEXP _codend_engine_bag_weights(SEXP bag) {
+doubles engine_catch_sizes(SEXP mesh, double blocked, doubles points);
+extern "C" SEXP _codend_engine_catch_sizes(SEXP mesh, SEXP blocked, SEXP points) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_bag_weights(cpp11::as_cpp<cpp11::decay_t<list>>(bag)));
-  END_CPP11
-}
-// binding_measure.cpp
-doubles engine_bag_sizes(list bag, doubles points);
-extern "C" SEXP _codend_engine_bag_sizes(SEXP bag, SEXP points) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_bag_sizes(cpp11::as_cpp<cpp11::decay_t<list>>(bag), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
+    return cpp11::as_sexp(engine_catch_sizes(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<double>>(blocked), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
   END_CPP11
 }
 // binding_mesh.cpp
-SEXP engine_mesh(list fields);
-extern "C" SEXP _codend_engine_mesh(SEXP fields) {
+SEXP engine_mesh(list fields, SEXP like);
+extern "C" SEXP _codend_engine_mesh(SEXP fields, SEXP like) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_mesh(cpp11::as_cpp<cpp11::decay_t<list>>(fields)));
+    return cpp11::as_sexp(engine_mesh(cpp11::as_cpp<cpp11::decay_t<list>>(fields), cpp11::as_cpp<cpp11::decay_t<SEXP>>(like)));
+  END_CPP11
+}
+// binding_mesh.cpp
+SEXP engine_filled_mesh(SEXP mesh, double blocked);
+extern "C" SEXP _codend_engine_filled_mesh(SEXP mesh, SEXP blocked) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_filled_mesh(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<double>>(blocked)));
   END_CPP11
 }
 // binding_mesh.cpp
@@ -282,24 +282,24 @@ extern "C" SEXP _codend_limit_memory(SEXP bytes) {
 
 extern "C" {
 static const R_CallMethodDef CallEntries[] = {
-    {"_codend_engine_bag_sizes",       (DL_FUNC) &_codend_engine_bag_sizes,        2},
-    {"_codend_engine_bag_weights",     (DL_FUNC) &_codend_engine_bag_weights,      1},
     {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,       3},
+    {"_codend_engine_catch_sizes",     (DL_FUNC) &_codend_engine_catch_sizes,      3},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,         3},
     {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,        4},
-    {"_codend_engine_end_tensions",    (DL_FUNC) &_codend_engine_end_tensions,     4},
+    {"_codend_engine_end_tensions",    (DL_FUNC) &_codend_engine_end_tensions,     3},
     {"_codend_engine_energy_parts",    (DL_FUNC) &_codend_engine_energy_parts,     0},
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,         3},
     {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,           0},
     {"_codend_engine_fill_handle",     (DL_FUNC) &_codend_engine_fill_handle,      2},
+    {"_codend_engine_filled_mesh",     (DL_FUNC) &_codend_engine_filled_mesh,      2},
     {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,           0},
     {"_codend_engine_handle",          (DL_FUNC) &_codend_engine_handle,           0},
     {"_codend_engine_handle_value",    (DL_FUNC) &_codend_engine_handle_value,     1},
     {"_codend_engine_lattice",         (DL_FUNC) &_codend_engine_lattice,          8},
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,            7},
     {"_codend_engine_measure_errors",  (DL_FUNC) &_codend_engine_measure_errors,   5},
-    {"_codend_engine_measures",        (DL_FUNC) &_codend_engine_measures,         5},
-    {"_codend_engine_mesh",            (DL_FUNC) &_codend_engine_mesh,             1},
+    {"_codend_engine_measures",        (DL_FUNC) &_codend_engine_measures,         3},
+    {"_codend_engine_mesh",            (DL_FUNC) &_codend_engine_mesh,             2},
     {"_codend_engine_mesh_field",      (DL_FUNC) &_codend_engine_mesh_field,       2},
     {"_codend_engine_mesh_fields",     (DL_FUNC) &_codend_engine_mesh_fields,      1},
     {"_codend_engine_mesh_places",     (DL_FUNC) &_codend_engine_mesh_places,      2},

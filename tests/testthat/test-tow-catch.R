@@ -49,7 +49,7 @@ test_that("a catch that grows by meshes has its front where the schedule says", 
 
 test_that("a catch has the mass of the water that it displaces", {
   state <- settle(full_codend(list(volume = 0.2)), nodes = 150)
-  mass <- catch_masses(state$si, state$lattice, 0.2, engine_array(state, "pressure", "weight"))
+  mass <- catch_masses(state$si, state$lattice, 0.2)
   expect_equal(sum(mass - engine_array(state, "mass")), 1025 * 0.2, tolerance = 1e-5)
   expect_true(all(mass >= engine_array(state, "mass")))
 })
