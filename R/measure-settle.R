@@ -9,16 +9,11 @@
 # measures in SI) of the coarser levels).
 settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRUE,
                            progress = settle_progress(), beside = NULL) {
-  numbers <- lattice_numbers(si, netting)
   asked <- asked_division(si, nodes, netting)
   # where the water alone is another one the lattice is known
   known <- !through_levels && is.null(beside) &&
     identical(asked, from$lattice$counts$asked) && differ_in_conditions(si, from$settled)
-  measured <- if (through_levels) asked_of(si)
-  numbers <- c(numbers, list(
-    questions = questions_of(si, list(parts = part_table(si)), measured),
-    blocked = planned_front(si), volume = max(0, si$catch$volume, na.rm = TRUE)
-  ))
+  numbers <- numbers_to_settle(si, netting, if (through_levels) asked_of(si))
   report <- engine_settle_gear(
     numbers, asked$nodes, if (!is.null(from)) begun_shape(si, asked, from), through_levels, !known,
     settle_tolerance, settle_iterations, progress,
@@ -43,6 +38,15 @@ settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRU
   )
   told <- c("position", "strain", "wake", "levels", "lattice", "asked", "blocked", "full_bag")
   c(found, list(report = name_parts(report[setdiff(names(report), told)], lattice)))
+}
+
+# The numbers that the engine settles a gear from (src/engine/measure/measured_gear.hpp), with the
+# measures that it is asked for.
+numbers_to_settle <- function(si, netting, measured) {
+  c(lattice_numbers(si, netting), list(
+    questions = questions_of(si, list(parts = part_table(si)), measured),
+    blocked = planned_front(si), volume = max(0, si$catch$volume, na.rm = TRUE)
+  ))
 }
 
 # A shape to begin from as the engine reads it, for a gear that is to be divided as asked.

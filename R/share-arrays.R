@@ -1,4 +1,4 @@
-# Named arrays as one text for a shared page, and a lattice as such arrays.
+# Named arrays as one text for a shared page, and a gear's numbers as such arrays.
 
 # All arrays of an engine list by path, as the engine's reader has them: a list of groups as their
 # count, of class "groups".
@@ -106,39 +106,20 @@ letters_of <- function(bytes) {
   list(count, intToUtf8(codes[rbind(bits %% 91, bits %/% 91) + 1L]))
 }
 
-# What of a gear's lattice a page fills anew where a slider moves, by name: what its engine reads,
-# with `page/` what pictures and warnings take. A catch's pressure follows its front. standard: the
-# engine's names of measures of every gear that it is asked for.
-filled_arrays <- function(si, lattice, standard) {
-  engine <- mesh_fields(lattice$mesh)
-  # they act at a surface alone, and one that joins others changes their number
-  if (!si$water$free_surface) engine$volumes <- lapply(engine$volumes, `[`, 0L)
-  engine[c("wake", "pressure")] <- list(NULL, engine$pressure[c("node", "drag_coefficient")])
-  read <- list(
-    model = engine, frame = lattice$mesh$frame,
-    questions = shared_questions(si, lattice, standard), bag = lattice$mesh$bag
-  )
-  c(flat_arrays(read), page_arrays(si, lattice))
-}
-
-page_arrays <- function(si, lattice) {
-  n <- length(si$ropes)
-  parts <- nrow(lattice$parts)
-  strength <- rep(0, parts)
-  strength[seq_len(n)] <- vapply(si$ropes, function(rope) as.double(first_of(rope$strength, 0)), 0)
+# The numbers that a page's engine settles a gear from, by path after `numbers.`, with `page/` what
+# pictures and warnings take. standard: the engine's names of measures of every gear that it is
+# asked for.
+shared_arrays <- function(si, netting, standard) {
+  parts <- part_table(si)
+  asked <- c(si$measures, lapply(standard, function(kind) list(kind = kind)))
+  numbers <- numbers_to_settle(si, netting, asked)
+  strength <- rep(0, nrow(parts))
+  strength[seq_along(si$ropes)] <-
+    vapply(si$ropes, function(rope) as.double(first_of(rope$strength, 0)), 0)
   strength[is.na(strength)] <- 0
-  held <- which(lattice$mesh$held[seq_len(lattice$nodes)])
-  boards <- unlist(lapply(unname(si$otter_boards), function(board) {
-    c(board$attachment, board$chord, board$span)
-  }))
-  by_volume <- !is.null(si$catch) && !is.na(si$catch$volume)
-  of <- list(
-    speed = si$towing$speed, held = as.vector(lattice$start[, held]),
-    size = part_sizes(si, lattice), strength = strength, boards = as.double(boards),
-    stall = vapply(si$otter_boards, stall_angle, 0, USE.NAMES = FALSE),
-    catch.volume = if (by_volume) as.double(si$catch$volume),
-    catch.deep = if (by_volume) as.double(si$catch$deep)
-  )
-  of <- Filter(Negate(is.null), of)
-  setNames(of, paste0("page/", names(of)))
+  c(flat_arrays(numbers, "numbers."), list(
+    "page/speed" = as.double(si$towing$speed), "page/size" = part_sizes(si, list(parts = parts)),
+    "page/strength" = strength,
+    "page/stall" = vapply(si$otter_boards, stall_angle, 0, USE.NAMES = FALSE)
+  ))
 }

@@ -1,4 +1,4 @@
-# Measures as a shared page has them: what its engine is asked, and how they are shown.
+# Measures as a shared page shows them.
 
 # The measures of a state, in order: list(programs = by measure list(kind, unit, size, words, value,
 # error (as a share), definition), standard = names of those that every gear has).
@@ -18,10 +18,4 @@ shared_measures <- function(state) {
   })
   own <- vapply(state$si$measures, `[[`, "", "column")
   list(programs = programs, standard = unname(attr(found, "kind")[!names(found) %in% own]))
-}
-
-# What a page's engine is asked of a gear: its own measures and those of every gear with these
-# names.
-shared_questions <- function(si, lattice, standard) {
-  questions_of(si, lattice, c(si$measures, lapply(standard, function(kind) list(kind = kind))))
 }

@@ -3,19 +3,13 @@
 
 # shape: as scene_shape() gives it; keep(x): keeps a long array and gives its name.
 shared_scene <- function(state, shape, keep) {
-  lattice <- state$lattice
   fixed <- shape$fixed
   netting <- fixed$netting$groups
   c(
     list(
       drawn = keep(fixed$drawn - 1L), marks = shared_marks(state, fixed$marks),
-      rope = keep_groups(fixed$groups, keep), values = length(shape$u),
-      u = keep_groups(netting$u, keep), v = keep_groups(netting$v, keep),
-      boards = unname(lapply(state$si$otter_boards, function(board) {
-        I(unname(lattice$points[board$points]) - 1L)
-      })),
-      ties = list(first = keep(as.integer(lattice$mesh$ties$first) - 1L),
-        second = keep(as.integer(lattice$mesh$ties$second) - 1L))
+      rope = keep_groups(fixed$groups, keep),
+      u = keep_groups(netting$u, keep), v = keep_groups(netting$v, keep)
     ),
     if (length(state$si$panels)) list(meshes = shared_meshes(state, fixed$netting, keep))
   )

@@ -6,12 +6,12 @@
 #' estimated discretisation errors and how much they have changed, warnings, the plan drawing, the
 #' plan's notes and sources, and the version of codend. A tow that is given plays.
 #'
-#' What a slider does to the numbers of the model is found before the page is written, by filling
-#' the model at several values of the field, and is checked against models at values between, to
-#' one part in 10^10. A field that divides the gear otherwise, such as a count of meshes, cannot be
-#' a slider. The page settles from the shape that it shows, in parts where sliders go far at once;
-#' errors are those of the state, as shares of the measures, and findings those of the gear as it
-#' was shared.
+#' What a slider does to the gear's numbers is found before the page is written, by reading the plan
+#' at several values of the field, and is checked against the plan at values between, to one part in
+#' 10^10. The page divides the gear as the state is divided: a field that changes how, such as a
+#' count of meshes, cannot be a slider. The page settles from the shape that it shows, in parts
+#' where sliders go far at once; errors are those of the state, as shares of the measures, and
+#' findings those of the gear as it was shared.
 #'
 #' The engine of the page is this package's own, compiled to WebAssembly by `make wasm` in codend's
 #' sources, and is installed where that was made before. A source package holds no compiled code:

@@ -1,13 +1,11 @@
 // The engine for a page (inst/share/worker.js): named arrays in, a settled shape, what acts on it and its
 // measures out, by plain C calls. One gear at a time; a page has one engine in one worker.
 //
-// Arrays are those of `model`, of `frame` and `questions` (measure/measures.hpp) and, of a gear with a
-// filled bag, of `bag` (measure/filled_bag.hpp).
+// Arrays are those of `numbers` (GearNumbers), of `from`, the shape that it begins from (BegunShape, see
+// measure/settled_gear.hpp), and `page/strength`, breaking loads of all parts (N; 0: not known).
 #include <algorithm>
-#include <cstring>
 #include <exception>
 #include <map>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -28,7 +26,7 @@ struct Array {
   int groups = 0;
 };
 
-// By path, such as model.bars.rest; the k-th group of a list stands under its name and .k, from 1.
+// By path, such as numbers.gear.panels.deep; the k-th group of a list stands under its name and .k, from 1.
 std::map<std::string, Array> arrays;
 
 // The arrays as a source of fields (base/read_fields.hpp).
@@ -80,17 +78,12 @@ class PageSource {
   std::string prefix_;
 };
 
-std::optional<codend::Model> model;
-std::unique_ptr<codend::Assembly> assembly;
-codend::SettleReport report;
-codend::Evaluation evaluation;
-codend::MeasureFrame frame;
-codend::Questions questions;
-std::optional<codend::FilledBag> bag;
-double front = 0.0;  // meshes that the bag is filled up to; 0: as it is given
-std::vector<double> position, strain, plates;
-// As found() names them.
-std::vector<double> points, measures, drag, opening, angle, flow, weights;
+std::optional<codend::BegunShape> from;
+// The gear as it settled last.
+std::optional<codend::GearNumbers> numbers;
+std::optional<codend::SettledGear> settled;
+// What codend_evaluate() found.
+std::map<std::string, std::vector<double>> results;
 std::string error;
 
 template <class Work>
@@ -111,33 +104,31 @@ Array& fresh(const char* name, Type type) {
   return array;
 }
 
-// What a page may read, by its name; nullptr where there is no such thing.
-const std::vector<double>* found(const std::string& name) {
-  static std::vector<double> wake;
-  if (name == "position") return &position;
-  if (name == "strain") return &strain;
-  if (name == "points") return &points;
-  if (name == "measures") return &measures;
-  if (name == "drag") return &drag;
-  if (name == "opening") return &opening;
-  if (name == "angle") return &angle;
-  if (name == "flow") return &flow;
-  if (name == "plates") return &plates;
-  if (name == "wake") {
-    wake = assembly && assembly->has_wake() ? assembly->wake() : std::vector<double>();
-    return &wake;
+// Axes at right angles, as columns, that three points fix.
+codend::Matrix triad(const codend::Vector& a, const codend::Vector& b, const codend::Vector& c) {
+  codend::Matrix out;
+  out.col(0) = (b - a).normalized();
+  out.col(1) = (c - a - (c - a).dot(out.col(0)) * out.col(0)).normalized();
+  out.col(2) = out.col(0).cross(out.col(1));
+  return out;
+}
+
+// Corners of free boards: leading edge below and above, trailing edge above and below.
+std::vector<double> board_corners(const codend::LiftingPlates& plates, const double* x) {
+  std::vector<double> out;
+  for (const codend::LiftingPlate& plate : plates.plate) {
+    const auto& [a, b, c] = plate.attachment;
+    const codend::Vector first = codend::at(x, plate.node[0]);
+    const codend::Matrix turn =
+        triad(first, codend::at(x, plate.node[1]), codend::at(x, plate.node[2])) *
+        triad(a, b, c).transpose();
+    for (const auto& [along, up] : {std::pair(0.0, -0.5), {0.0, 0.5}, {1.0, 0.5}, {1.0, -0.5}}) {
+      const codend::Vector corner(along * plate.chord, 0.0, up * plate.span);
+      const codend::Vector place = first + turn * (corner - a);
+      out.insert(out.end(), place.data(), place.data() + 3);
+    }
   }
-  if (name == "force") return &evaluation.force;
-  if (name == "bar_tension") return &evaluation.bar_tension;
-  if (name == "bar_length") return &evaluation.bar_length;
-  if (name == "u_tension") return &evaluation.u_tension;
-  if (name == "v_tension") return &evaluation.v_tension;
-  if (name == "straight_tension") return &evaluation.straight_tension;
-  const auto& reported = codend::reported_forces();
-  for (std::size_t k = 0; k < reported.size() && k < evaluation.forces.size(); ++k) {
-    if (name == reported[k].name) return &evaluation.forces[k];
-  }
-  return nullptr;
+  return out;
 }
 
 }  // namespace
@@ -147,7 +138,7 @@ extern "C" {
 // What the last call that gave -1 threw.
 const char* codend_error() { return error.c_str(); }
 
-// Places to write an array of the model into. They move when the array is asked for again.
+// Places to write an array of the gear into. They move when the array is asked for again.
 double* codend_numbers(const char* name, int count) {
   Array& array = fresh(name, Type::numbers);
   array.numbers.resize(static_cast<std::size_t>(count));
@@ -171,87 +162,84 @@ void codend_words(const char* name, const char* text, int count) {
   }
 }
 
-// Places to write the start (3 per node, m) and the strains of all lines into.
-double* codend_position(int count) {
-  position.resize(static_cast<std::size_t>(count));
-  return position.data();
-}
-double* codend_strain(int count) {
-  strain.resize(static_cast<std::size_t>(count));
-  return strain.data();
-}
-
-// Reads the gear from its arrays anew. Returns its nodes, or -1 (codend_error()).
-int codend_read() {
-  return guarded([] {
-    assembly.reset();
-    bag.reset();
-    if (arrays.count("bag.blocked") != 0) {
-      bag.emplace(codend::read_fields<codend::FilledBag>(PageSource("bag.")));
-      if (front > 0.0) bag->blocked = front;
-      fresh("model.pressure.weight", Type::numbers).numbers = codend::pressure_weights(*bag);
-    }
-    frame = codend::read_fields<codend::MeasureFrame>(PageSource("frame."));
-    questions = codend::read_fields<codend::Questions>(PageSource("questions."));
-    model.emplace(codend::read_fields<codend::Model>(PageSource("model.")));
-    model->prepare();
-    assembly = std::make_unique<codend::Assembly>(*model);
-    return model->nodes;
-  });
-}
-
-// From a settled state; part: of every line, counted from 0. Returns whether it settled, or -1. Position and strain are left as they came where it did not.
-int codend_settle(const int* part, double tolerance, int iterations) {
+// Settles the gear of the arrays from where it settled last, at first from the shape of the arrays.
+// Returns 1 where it settled; 0 where it did not, and all is as before; -1: codend_error().
+int codend_settle(double tolerance, int iterations) {
   return guarded([&] {
-    const std::size_t lines = static_cast<std::size_t>(model->lines());
-    codend::SettleControl control;
-    control.start = codend::Start::settled;
-    if (strain.size() == lines) control.strain = strain;
-    control.part.assign(part, part + lines);
-    control.tolerance = tolerance;
-    control.iterations = iterations;
-    const std::vector<double> still(position.size(), 0.0);
-    std::vector<double> x = position;
-    report = codend::settle_from(*assembly, control, still.data(), x.data());
-    if (!report.converged) return 0;
-    position = x;
-    assembly->strain(strain);
-    strain.resize(lines);
+    if (!from) from = codend::read_fields<codend::BegunShape>(PageSource("from."));
+    auto read = codend::read_fields<codend::GearNumbers>(PageSource("numbers."));
+    read.gear.check();
+    const double before = numbers ? numbers->questions.speed : 0.0, now = read.questions.speed;
+    from->drag_growth = before > 0 && now > 0 ? now * now / (before * before) : 1.0;
+    codend::GearSettling how;
+    how.nodes = from->nodes;
+    how.from = &*from;
+    how.through_levels = false;
+    how.tolerance = tolerance;
+    how.iterations = iterations;
+    codend::SettledGear found;
+    try {
+      found = codend::settle_gear(read, how);
+    } catch (const codend::InputError&) {
+      // Numbers between those of two gears may be those of no gear.
+      if (!settled) throw;
+      return 0;
+    }
+    codend::LineMap lines = codend::line_map(read.gear, found.gear.lattice);
+    // What is drawn has the lines of the first shape.
+    if (!found.report.converged || !lines.alike(from->lines)) return 0;
+    from->position = codend::all_points(found.gear.model, found.position);
+    from->strain = found.strain;
+    from->lines = std::move(lines);
+    from->wake_sheets = found.gear.model.wake_sheets;
+    from->wake = found.gear.model.wake;
+    from->blocked = found.gear.bag.blocked;
+    numbers = std::move(read);
+    settled = std::move(found);
     return 1;
   });
 }
-// The bag's front, meshes; and the volume (m3) behind it where the gear is.
-void codend_front(double meshes) { front = meshes; }
-double codend_blocked() { return bag ? bag->blocked : 0.0; }
-double codend_volume() {
-  return bag ? codend::bag_volume(*bag, codend::all_points(*model, position)) : 0.0;
-}
-int codend_iterations() { return report.iterations; }
-int codend_unstable() { return report.unstable ? 1 : 0; }
-double codend_residual() { return report.residual; }
 
-// Forces, tensions and measures at the shape. Plates: attack, heel, trim (rad), lift, drag (N) each;
-// drag: of every part along the flow (N); opening (m), angle (rad): of meshes; flow: of the water past
-// the gear's middle (m/s).
+// What a page shows of the settled gear, by name for codend_found(). plates: attack, heel, trim (rad),
+// lift, drag (N) each; corners: of boards (m); drag: of every part along the flow (N); load: its largest
+// tension over its strength; opening (m), angle (rad): of meshes; flow: of the water past the gear's
+// middle (m/s); report: steps, and 1 where the balance is unstable.
 int codend_evaluate() {
   return guarded([] {
+    const codend::Model& model = settled->gear.model;
+    const codend::Lattice& lattice = settled->gear.lattice;
+    const std::vector<double>& position = settled->position;
     const std::vector<double> still(position.size(), 0.0);
-    evaluation = codend::evaluate(*assembly, position.data(), still.data());
-    plates.clear();
-    for (const codend::PlateAttitude& plate : evaluation.plates) {
+    codend::Assembly assembly(model);
+    const codend::Evaluation found = codend::evaluate(assembly, position.data(), still.data());
+    const codend::MeasureFrame frame = codend::measure_frame(numbers->gear, lattice);
+    results.clear();
+    results["bar_tension"] = found.bar_tension;
+    results["u_tension"] = found.u_tension;
+    results["v_tension"] = found.v_tension;
+    results["measures"] = settled->measures;
+    const std::vector<double>& points = results["points"] = codend::all_points(model, position);
+    results["corners"] = board_corners(model.plates, points.data());
+    std::vector<double>& plates = results["plates"];
+    for (const codend::PlateAttitude& plate : found.plates) {
       plates.insert(plates.end(), {plate.attack, plate.heel, plate.trim, plate.lift, plate.drag});
     }
-    const codend::MeasuredShape<double> shape = codend::measured_shape(evaluation, position, still);
-    measures = codend::measure(frame, *model, questions, bag ? &*bag : nullptr, shape);
-    points = codend::all_points(*model, position);
-    const codend::Three<double> way = codend::flow_axis(*model, questions);
-    const std::vector<double> forces = codend::part_forces(frame, shape);
-    drag.clear();
+    const codend::Three<double> way = codend::flow_axis(model, numbers->questions);
+    const std::vector<double> forces =
+        codend::part_forces(frame, codend::measured_shape(found, position, still));
     for (int part = 0; part < frame.parts; ++part) {
-      drag.push_back(codend::dot(codend::three(forces, part), way));
+      results["drag"].push_back(codend::dot(codend::three(forces, part), way));
     }
-    opening.clear();
-    angle.clear();
+    const std::vector<double>& strength = arrays.at("page/strength").numbers;
+    std::vector<double>& load = results["load"];
+    load.resize(strength.size());
+    for (std::size_t k = 0; k < lattice.bar_part.size(); ++k) {
+      const auto part = static_cast<std::size_t>(lattice.bar_part[k]);
+      if (strength[part] > 0) {
+        load[part] = std::max(load[part], found.bar_tension[k] / strength[part]);
+      }
+    }
+    std::vector<double>&opening = results["opening"], &angle = results["angle"];
     for (const auto& place : codend::mesh_places(frame.meshes, points)) {
       opening.push_back(place.opening);
       angle.push_back(place.angle);
@@ -262,20 +250,19 @@ int codend_evaluate() {
       high = std::max(high, position[k]);
     }
     codend::Vector current, slope;
-    model->water.velocity((low + high) / 2, current, slope);
-    flow = {current.x(), current.y()};
+    model.water.velocity((low + high) / 2, current, slope);
+    results["flow"] = {current.x(), current.y()};
+    results["report"] = {static_cast<double>(settled->report.iterations),
+                         static_cast<double>(settled->report.unstable)};
     return 0;
   });
 }
 
 // Numbers that were found, and how many; -1 of a name that is not known.
-const double* codend_found(const char* name) {
-  const std::vector<double>* values = found(name);
-  return values ? values->data() : nullptr;
-}
+const double* codend_found(const char* name) { return results[name].data(); }
 int codend_count(const char* name) {
-  const std::vector<double>* values = found(name);
-  return values ? static_cast<int>(values->size()) : -1;
+  const auto at = results.find(name);
+  return at == results.end() ? -1 : static_cast<int>(at->second.size());
 }
 
 }  // extern "C"
