@@ -1,18 +1,8 @@
 # Short forms: kinds of plan with their own fields, which expand into an assembly.
-# Each takes the checked fields in SI and the plan as given, and returns the tree of an assembly.
-gear_expanders <- list(
-  beam_trawl = function(fields, plan) expand_beam_trawl(fields, plan),
-  bottom_trawl = function(fields, plan) expand_bottom_trawl(fields, plan),
-  cage = function(fields, plan) expand_cage(fields, plan),
-  demersal_seine = function(fields, plan) expand_demersal_seine(fields, plan),
-  dip_net = function(fields, plan) expand_dip_net(fields, plan),
-  gillnet = function(fields, plan) expand_gillnet(fields, plan),
-  longline = function(fields, plan) expand_longline(fields, plan),
-  midwater_trawl = function(fields, plan) expand_midwater_trawl(fields, plan),
-  pair_trawl = function(fields, plan) expand_pair_trawl(fields, plan),
-  purse_seine = function(fields, plan) expand_purse_seine(fields, plan),
-  stow_net = function(fields, plan) expand_stow_net(fields, plan)
-)
+
+# The function that expands a kind of plan: it takes the checked fields in SI and the plan as given,
+# and returns the tree of an assembly.
+expander_of <- function(kind) get(paste0("expand_", kind), mode = "function")
 
 # The groups of a tree in their plain form, taken from the `plain` form of a `last` tree where they,
 # or parts of them, are the same.

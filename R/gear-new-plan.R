@@ -1,14 +1,17 @@
 # Plans to begin with.
 
 # By kind, of inst/new_plans.yaml, which says what stands there: asks (texts by name), usual (a
-# function of the head line, m), numbers and scale (expressions by name), plan (its text), like.
+# function of the head line, m), numbers and scale (expressions by name), plan (its text), like. A
+# kind that is not there begins with the shipped plan of its name.
 new_plan_kinds <- remembered(read_new_plans)
 
 read_new_plans <- function() {
   said <- yaml::read_yaml(system.file("new_plans.yaml", package = "codend"))
-  lapply(said[names(said) != "shared"], function(kind) {
+  kinds <- setdiff(plan_kinds, "assembly")
+  own <- lapply(setNames(nm = setdiff(kinds, names(said))), function(kind) list(like = kind))
+  lapply(c(said[names(said) != "shared"], own), function(kind) {
     usual <- kind$usual
-    kind$asks <- vapply(kind$asks, identity, "")
+    kind$asks <- vapply(as.list(kind$asks), identity, "")
     kind$numbers <- unlist(kind$numbers)
     kind$usual <- if (!is.null(usual)) function(h) {
       vapply(usual, function(text) eval(str2lang(text), list(h = h)), "")

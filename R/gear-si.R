@@ -31,7 +31,7 @@ check_parts <- function(plan, fields, last, joined) {
     now$expanded <- expanded_again(plan, fields, last)
     if (is.null(now$expanded)) {
       now$expanded <- with_plain_numbers(
-        gear_expanders[[now$fields$kind]](whole$fields, whole$plan)
+        expander_of(now$fields$kind)(whole$fields, whole$plan)
       )
     }
     now$tree <- plain_groups(now$expanded, last$expanded, last$tree)

@@ -6,7 +6,7 @@
 
 # fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_cage <- function(fields, plan) {
-  check_cage(fields)
+  check_cage(fields, names(plan$collar))
   outline <- cage_outline(fields)
   net <- cage_net(fields, plan, outline)
   frame <- cage_frame(fields, plan, outline)
@@ -22,13 +22,14 @@ expand_cage <- function(fields, plan) {
   out
 }
 
-check_cage <- function(fields) {
+# given: fields of the collar that the plan gives.
+check_cage <- function(fields, given) {
   wrong <- function(field, value, allowed) abort_field(field, value, allowed)
   if (fields$shape == "square" && fields$panels %% 4 != 0) {
     wrong("panels", fields$panels, "a multiple of 4 around a square cage")
   }
   collar <- fields$collar
-  pipe <- setdiff(names(collar), c("held", "damping_ratio", "added_mass", "bending_stiffness"))
+  pipe <- setdiff(given, "held")
   if (collar$held) {
     if (length(pipe)) {
       wrong(paste0("collar.", pipe[1]), collar[[pipe[1]]], "left out where the collar is held")
