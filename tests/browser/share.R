@@ -24,9 +24,14 @@ result <- function(state, values) {
       u = I(as.vector(shape$u)), v = I(as.vector(shape$v)))
   )
 }
+# of a gear, or of a codend whose catch is given by its volume, up to more than it holds
+plan_of <- function(name) {
+  if (name != "t90_codend_by_volume") return(read_gear(name))
+  update(read_gear("t90_codend"), catch.blocked_meshes = NULL, catch.volume = "1.3 m3")
+}
 for (asked in moves) {
   name <- asked[1]
-  gear <- read_gear(name)
+  gear <- plan_of(name)
   if (name == "towed_cable") {
     gear <- update(gear, name = paste0("Cable </script><script>window.hurt = 1</script>",
       "<img src=x onerror='hurt=1'>"))
@@ -34,7 +39,10 @@ for (asked in moves) {
   state <- suppressWarnings(settle(gear, nodes = 600))
   file <- file.path(folder, paste0(name, ".html"))
   tow <- if (name == "towed_cable") tow(state, until = "20 s", every = "2 s")
-  share(state, file, tow = tow)
+  by_volume <- name == "t90_codend_by_volume"
+  share(state, file, tow = tow,
+    sliders = if (by_volume) c("catch.volume", "towing.speed"),
+    ranges = if (by_volume) list(catch.volume = c("1 m3", "30 m3")))
   fields <- series$fields
   values <- ns$own_values(fields)
   first <- list(result(state, values))

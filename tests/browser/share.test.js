@@ -9,7 +9,7 @@ const { launch } = require('./tank');
 const share = require('./share-model.js');
 
 const shipped = () => execFileSync('Rscript', ['-e', 'cat(codend::gears()$name, sep = ",")']).toString();
-const gears = (process.env.GEARS || shipped()).split(',');
+const gears = (process.env.GEARS || shipped() + ',t90_codend_by_volume').split(',');
 // ropes; netting with a catch; netting of cells
 const thorough = gears.filter((gear) => ['towed_cable', 'stow_net', 't90_codend'].includes(gear));
 const moves = Object.fromEntries(gears.map((gear) =>
@@ -117,6 +117,22 @@ for (const gear of thorough) {
     assert.strictEqual(of.model.memory(), early);
   });
 }
+
+if (gears.includes('t90_codend_by_volume')) test('a move to more than the netting holds leaves the gear as it was', async () => {
+  const of = await share.opened(path.join(folder, 't90_codend_by_volume.html'));
+  const before = of.model.shape(), volume = of.page.fields.findIndex((field) => field.name === 'catch.volume');
+  const full = of.model.values();
+  full[volume] = of.page.fields[volume].upper;
+  assert.strictEqual(of.move(full), false);
+  const settled = of.model.values()[volume];
+  assert.ok(settled < full[volume]);
+  const back = of.model.values();
+  back[volume] = of.page.fields[volume].value;
+  assert.ok(of.move(back));
+  for (const [name, value] of Object.entries(before.measures)) {
+    assert.ok(Math.abs(of.model.shape().measures[name] - value) <= 1e-5 * Math.max(Math.abs(value), 1), name);
+  }
+});
 
 if (gears.includes('towed_cable')) test('a name that is a script runs nothing', async () => {
   const page = await opened('towed_cable');
