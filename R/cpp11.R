@@ -60,8 +60,12 @@ engine_catch_sizes <- function(mesh, blocked, points) {
   .Call(`_codend_engine_catch_sizes`, mesh, blocked, points)
 }
 
-engine_mesh <- function(fields, like) {
-  .Call(`_codend_engine_mesh`, fields, like)
+engine_mesh <- function(fields) {
+  .Call(`_codend_engine_mesh`, fields)
+}
+
+engine_changed_mesh <- function(mesh, fields) {
+  .Call(`_codend_engine_changed_mesh`, mesh, fields)
 }
 
 engine_filled_mesh <- function(mesh, blocked) {

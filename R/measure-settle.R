@@ -24,9 +24,8 @@ settle_numbers <- function(si, nodes, netting, from = NULL, through_levels = TRU
   asked$nodes <- report$asked
   if (report$full_bag > 0) abort_catch_volume(si, report$full_bag)
   if (known) {
-    lattice <- lattice_in(si, from)
+    lattice <- lattice_in(si, from, report$wake)
     if (!is.null(si$catch)) lattice <- set_catch_front(lattice, report$blocked)
-    lattice$mesh <- changed_mesh(lattice$mesh, list(wake = report$wake))
   } else {
     lattice <- new_lattice(si, asked, report$blocked, report$lattice)
   }
@@ -53,14 +52,16 @@ numbers_to_settle <- function(si, netting, measured) {
 begun_shape <- function(si, asked, from) {
   lattice <- from$lattice
   mesh <- lattice$mesh
+  bars <- mesh$bars
+  cells <- mesh$cells
   before <- lattice$counts$asked
   list(
     position = as.double(from$position), strain = as.double(from$strain),
     map = part_map(si, lattice),
     lines = list(
-      part_count = nrow(lattice$parts), bar_node = mesh$bars$node,
-      cell_node = mesh$cells$node, bar_part = lattice$bar_part, cell_part = lattice$cell_part,
-      bar_rest = mesh$bars$rest, cell_straight = mesh$cells$straight
+      part_count = nrow(lattice$parts), bar_node = bars$node,
+      cell_node = cells$node, bar_part = lattice$bar_part, cell_part = lattice$cell_part,
+      bar_rest = bars$rest, cell_straight = cells$straight
     ),
     nodes = first_of(before$nodes, 0),
     counts = if (!is.null(before)) lattice$counts[lattice_counts],

@@ -8,11 +8,13 @@
 #' @rawNamespace S3method(base::"$",codend_mesh)
 `$.codend_mesh` <- function(x, name) x[[name]]
 
-# A mesh from all of its fields, and these. like: NULL, or the mesh that it differs from.
-new_mesh <- function(fields, like = NULL) engine_mesh(fields, like)
+# A mesh from all of its fields, and these.
+new_mesh <- function(fields) engine_mesh(fields)
 mesh_fields <- function(mesh) engine_mesh_fields(mesh)
 
-# A mesh like another with other values of some fields, as nested lists; NULL takes one out.
+# A mesh like another with other values of some fields, as nested lists; NULL takes one out of its
+# group.
 changed_mesh <- function(mesh, fields) {
-  new_mesh(utils::modifyList(mesh_fields(mesh), fields), mesh)
+  before <- lapply(setNames(nm = names(fields)), function(name) mesh[[name]])
+  engine_changed_mesh(mesh, utils::modifyList(before, fields))
 }

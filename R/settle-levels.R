@@ -53,7 +53,7 @@ state_shape <- function(state) {
   mesh <- state$lattice$mesh
   cells <- mesh$cells
   strain <- engine_order(
-    state$lattice, state$bar_length / mesh$bars$rest - 1, state$u_length / cells$rest - 1,
+    cells$straight > 0, state$bar_length / mesh$bars$rest - 1, state$u_length / cells$rest - 1,
     state$v_length / cells$rest - 1, state$straight_length / cells$straight - 1
   )
   list(

@@ -39,6 +39,57 @@ class OneField {
   ListWriter writer_;
 };
 
+// Reads the fields that a list has into a struct, and leaves the others as they are.
+class GivenFields {
+ public:
+  explicit GivenFields(const ListSource& from) : names_(from.names()), reader_(from, "", counts_) {}
+  template <class Value>
+  void operator()(const char* name, Value& value, codend::Shape shape = {}) {
+    if (!has(name)) return;
+    if constexpr (std::is_enum_v<Value>) {
+      reader_(name, value);
+    } else {
+      reader_(name, value, shape);
+    }
+  }
+  template <class Struct>
+  void group(const char* name, Struct& of) {
+    if (!has(name)) return;
+    // What the list leaves out of a group, such as waves, is not there.
+    Struct read;
+    reader_.group(name, read);
+    of = read;
+  }
+  template <class Struct>
+  void optional(const char* name, Struct& of, bool& given) {
+    if (!has(name)) return;
+    group(name, of);
+    given = true;
+  }
+  template <class Struct>
+  void optional(const char* name, Struct& of) {
+    group(name, of);
+  }
+  template <class Struct>
+  void columns(const char* name, std::vector<Struct>& of) {
+    if (has(name)) reader_.columns(name, of);
+  }
+  template <class Struct>
+  void items(const char* name, std::vector<Struct>& of) {
+    if (has(name)) reader_.items(name, of);
+  }
+  void count(codend::Among among, std::size_t n) { reader_.count(among, n); }
+  void finish() const { reader_.finish(); }
+
+ private:
+  bool has(const char* name) const {
+    return std::find(names_.begin(), names_.end(), name) != names_.end();
+  }
+  std::vector<std::string> names_;
+  codend::FieldReader<ListSource>::Counts counts_{};
+  codend::FieldReader<ListSource> reader_;
+};
+
 }  // namespace
 
 namespace binding {
@@ -65,12 +116,23 @@ codend::Model read_model(SEXP handle) {
 
 }  // namespace binding
 
-// A mesh from all of its fields, see codend::Model. like: NULL, or the mesh that it differs from.
-[[cpp11::register]] SEXP engine_mesh(list fields, SEXP like) {
+// A mesh from all of its fields, see codend::Model.
+[[cpp11::register]] SEXP engine_mesh(list fields) {
   return guarded([&]() -> SEXP {
     HeldMesh held;
-    if (!Rf_isNull(like)) held = held_mesh(like);
     held.model = codend::read_fields<codend::Model>(ListSource(fields));
+    return mesh_handle(std::move(held));
+  });
+}
+
+// A mesh like another but for these fields; groups of them are whole.
+[[cpp11::register]] SEXP engine_changed_mesh(SEXP mesh, list fields) {
+  return guarded([&]() -> SEXP {
+    HeldMesh held = held_mesh(mesh);
+    const ListSource from(fields);
+    GivenFields given(from);
+    held.model.fields(given);
+    given.finish();
     return mesh_handle(std::move(held));
   });
 }

@@ -112,10 +112,17 @@ extern "C" SEXP _codend_engine_catch_sizes(SEXP mesh, SEXP blocked, SEXP points)
   END_CPP11
 }
 // binding_mesh.cpp
-SEXP engine_mesh(list fields, SEXP like);
-extern "C" SEXP _codend_engine_mesh(SEXP fields, SEXP like) {
+SEXP engine_mesh(list fields);
+extern "C" SEXP _codend_engine_mesh(SEXP fields) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_mesh(cpp11::as_cpp<cpp11::decay_t<list>>(fields), cpp11::as_cpp<cpp11::decay_t<SEXP>>(like)));
+    return cpp11::as_sexp(engine_mesh(cpp11::as_cpp<cpp11::decay_t<list>>(fields)));
+  END_CPP11
+}
+// binding_mesh.cpp
+SEXP engine_changed_mesh(SEXP mesh, list fields);
+extern "C" SEXP _codend_engine_changed_mesh(SEXP mesh, SEXP fields) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_changed_mesh(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(fields)));
   END_CPP11
 }
 // binding_mesh.cpp
@@ -284,6 +291,7 @@ extern "C" {
 static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,       3},
     {"_codend_engine_catch_sizes",     (DL_FUNC) &_codend_engine_catch_sizes,      3},
+    {"_codend_engine_changed_mesh",    (DL_FUNC) &_codend_engine_changed_mesh,     2},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,         3},
     {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,        4},
     {"_codend_engine_end_tensions",    (DL_FUNC) &_codend_engine_end_tensions,     3},
@@ -299,7 +307,7 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,            7},
     {"_codend_engine_measure_errors",  (DL_FUNC) &_codend_engine_measure_errors,   5},
     {"_codend_engine_measures",        (DL_FUNC) &_codend_engine_measures,         3},
-    {"_codend_engine_mesh",            (DL_FUNC) &_codend_engine_mesh,             2},
+    {"_codend_engine_mesh",            (DL_FUNC) &_codend_engine_mesh,             1},
     {"_codend_engine_mesh_field",      (DL_FUNC) &_codend_engine_mesh_field,       2},
     {"_codend_engine_mesh_fields",     (DL_FUNC) &_codend_engine_mesh_fields,      1},
     {"_codend_engine_mesh_places",     (DL_FUNC) &_codend_engine_mesh_places,      2},
