@@ -1,8 +1,8 @@
 # Runs the examples of README and guides as a reader who copies them does, from the top to the
 # bottom of each document: blocks of R and of shell lines of README, blocks of shell lines of the
-# guides. The lane `check` runs the R of the guides. A plan in README must settle, and every file
-# that an example names must exist afterwards. Works in a temporary folder, which is also the home
-# of the shell.
+# guides. The lane `check` runs the R of the guides. A plan in README must settle, its R must print
+# the lines of output that README quotes (#>), and every file that an example names must exist
+# afterwards. Works in a temporary folder, which is also the home of the shell.
 #   Rscript tools/examples.R              all documents
 #   Rscript tools/examples.R README.md    these documents
 
@@ -37,9 +37,15 @@ fails <- function(name, command, arguments, environment = character()) {
 
 run_r <- function(file, lines) {
   script <- file.path(folder, "example.R")
-  writeLines(code_of(lines, "r"), script)
+  code <- code_of(lines, "r")
+  writeLines(code, script)
   session <- file.path(root, "tools", "examples", "session.R")
-  fails(paste(file, "(R)"), "Rscript", c("--vanilla", session))
+  if (fails(paste(file, "(R)"), "Rscript", c("--vanilla", session))) return(TRUE)
+  quoted <- trimws(sub("^#>", "", grep("^#>", code, value = TRUE)))
+  printed <- trimws(readLines(file.path(folder, "log"), warn = FALSE))
+  differ <- setdiff(quoted, printed)
+  cat(sprintf("%s: the code does not print: %s\n", file, differ), sep = "")
+  length(differ) > 0L
 }
 
 run_shell <- function(file, lines) {

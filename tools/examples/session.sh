@@ -37,7 +37,7 @@ warps.length,Door
 300,57
 330,59
 END
-[ "$DOCUMENT" = README.md ] || ln -sf "$(Rscript -e 'cat(system.file("exec", "codend", package = "codend"))')" .local/bin/
+[ "$DOCUMENT" = vignettes/command-line.Rmd ] || ln -sf "$(Rscript -e 'cat(system.file("exec", "codend", package = "codend"))')" .local/bin/
 Rscript -e 'suppressMessages(library(codend)); write_result(tow("towed_cable", until = 20), "tow.nc")'
 mkdir -p tank
 
