@@ -10,7 +10,7 @@ specimen <- function(points, materials = twine_materials(list())) {
     water = list(density = specimen_density, viscosity = specimen_viscosity),
     held_point = gear_point(position = list(0, 0, 0), held = "fixed")
   )
-  fields <- mesh_fields(build_lattice(gear_si(bare))$mesh)
+  fields <- engine_mesh_fields(build_lattice(gear_si(bare))$mesh)
   fields$nodes <- n
   fields$held <- rep(TRUE, n)
   fields$load <- numeric(3L * n)
@@ -24,7 +24,7 @@ specimen <- function(points, materials = twine_materials(list())) {
 # (m/s; one for all will do) towards -x: the flow comes along x.
 evaluate_specimen <- function(specimen, speed, points) {
   velocity <- rbind(-rep_len(rep(speed, each = points), specimen$fields$nodes), 0, 0)
-  engine_evaluate(new_mesh(specimen$fields), as.double(specimen$position), as.double(velocity))
+  engine_evaluate(engine_mesh(specimen$fields), as.double(specimen$position), as.double(velocity))
 }
 
 # Force (3 x n, N) over 1/2 rho U^2 times an area (m2): drag along the flow, lift across it to y.

@@ -38,6 +38,6 @@ lattice_of_recipe <- function(si, mesh, position = NULL) {
   lattice$let_go <- mesh$let_go
   lattice$built_lengths <- mesh$built_lengths
   if (!is.null(mesh$blocked)) lattice <- set_catch_front(lattice, mesh$blocked)
-  if (length(mesh$wake)) lattice$mesh <- changed_mesh(lattice$mesh, mesh["wake"])
-  if (is.null(mesh$changes)) lattice else change_lattice(lattice, mesh$changes)
+  changes <- c(Filter(length, mesh["wake"]), mesh$changes)
+  if (length(changes)) change_lattice(lattice, changes) else lattice
 }

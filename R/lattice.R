@@ -104,11 +104,11 @@ differ_in_conditions <- function(si, other) {
 # The lattice of a settled shape in a gear's conditions. wake: of every point, or empty.
 lattice_in <- function(si, from, wake = from$lattice$mesh$wake) {
   lattice <- from$lattice
-  water <- engine_water(si)
-  water["waves"] <- list(water$waves)
-  lattice$mesh <- changed_mesh(lattice$mesh, c(
-    list(water = water, wake = wake),
-    if (!is.null(si$ground)) list(ground = si$ground["velocity"])
+  lattice$mesh <- engine_changed_mesh(lattice$mesh, c(
+    list(water = engine_water(si), wake = wake),
+    if (!is.null(si$ground)) {
+      list(ground = utils::modifyList(lattice$mesh$ground, si$ground["velocity"]))
+    }
   ))
   lattice$start <- matrix(from$position, 3L)[, seq_len(lattice$nodes), drop = FALSE]
   lattice

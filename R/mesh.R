@@ -8,10 +8,6 @@
 #' @rawNamespace S3method(base::"$",codend_mesh)
 `$.codend_mesh` <- function(x, name) x[[name]]
 
-# A mesh from all of its fields, and these.
-new_mesh <- function(fields) engine_mesh(fields)
-mesh_fields <- function(mesh) engine_mesh_fields(mesh)
-
 # A mesh like another with other values of some fields, as nested lists; NULL takes one out of its
 # group.
 changed_mesh <- function(mesh, fields) {

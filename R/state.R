@@ -28,16 +28,23 @@ plain_gear <- function(gear) {
 # What a state has beside its plain data: list(gear, with its check, si, lattice, velocity and the
 # forces on everything).
 computed_state <- function(state) {
-  handle <- .subset2(state, "handle")
-  found <- engine_handle_value(handle)
-  if (!is.null(found)) return(found)
-  gear <- .subset2(state, "gear")
-  gear$checked <- gear_checked(gear)
-  si <- first_of(.subset2(state, "si"), gear_si(gear))
-  lattice <- lattice_of_recipe(si, .subset2(state, "mesh"), .subset2(state, "position"))
-  found <- evaluated(gear, si, lattice, state)
-  engine_fill_handle(handle, found)
-  found
+  handle_value(.subset2(state, "handle"), function() {
+    gear <- .subset2(state, "gear")
+    gear$checked <- gear_checked(gear)
+    si <- first_of(.subset2(state, "si"), gear_si(gear))
+    lattice <- lattice_of_recipe(si, .subset2(state, "mesh"), .subset2(state, "position"))
+    evaluated(gear, si, lattice, state)
+  })
+}
+
+# What a handle holds; where it is empty it is filled with what compute() gives.
+handle_value <- function(handle, compute) {
+  value <- engine_handle_value(handle)
+  if (is.null(value)) {
+    value <- compute()
+    engine_fill_handle(handle, value)
+  }
+  value
 }
 
 evaluated <- function(gear, si, lattice, state) {

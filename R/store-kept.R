@@ -176,11 +176,11 @@ with_kept_lattice <- function(what) {
   }
   # Files of before levels' measures were kept in SI.
   if (is.null(what$levels_in_si)) what <- with_levels_in_si(what)
-  old$mesh <- new_mesh(fields)
-  fields <- mesh_fields(old$mesh)
+  old$mesh <- engine_mesh(fields)
+  fields <- engine_mesh_fields(old$mesh)
   what$mesh <- mesh_recipe(old)
-  again <- mesh_fields(lattice_of_recipe(what$si, what$mesh)$mesh)
-  if (!identical(lengths(again$mass), lengths(fields$mass))) stop("its nodes do not fit")
+  again <- engine_mesh_fields(lattice_of_recipe(what$si, what$mesh)$mesh)
+  if (length(again$mass) != length(fields$mass)) stop("its nodes do not fit")
   what$mesh$changes <- fields[!mapply(identical, fields, again[names(fields)])]
   what$lattice <- NULL
   what

@@ -16,13 +16,9 @@ constants_of <- function(trajectory) {
 #' @export
 `[[.codend_trajectory` <- function(x, i, ...) {
   if (!identical(i, "lattice")) return(.subset2(x, i))
-  handle <- .subset2(x, "handle")
-  lattice <- engine_handle_value(handle)
-  if (is.null(lattice)) {
-    lattice <- lattice_of_recipe(.subset2(x, "si"), .subset2(x, "mesh"))
-    engine_fill_handle(handle, lattice)
-  }
-  lattice
+  handle_value(.subset2(x, "handle"), function() {
+    lattice_of_recipe(.subset2(x, "si"), .subset2(x, "mesh"))
+  })
 }
 
 # What a march needs of the one before: see engine_tow().

@@ -1,5 +1,5 @@
 // Lattices of gears for R.
-#include "binding_mesh_list.h"
+#include "binding_list.h"
 #include "binding_model.h"
 #include "engine/solve/layout.hpp"
 
@@ -43,8 +43,11 @@ void lay_out_strings(const codend::Strings& strings, double* x) {
     from.alike = alike;
     from.position = binding::numbers(position);
     if (!Rf_isNull(map)) from.map = codend::read_fields<codend::PartMap>(ListSource(map));
-    return mesh_list(gear, codend::read_fields<codend::GearModel>(ListSource(model)),
-                     codend::build_lattice(gear, fineness, from, lay_out_strings), blocked, {});
+    codend::MeasuredGear found = codend::unprepared_gear(
+        gear, codend::read_fields<codend::GearModel>(ListSource(model)),
+        codend::build_lattice(gear, fineness, from, lay_out_strings), blocked);
+    codend::MeasureFrame frame = codend::measure_frame(gear, found.lattice);
+    return mesh_list(std::move(found), std::move(frame));
   });
 }
 

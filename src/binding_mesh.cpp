@@ -1,93 +1,44 @@
 // Meshes of gears: the engine holds them, R has handles to them.
 #include "binding_list.h"
 #include "binding_model.h"
-#include "engine/measure/measured_gear.hpp"
 
 using namespace binding;
 
 namespace {
 
-// Writes one field of a struct.
-class OneField {
+// Shows a visitor those fields of a struct that have one of these names.
+template <class Visit>
+class NamedFields {
  public:
-  explicit OneField(const std::string& name) : name_(name) {}
+  NamedFields(const std::vector<std::string>& names, Visit& visit) : names_(names), visit_(visit) {}
   template <class Value>
   void operator()(const char* name, Value& value, codend::Shape shape = {}) {
-    if (name_ == name) writer_(name, value, shape);
+    if (has(name)) visit_(name, value, shape);
   }
   template <class... Rest>
   void group(const char* name, Rest&&... rest) {
-    if (name_ == name) writer_.group(name, rest...);
+    if (has(name)) visit_.group(name, rest...);
   }
   template <class... Rest>
   void optional(const char* name, Rest&&... rest) {
-    if (name_ == name) writer_.optional(name, rest...);
+    if (has(name)) visit_.optional(name, rest...);
   }
   template <class... Rest>
   void columns(const char* name, Rest&&... rest) {
-    if (name_ == name) writer_.columns(name, rest...);
+    if (has(name)) visit_.columns(name, rest...);
   }
   template <class... Rest>
   void items(const char* name, Rest&&... rest) {
-    if (name_ == name) writer_.items(name, rest...);
+    if (has(name)) visit_.items(name, rest...);
   }
-  void count(codend::Among, std::size_t) {}
-  list found() const { return writer_.all(); }
-
- private:
-  const std::string& name_;
-  ListWriter writer_;
-};
-
-// Reads the fields that a list has into a struct, and leaves the others as they are.
-class GivenFields {
- public:
-  explicit GivenFields(const ListSource& from) : names_(from.names()), reader_(from, "", counts_) {}
-  template <class Value>
-  void operator()(const char* name, Value& value, codend::Shape shape = {}) {
-    if (!has(name)) return;
-    if constexpr (std::is_enum_v<Value>) {
-      reader_(name, value);
-    } else {
-      reader_(name, value, shape);
-    }
-  }
-  template <class Struct>
-  void group(const char* name, Struct& of) {
-    if (!has(name)) return;
-    // What the list leaves out of a group, such as waves, is not there.
-    Struct read;
-    reader_.group(name, read);
-    of = read;
-  }
-  template <class Struct>
-  void optional(const char* name, Struct& of, bool& given) {
-    if (!has(name)) return;
-    group(name, of);
-    given = true;
-  }
-  template <class Struct>
-  void optional(const char* name, Struct& of) {
-    group(name, of);
-  }
-  template <class Struct>
-  void columns(const char* name, std::vector<Struct>& of) {
-    if (has(name)) reader_.columns(name, of);
-  }
-  template <class Struct>
-  void items(const char* name, std::vector<Struct>& of) {
-    if (has(name)) reader_.items(name, of);
-  }
-  void count(codend::Among among, std::size_t n) { reader_.count(among, n); }
-  void finish() const { reader_.finish(); }
+  void count(codend::Among among, std::size_t n) { visit_.count(among, n); }
 
  private:
   bool has(const char* name) const {
     return std::find(names_.begin(), names_.end(), name) != names_.end();
   }
-  std::vector<std::string> names_;
-  codend::FieldReader<ListSource>::Counts counts_{};
-  codend::FieldReader<ListSource> reader_;
+  const std::vector<std::string>& names_;
+  Visit& visit_;
 };
 
 }  // namespace
@@ -114,6 +65,13 @@ codend::Model read_model(SEXP handle) {
   return model;
 }
 
+list mesh_list(codend::MeasuredGear&& gear, codend::MeasureFrame&& frame) {
+  writable::list out(ListWriter::written(gear.lattice));
+  out.push_back("mesh"_nm =
+                    mesh_handle({std::move(gear.model), std::move(frame), std::move(gear.bag)}));
+  return out;
+}
+
 }  // namespace binding
 
 // A mesh from all of its fields, see codend::Model.
@@ -130,9 +88,12 @@ codend::Model read_model(SEXP handle) {
   return guarded([&]() -> SEXP {
     HeldMesh held = held_mesh(mesh);
     const ListSource from(fields);
-    GivenFields given(from);
+    const std::vector<std::string> names = from.names();
+    codend::FieldReader<ListSource>::Counts counts{};
+    codend::FieldReader<ListSource> reader(from, "", counts);
+    NamedFields given(names, reader);
     held.model.fields(given);
-    given.finish();
+    reader.finish();
     return mesh_handle(std::move(held));
   });
 }
@@ -159,9 +120,11 @@ codend::Model read_model(SEXP handle) {
     HeldMesh& held = held_mesh(mesh);
     if (name == "frame") return ListWriter::written(held.frame);
     if (name == "bag" && held.catch_bag()) return ListWriter::written(held.bag);
-    OneField field(name);
+    const std::vector<std::string> names{name};
+    ListWriter writer;
+    NamedFields field(names, writer);
     held.model.fields(field);
-    const list found = field.found();
+    const list found = writer.all();
     return found.size() ? found[0] : R_NilValue;
   });
 }

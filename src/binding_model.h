@@ -10,9 +10,8 @@
 #include "binding_errors.h"
 #include "binding_numbers.h"
 #include "engine/base/read_fields.hpp"
-#include "engine/measure/filled_bag.hpp"
 #include "engine/measure/frame.hpp"
-#include "engine/model/model.hpp"
+#include "engine/measure/measured_gear.hpp"
 
 namespace binding {
 
@@ -95,6 +94,9 @@ struct HeldMesh {
   const codend::FilledBag* catch_bag() const { return bag.points > 0 ? &bag : nullptr; }
 };
 cpp11::sexp mesh_handle(HeldMesh&& mesh);
+
+// list(mesh, and the fields of the lattice), of a gear whose model is not ready for use.
+cpp11::list mesh_list(codend::MeasuredGear&& gear, codend::MeasureFrame&& frame);
 
 // Of a handle. Throws InputError where it is empty, as in another process.
 HeldMesh& held_mesh(SEXP handle);

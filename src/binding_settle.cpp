@@ -1,7 +1,7 @@
 // Equilibria for R.
 #include <algorithm>
 
-#include "binding_mesh_list.h"
+#include "binding_list.h"
 #include "binding_model.h"
 #include "engine/measure/settled_gear.hpp"
 #include "engine/solve/body_modes.hpp"
@@ -169,8 +169,11 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
     add("blocked", cpp11::as_sexp(found.gear.bag.blocked));
     add("full_bag", cpp11::as_sexp(found.full_bag));
     if (told) {
-      add("lattice", mesh_list(read.gear, read.model, std::move(found.gear.lattice),
-                               found.gear.bag.blocked, found.gear.model.wake));
+      codend::MeasuredGear of = codend::unprepared_gear(
+          read.gear, read.model, std::move(found.gear.lattice), found.gear.bag.blocked);
+      of.model.wake = found.gear.model.wake;
+      codend::MeasureFrame frame = codend::measure_frame(read.gear, of.lattice);
+      add("lattice", mesh_list(std::move(of), std::move(frame)));
     }
     return out;
   });

@@ -93,7 +93,7 @@ kinds <- list(
     model <- one_of(kept()$models)
     fields <- model$fields
     for (k in seq_len(1L + stats::rpois(1L, 0.5))) fields <- changed_model(fields)
-    mesh <- judged(codend:::new_mesh(fields))
+    mesh <- judged(codend:::engine_mesh(fields))
     if (is.null(mesh)) return("refused")
     evaluated <- judged(codend:::engine_evaluate(mesh, model$start, 0 * model$start))
     if (is.null(evaluated)) return("refused")

@@ -78,7 +78,7 @@ engine_models <- function() {
   plans <- c("midwater_trawl", "beam_trawl", "cage", "purse_seine", "towed_cable", "t90_codend")
   lapply(plans, function(plan) {
     lattice <- codend:::build_lattice(codend:::gear_si(read_gear(plan)), 60)
-    list(fields = codend:::mesh_fields(lattice$mesh), start = as.double(lattice$start))
+    list(fields = codend:::engine_mesh_fields(lattice$mesh), start = as.double(lattice$start))
   })
 }
 

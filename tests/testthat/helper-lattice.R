@@ -14,7 +14,7 @@ engine_array <- function(x, ...) {
 # A lattice with the fields of its mesh in the place of the handle to it.
 plain_lattice <- function(x) {
   lattice <- unclass(lattice_of(x))
-  lattice$mesh <- mesh_fields(lattice$mesh)
+  lattice$mesh <- engine_mesh_fields(lattice$mesh)
   lattice
 }
 

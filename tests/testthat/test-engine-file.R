@@ -36,7 +36,7 @@ test_that("the engine settles a gear from a file as settle() does", {
     state <- if (name == "midwater_trawl") settled(name, nodes = 400) else settled(name)
     lattice <- state$lattice
     from <- as.double(lattice$start)
-    run <- run_program(c(model_text(mesh_fields(lattice$mesh), "model"), model_text(from, "start")))
+    run <- run_program(c(model_text(engine_mesh_fields(lattice$mesh), "model"), model_text(from, "start")))
     expect_identical(run$status, 0L, info = name)
     expect_identical(array_of(run$said, "converged"), 1)
     found <- matrix(array_of(run$said, "position"), 3L)
@@ -49,7 +49,7 @@ test_that("the engine settles a gear from a file as settle() does", {
 test_that("the program says which field of a file is wrong", {
   skip_if_not(file.exists(engine_program), "engine programs: make -C tests/engine programs")
   lattice <- build_lattice(gear_si(read_gear("towed_cable")))
-  fields <- mesh_fields(lattice$mesh)
+  fields <- engine_mesh_fields(lattice$mesh)
   fields$bars$rest[2] <- NaN
   run <- run_program(c(
     model_text(fields, "model"), model_text(as.double(lattice$start), "start")

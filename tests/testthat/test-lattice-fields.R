@@ -1,11 +1,11 @@
 # The engine reads lattices by its own table of fields, and says which field is wrong.
 
-engine_of <- function(name) mesh_fields(build_lattice(gear_si(read_gear(name)), nodes = 200)$mesh)
+engine_of <- function(name) engine_mesh_fields(build_lattice(gear_si(read_gear(name)), nodes = 200)$mesh)
 
 # The field that the engine complains of, and what it says.
 complaint <- function(engine) {
   x <- numeric(3L * engine$nodes)
-  error <- tryCatch(engine_evaluate(new_mesh(engine), x, x), codend_error_engine = identity)
+  error <- tryCatch(engine_evaluate(engine_mesh(engine), x, x), codend_error_engine = identity)
   expect_s3_class(error, "codend_error")
   c(error$field, conditionMessage(error))
 }
@@ -41,7 +41,7 @@ test_that("an array of the wrong length or kind is named", {
 
 test_that("positions of another lattice are refused", {
   engine <- engine_of("beam_trawl")
-  expect_error(engine_evaluate(new_mesh(engine), numeric(3), numeric(3)), "position has 3 values",
+  expect_error(engine_evaluate(engine_mesh(engine), numeric(3), numeric(3)), "position has 3 values",
     class = "codend_error_engine")
 })
 
@@ -53,7 +53,7 @@ test_that("R's own errors pass through the engine as they are", {
     stop(structure(list(message = "enough", call = NULL), class = classes))
   }
   expect_error(
-    engine_settle(new_mesh(engine), start, "crude", numeric(), integer(), 1e-8, 5L, stop_it),
+    engine_settle(engine_mesh(engine), start, "crude", numeric(), integer(), 1e-8, 5L, stop_it),
     class = "watched"
   )
 })

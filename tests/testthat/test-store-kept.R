@@ -82,7 +82,7 @@ test_that("a forged file with a right checksum holds no place that is not there"
   forged <- 0
   for (name in c("midwater_trawl", "beam_trawl", "cage", "purse_seine", "t90_codend")) {
     state <- settled(name, nodes = 100)
-    fields <- mesh_fields(state$lattice$mesh)
+    fields <- engine_mesh_fields(state$lattice$mesh)
     for (k in seq_len(nrow(table))) {
       path <- c(strsplit(table$kind[k], ".", fixed = TRUE)[[1]], table$name[k])
       # plates and sliding ropes are a group each
@@ -94,7 +94,7 @@ test_that("a forged file with a right checksum holds no place that is not there"
       bad <- fields
       bad[[path]][length(places)] <- wrong
       expect_error(
-        new_mesh(bad), class = "codend_error_engine",
+        engine_mesh(bad), class = "codend_error_engine",
         label = paste(c(name, path, wrong), collapse = " ")
       )
       forged <- forged + 1

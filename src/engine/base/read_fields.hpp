@@ -83,7 +83,7 @@ class FieldReader {
   void operator()(const char* name, bool& to) { to = one<char>(name, {}) != 0; }
   void operator()(const char* name, int& to, Shape shape = {}) { to = one<int>(name, shape); }
   template <class Enumeration, std::enable_if_t<std::is_enum_v<Enumeration>, int> = 0>
-  void operator()(const char* name, Enumeration& to) {
+  void operator()(const char* name, Enumeration& to, Shape = {}) {
     to = one<Enumeration>(name, {});
   }
   void operator()(const char* name, Vector& to) {
@@ -115,7 +115,11 @@ class FieldReader {
   template <class Struct>
   void optional(const char* name, Struct& to, bool& given) {
     given = std::find(names_.begin(), names_.end(), name) != names_.end();
-    if (given) group(name, to);
+    if (given) {
+      group(name, to);
+    } else {
+      to = {};
+    }
   }
   template <class Struct>
   void optional(const char* name, Struct& to) {

@@ -17,13 +17,6 @@ namespace codend {
 struct TieList {
   std::vector<int> first, second;
   std::vector<double> share;
-
-  template <class Visit>
-  void fields(Visit& visit) {
-    visit("first", first, {1, Among::nodes});
-    visit("second", second, {1, Among::nodes});
-    visit("share", share);
-  }
 };
 
 // Sheets of netting between equivalent bars, on which these have what cells have as a whole.

@@ -12,17 +12,6 @@ namespace codend {
 struct BlendedCells {
   std::vector<int> node, material;
   std::vector<double> twine, rest, multiplicity, height, overlap;
-
-  template <class Visit>
-  void fields(Visit& visit) {
-    visit("node", node, {4, Among::points});
-    visit("twine", twine, {8});
-    visit("rest", rest);
-    visit("multiplicity", multiplicity);
-    visit("height", height);
-    visit("overlap", overlap);
-    visit("material", material, {1, Among::own_materials});
-  }
 };
 
 // Which cells or sheets have their drag as a whole: as a screen or blended.
@@ -44,28 +33,11 @@ struct BagTriangles {
   std::vector<double> real;           // share of each that is real
   std::vector<double> weight;  // the same with the circle's share; negative: it points inward
   bool encloses = true;        // whether the panels enclose anything
-
-  template <class Visit>
-  void fields(Visit& visit) {
-    visit("cell", cell, {1, Among::elements});
-    visit("node", node, {3, Among::points});
-    visit("depth", depth, {3});
-    visit("across", across, {3});
-    visit("real", real);
-    visit("weight", weight);
-    visit("encloses", encloses);
-  }
 };
 
 struct SlidingBars {
   std::vector<int> bar;
   double axial_stiffness = 0.0;
-
-  template <class Visit>
-  void fields(Visit& visit) {
-    visit("bar", bar, {1, Among::bars});
-    visit("axial_stiffness", axial_stiffness);
-  }
 };
 
 struct Lattice {
@@ -97,26 +69,10 @@ struct Lattice {
   std::vector<double> start;  // m, 3 per node
   std::vector<double> hung;   // the same of a gear that is let go, as it hangs before; else empty
 
+  // All that hosts read beside the model.
   template <class Visit>
   void fields(Visit& visit) {
     visit("nodes", nodes);
-    visit("held", held, {1, Among::numbers, Per::node});
-    visit("load", load, {3, Among::numbers, Per::point});
-    visit("mass", mass, {1, Among::numbers, Per::point});
-    visit.group("ties", ties);
-    visit.group("bars", bars);
-    visit.group("cells", cells);
-    visit.group("spheres", spheres);
-    visit.group("lifts", lifts);
-    visit.group("screens", screens);
-    visit.group("blended", blended);
-    visit.group("openings", openings);
-    visit.group("bends", bends);
-    visit.items("sliding", sliding);
-    visit.group("contacts", contacts);
-    visit.group("line_friction", line_friction);
-    visit.group("volumes", volumes);
-    visit.group("wake_sheets", wake_sheets);
     visit.list("bar_part", bar_part, {1, Among::parts});
     visit.list("cell_part", cell_part, {1, Among::parts});
     visit.list("sphere_part", sphere_part, {1, Among::parts});
@@ -124,7 +80,8 @@ struct Lattice {
     visit.group("sheets", sheets);
     visit.group("on_cell", on_cell);
     visit.group("on_sheet", on_sheet);
-    visit.group("bag", bag);
+    visit.list("bag_cell", bag.cell, {1, Among::elements});
+    visit("encloses", bag.encloses);
     visit.group("division", division);
     visit.group("counts", counts);
     visit.items("panels", panels);

@@ -6,33 +6,37 @@ namespace codend {
 
 MeasuredGear measured_gear(const GearNumbers& numbers, const Gear& gear, const Fineness& fineness,
                            const FromShape& from, const std::function<void()>& pause) {
-  MeasuredGear out;
-  out.lattice = build_lattice(gear, fineness, from, [&](const Strings& strings, double* x) {
+  const auto lay_out_strings = [&](const Strings& strings, double* x) {
     lay_out(
         {strings.held, strings.ends, strings.rest, strings.tension, strings.load, strings.buoyant},
         x, [&] {
           if (pause) pause();
           return true;
         });
-  });
-  out.model = model_of(gear, out.lattice, numbers.model);
-  if (gear.has_bag) {
-    out.bag = filled_bag(out.lattice, numbers.blocked);
-    press(out.bag, out.model);
-  }
+  };
+  MeasuredGear out = unprepared_gear(
+      gear, numbers.model, build_lattice(gear, fineness, from, lay_out_strings), numbers.blocked);
   out.model.prepare();
   return out;
 }
 
-FilledBag filled_bag(const Lattice& lattice, double blocked) {
-  const BagTriangles& bag = lattice.bag;
-  return {static_cast<int>(lattice.mass.size()),
-          bag.node,
-          bag.depth,
-          bag.across,
-          bag.real,
-          bag.weight,
-          blocked};
+MeasuredGear unprepared_gear(const Gear& gear, const GearModel& numbers, Lattice&& lattice,
+                             double blocked) {
+  MeasuredGear out;
+  out.model = model_of(gear, lattice, numbers);
+  if (gear.has_bag) {
+    const BagTriangles& bag = lattice.bag;
+    out.bag = {static_cast<int>(lattice.mass.size()),
+               bag.node,
+               bag.depth,
+               bag.across,
+               bag.real,
+               bag.weight,
+               blocked};
+    press(out.bag, out.model);
+  }
+  out.lattice = std::move(lattice);
+  return out;
 }
 
 void press(const FilledBag& bag, Model& model) {

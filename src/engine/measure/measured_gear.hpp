@@ -37,8 +37,9 @@ struct MeasuredGear {
 MeasuredGear measured_gear(const GearNumbers& numbers, const Gear& gear, const Fineness& fineness,
                            const FromShape& from, const std::function<void()>& pause = {});
 
-// The bag of a lattice whose gear has one, filled up to `blocked` meshes from its end.
-FilledBag filled_bag(const Lattice& lattice, double blocked);
+// A gear on its lattice, whose model is not ready for use. blocked: meshes of its bag behind the front.
+MeasuredGear unprepared_gear(const Gear& gear, const GearModel& numbers, Lattice&& lattice,
+                             double blocked);
 
 // Puts the pressure within a filled bag into a model.
 void press(const FilledBag& bag, Model& model);

@@ -42,6 +42,22 @@ struct CellList {
 CellList join_cells(const NettingCells& plain, const HexagonalTriangles& hexagons,
                     const std::vector<char>& hexagonal);
 
+// Cells that are divided, by the fields of their list.
+struct DividedCells {
+  NettingCells& plain;
+  HexagonalTriangles& hexagons;
+  std::vector<char>& hexagonal;
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    CellList list = join_cells(plain, hexagons, hexagonal);
+    list.fields(visit);
+    plain = {};
+    hexagons = {};
+    list.divide(plain, hexagons, hexagonal);
+  }
+};
+
 // Numbers of cells (`width` each) in the order of their list.
 std::vector<double> in_list_order(const std::vector<char>& hexagonal, std::size_t width,
                                   const std::vector<double>& plain, const double* of_hexagons,

@@ -100,11 +100,8 @@ struct Model {
     visit.optional("multipliers", multipliers);
     visit.group("bars", bars);
     visit.count(Among::bars, static_cast<std::size_t>(bars.count()));
-    CellList list = join_cells(cells, hexagons, hexagonal);
+    DividedCells list{cells, hexagons, hexagonal};
     visit.group("cells", list);
-    cells = {};
-    hexagons = {};
-    list.divide(cells, hexagons, hexagonal);
     visit.group("spheres", spheres);
     visit.group("lifts", lifts);
     visit.group("pressure", pressure);
