@@ -1,5 +1,4 @@
-// Numbers on the line through those of two structs that are the same otherwise, by their fields
-// (fields.hpp).
+// Interpolation between two structs by their fields (fields.hpp).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +11,7 @@
 
 namespace codend {
 
-// Where the numbers of a struct are, and all that it holds beside them.
+// Collects pointers to all numbers of a struct, and a copy of all its other values.
 struct NumberPlaces {
   std::vector<double*> number;
   std::vector<std::int64_t> rest;
@@ -21,7 +20,7 @@ struct NumberPlaces {
   void operator()(const char*, Vector& one, Shape = {}) {
     for (int k = 0; k < 3; ++k) number.push_back(&one[k]);
   }
-  // A place, mark or name.
+  // Indices, flags and enumerations.
   template <class Whole,
             std::enable_if_t<std::is_integral_v<Whole> || std::is_enum_v<Whole>, int> = 0>
   void operator()(const char*, Whole& one, Shape = {}) {
@@ -75,7 +74,8 @@ struct NumberPlaces {
   }
 };
 
-// share: 0 is the first, 1 the second. None where they differ in more than numbers.
+// Returns first + share * (second - first) for every number of the struct. Returns nullopt if the
+// structs differ in anything else.
 template <class Struct>
 std::optional<Struct> between(Struct first, const Struct& second, double share) {
   std::optional<Struct> out(second);

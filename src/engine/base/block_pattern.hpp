@@ -1,4 +1,4 @@
-// Pattern of a square matrix of 3x3 blocks, one row and column per node.
+// Sparsity pattern of a square matrix of 3x3 blocks, with one row and one column per node.
 #pragma once
 
 #include <algorithm>
@@ -7,14 +7,14 @@
 
 namespace codend {
 
-// Structurally symmetric, rows sorted, diagonal present.
+// The pattern is structurally symmetric. Rows are sorted and contain the diagonal.
 struct BlockPattern {
-  int n = 0;                       // nodes
-  std::vector<int64_t> row_start;  // n + 1: row i holds column[row_start[i] .. row_start[i + 1])
+  int n = 0;                       // number of nodes
+  std::vector<int64_t> row_start;  // n + 1; row i: column[row_start[i] .. row_start[i + 1])
   std::vector<int> column;
 };
 
-// From each node's neighbours, in any order and with repeats; both of a pair must name the other.
+// Builds the pattern from the neighbours of each node, unsorted and with repeats, but symmetric.
 inline BlockPattern block_pattern(std::vector<std::vector<int>> neighbours) {
   BlockPattern pattern;
   pattern.n = static_cast<int>(neighbours.size());
@@ -31,14 +31,14 @@ inline BlockPattern block_pattern(std::vector<std::vector<int>> neighbours) {
   return pattern;
 }
 
-// Place of a block among the pattern's columns; the block must be there.
+// Returns the index of a block in `column`. The block must exist.
 inline int64_t find_block(const BlockPattern& pattern, int row, int column) {
   const auto begin = pattern.column.begin() + pattern.row_start[row];
   const auto end = pattern.column.begin() + pattern.row_start[row + 1];
   return std::lower_bound(begin, end, column) - pattern.column.begin();
 }
 
-// For each entry of the pattern, the entry that mirrors it.
+// Returns, for each entry, the index of the transposed entry.
 inline std::vector<int64_t> mirror_entries(const BlockPattern& pattern) {
   std::vector<int64_t> mirror(pattern.column.size());
   std::vector<int64_t> next(pattern.row_start.begin(), pattern.row_start.end() - 1);

@@ -1,5 +1,4 @@
-// Receives the 3x3 blocks of one kind of element and adds them where they belong in a solver's
-// array of values.
+// Adds the 3x3 blocks of one kind of element to a solver's value array.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +7,16 @@ namespace codend {
 
 struct BlockSink {
   int width;  // points per element
-  // width x width per element. A block >= 0; -1: nowhere, for a held node; -2 - k: the blocks of
-  // list k by their weights, for a tied point.
+  // width x width entries per element. An entry >= 0 is the index of a block. The entry -1 is a
+  // fixed node, whose block is dropped. The entry -2 - k is a tied point, whose block goes to all
+  // blocks of list k with their weights.
   const std::int64_t* slot;
-  const std::int64_t* list_start;  // list k is [list_start[k], list_start[k + 1])
+  const std::int64_t* list_start;  // list k: [list_start[k], list_start[k + 1])
   const std::int64_t* list_block;
   const double* list_weight;
   double* values;  // 9 per block, row-major
 
-  // a and b are places in the element's own list of points; block(i, j) gives its numbers.
+  // Adds block(i, j), i, j = 0..2, for the element's local points a and b.
   template <class Block>
   void add(std::int64_t element, int a, int b, const Block& block) const {
     const std::int64_t s = slot[(element * width + a) * width + b];

@@ -1,4 +1,4 @@
-// What the engine says when a model, or what it is asked, makes no sense.
+// Error for invalid input to the engine.
 #pragma once
 
 #include <stdexcept>
@@ -9,8 +9,8 @@ namespace codend {
 
 class InputError : public std::invalid_argument {
  public:
-  // field: what is wrong, such as "bars.rest"; message: a sentence that names it, says what it is and
-  // what is allowed.
+  // field: path of the invalid field, such as "bars.rest". message: a sentence with the field, its
+  // value and the allowed values.
   InputError(std::string field, const std::string& message)
       : std::invalid_argument(message), field_(std::move(field)) {}
   const std::string& field() const { return field_; }

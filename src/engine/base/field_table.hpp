@@ -1,4 +1,4 @@
-// The table of a struct's fields (fields.hpp), for those who fill it from outside the engine.
+// Table of all fields of a struct (fields.hpp), for programs that build models outside the engine.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@
 namespace codend {
 
 struct FieldRow {
-  std::string kind;  // of element, or group, "" outside any; groups within are joined by dots
+  std::string kind;  // path of the group with dots; "" outside any group
   std::string name;
-  std::string type;   // "number", "whole", "mark" (true or false) or "name"
+  std::string type;   // "number", "whole" (integer), "mark" (true or false) or "name"
   int width;          // values per entry
-  std::string per;    // what has an entry: see Per; "group" where the whole group has one
+  std::string per;    // unit that has one entry: see Per; "group": one entry per group
   std::string among;  // see Among
 };
 

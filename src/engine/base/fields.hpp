@@ -1,4 +1,4 @@
-// The arrays of a model by name. Each struct names its own, once, in the order in which they are read:
+// Fields of a struct by name. Each struct lists its fields once, in reading order:
 //
 //   template <class Visit>
 //   void fields(Visit& visit) {
@@ -6,24 +6,28 @@
 //     visit("rest", rest);
 //   }
 //
-// From this come the reader of models with its checks (read_fields.hpp) and the table by which others
-// fill a model (field_table.hpp). Visit offers, with `shape` left out for one number per element:
-//   visit(name, array or number, shape)   numbers, places, marks (char), enumerations, Vectors
-//   visit.group(name, struct)             the fields of a struct under its name
-//   visit.optional(name, struct, given)   the same where it is given: given (bool) says so, and may be
-//                                         left out
-//   visit.component(name, vectors, k)     component k of an array of Vectors
+// The reader with its checks (read_fields.hpp) and the field table (field_table.hpp) use this list.
+// Visit provides, with `shape` omitted for one number per element:
+//
+//   visit(name, value, shape)             numbers, indices, flags (char), enumerations, Vectors
+//   visit.component(name, vectors, k)     component k of each Vector
+//   visit.list(name, array, shape)        an array of independent length
+//
+// and for groups, where `given` (bool) may be omitted:
+//
+//   visit.group(name, struct)             its fields under this name
+//   visit.optional(name, struct, given)   an optional group
 //   visit.columns(name, vector<struct>)   one array per field
 //   visit.items(name, vector<struct>)     one group per element
-//   visit.list(name, array, shape)        an array of a length of its own
-//   visit.count(among, n)                 how many there are of what later places refer to
+//
+// visit.count(among, n) sets the number of objects that later indices refer to.
 #pragma once
 
 #include <array>
 
 namespace codend {
 
-// What the whole numbers of an array are: numbers, or places among others.
+// Type of integer values: plain numbers, or indices of other objects.
 enum class Among {
   numbers,
   nodes,
@@ -43,7 +47,7 @@ constexpr std::array<const char*, 12> names_of(Among) {
           "places",  "edges", "ropes",  "panels", "parts",     "elements"};
 }
 
-// What there is one entry per.
+// Object that has one entry.
 enum class Per { element, node, point };
 constexpr std::array<const char*, 3> names_of(Per) { return {"element", "node", "point"}; }
 
@@ -51,7 +55,7 @@ struct Shape {
   int width = 1;  // numbers per entry
   Among among = Among::numbers;
   Per per = Per::element;
-  bool or_none = false;  // a place may be missing; an array may be empty
+  bool or_none = false;  // an index may be missing; an array may be empty
 };
 
 }  // namespace codend

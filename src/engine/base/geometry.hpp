@@ -1,4 +1,3 @@
-// Small fixed-size vectors and matrices of the engine (Eigen's).
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +7,7 @@ namespace codend {
 
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
-// A block inside a solver's value array: row-major, so that it needs no copy.
+// Row-major, so that it maps a block of a solver's value array without a copy.
 using Block = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 inline Eigen::Map<const Vector> at(const double* values, int node) {

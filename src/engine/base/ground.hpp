@@ -1,21 +1,28 @@
-// The sea bed: a plane, level or sloping, that carries what lies on it and rubs against it.
+// Contact and friction on the seabed, a horizontal or sloping plane.
 //
-// Contact is elastic, with pressure k per depth of penetration p over an area A, and sets in softly
-// over a depth h so that its stiffness has no jump:
+// Contact is elastic with stiffness k (Pa/m) over an area A. It starts quadratically over a depth
+// h, so its stiffness is continuous in the penetration p:
 //
 //   N = k A p^2 / (2 h) for 0 < p < h,  k A (p - h/2) beyond
 //
-// (k as in mooring programs: MoorDyn's bottom stiffness, 3e6 Pa/m by default.) Friction is
-// Coulomb's, regularised against the velocity v_t along the ground:
+// The default of k, 3e6 Pa/m, is MoorDyn's bottom stiffness.
+// Sliding friction is Coulomb friction, regularised in the velocity v_t along the ground:
+//
 //   F_t = -mu N v_t / sqrt(|v_t|^2 + e^2).
-// A body at rest on the ground therefore feels none: what holds by friction alone creeps.
-// In a march it sticks instead: a spring holds it to an anchor, where it last stuck, and slips where
-// that would take more than Coulomb's force, drawing the anchor along (P. A. Cundall and O. D. L.
-// Strack, A discrete numerical model for granular assemblies, Geotechnique 29, 1979):
-//   F_t = -mu N w / max(1, |w|),  w = (d + t v_t) / g,
-// d the way along the ground from the anchor, g the slip distance, what friction gives before it slips
-// (after a reversal it builds up over 2 g), t a short time that damps what sticks. Of a line that rubs
-// differently along and across itself, F_t's two parts have their own mu: what slips lies on an ellipse.
+//
+// A body at rest on the ground feels no friction, so parts that only friction could fix creep.
+//
+// Time integration adds static friction. A spring connects the body to an anchor, its last point of
+// sticking. The body slips and drags the anchor along when the spring force would exceed Coulomb's
+// limit (P. A. Cundall and O. D. L. Strack, A discrete numerical model for granular assemblies,
+// Geotechnique 29, 1979):
+//
+//   F_t = -mu N w / max(1, |w|),  w = (d + t v_t) / g.
+//
+// Here d is the displacement along the ground from the anchor, g the slip distance (elastic travel
+// before slip), and t a short time that damps sticking. After a reversal, friction rebuilds over
+// twice the slip distance.
+// Lines have different mu along and across their direction, and an ellipse as slip limit.
 #pragma once
 
 #include <cmath>
@@ -24,7 +31,7 @@
 
 namespace codend {
 
-// Coefficients of friction along a direction and across it; of no direction, one for all.
+// Friction coefficients along and across a direction; isotropic (`across`) if it is zero.
 struct Rubbing {
   double along = 0.0, across = 0.0;
   Vector way = Vector::Zero();
@@ -34,7 +41,7 @@ struct Ground {
   bool present = false;
   Vector normal = Vector::UnitZ();   // unit vector out of the ground
   double height = 0.0;               // of the plane along its normal, m: normal . x = height
-  Vector velocity = Vector::Zero();  // of the ground in the frame of the gear, along it, m/s
+  Vector velocity = Vector::Zero();  // of the ground along itself, in the frame of the gear, m/s
   double friction = 0.0;             // mu
   double stiffness = 3e6;            // k, Pa/m
   double onset = 0.02;               // h, m
@@ -52,7 +59,7 @@ struct Ground {
     visit("slip_distance", slip_distance);
   }
 
-  // Normal force (N) at a penetration (m) over an area (m2), and its derivative.
+  // Computes the normal force (N) at a penetration (m) over an area (m2), and its derivative (N/m).
   void press(double penetration, double area, double& force, double& slope) const {
     force = slope = 0.0;
     if (penetration <= 0.0) return;
@@ -61,8 +68,7 @@ struct Ground {
     force = stiffness * area * (0.5 * soft * soft / onset + (penetration - soft));
   }
 
-  // The inverse: penetration (m) that a normal force (N) needs over K = k A (N/m), and its
-  // derivative.
+  // Computes the penetration (m) and its derivative (m/N) at a force (N), with K = k A (N/m).
   void give(double force, double k_area, double& penetration, double& slope) const {
     if (force >= 0.5 * k_area * onset) {
       penetration = force / k_area + 0.5 * onset;
@@ -75,14 +81,13 @@ struct Ground {
 
   Rubbing rubbing() const { return {friction, friction, Vector::Zero()}; }
 
-  // How far a body on an anchor is on its way to slipping (w), 1 where it slips; at x - anchor (m), v.
+  // Returns w at x - anchor (m) and v (m/s). A body slips if w is longer than 1.
   Vector stretch(const Vector& from_anchor, const Vector& v) const {
     const Vector w = (from_anchor + stick_lag * (v - velocity)) / slip_distance;
     return w - normal.dot(w) * normal;
   }
 
-  // Where a body sticks after a step that ends at x, v: at its anchor, which it draws along where it
-  // slips; at x itself where it does not touch.
+  // Returns the anchor (m) after a step to x, v: x without contact, dragged along by slip.
   Vector draw(const Vector& anchor, const Vector& x, const Vector& v, bool touches) const {
     if (!touches) return x;
     const Vector w = stretch(x - anchor, v);
@@ -90,8 +95,8 @@ struct Ground {
     return size > 1.0 ? Vector(x - slip_distance / size * w) : anchor;
   }
 
-  // Force on a point that moves at v, per normal force, and its derivatives by position and v.
-  // from_anchor: x - anchor (m) of one that may stick; null for one that slides.
+  // Returns the contact force on a point with velocity v per unit normal force, and its derivatives
+  // by position and velocity. from_anchor: x - anchor (m); null selects sliding friction.
   Vector per_press(const Vector& v, const Rubbing& rub, const Vector* from_anchor,
                    Matrix& by_position, Matrix& by_velocity) const {
     const Matrix along = Matrix::Identity() - normal * normal.transpose();
@@ -125,13 +130,13 @@ struct Ground {
     return normal + share * e;
   }
 
-  // Penetration (m) of a body of this clearance (m, from its point down to its underside) at x.
+  // Returns the penetration (m) at x. clearance (m): distance from a point down to its underside.
   double penetration(const Vector& x, double clearance) const {
     return height + clearance - normal.dot(x);
   }
 
-  // Force (N) of the ground on a point with its underside there, and its derivatives by position and
-  // velocity. anchor: where it sticks (m), null for one that slides.
+  // Computes the force of the ground (N) on a point with zero clearance, and its derivatives by
+  // position and velocity. anchor (m): point of sticking; null selects sliding friction.
   void contact(const Vector& x, const Vector& v, double area, const Rubbing& rub,
                const Vector* anchor, Vector& force, Matrix& by_position,
                Matrix& by_velocity) const {

@@ -1,8 +1,10 @@
-// How much of a body is under water when it crosses the surface at z = 0.
+// Immersed fraction of a body at the water surface z = 0.
 //
-// A sphere of diameter h whose centre is at height z has the share s = t^2 (3 - 2 t) of its volume
-// under water, t = 1/2 - z/h between 0 and 1 (a spherical cap). The same law is taken for bodies of
-// other shapes, with h their height.
+// A sphere of diameter h with its centre at height z has the immersed volume fraction
+//
+//   s = t^2 (3 - 2 t),  t = 1/2 - z/h between 0 and 1 (spherical cap).
+//
+// Bodies of other shapes use the same formula, with h their height.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace codend {
 
 struct Immersion {
   double share, slope;      // s and ds/dz (1/m)
-  double root, root_slope;  // sqrt(s), its derivative: the share of a speed whose square drags
+  double root, root_slope;  // sqrt(s) and its derivative; scales a speed so that drag scales with s
 };
 
 inline Immersion immersion(double z, double height) {

@@ -1,8 +1,8 @@
-// Enumerations by name. An enumeration whose values count from 0 offers, beside its definition,
+// Enumerations by name. An enumeration with values from 0 defines next to it
 //
 //   constexpr std::array<const char*, n> names_of(Enumeration)
 //
-// with the names of its values in their order.
+// with the names in the order of the values.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace codend {
 
-// The value of a name; throws InputError, which lists the names, for any other word. field: whose
-// value it is, for the message.
+// Returns the value with this name. Throws InputError with the allowed names for an unknown name.
+// field: the field in the message.
 template <class Enumeration>
 Enumeration by_name(const std::string& word, const std::string& field) {
   const auto names = names_of(Enumeration{});

@@ -1,4 +1,4 @@
-// Ratio of a circle's circumference to its diameter, which C++17 does not name.
+// Pi, which C++17 does not define.
 #pragma once
 
 namespace codend {

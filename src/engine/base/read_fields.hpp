@@ -1,17 +1,19 @@
-// Reads structs by their fields (fields.hpp) from any source of named arrays, and checks each array as
-// it is read: its length, that numbers are finite, that places exist and that names are known. What is
-// wrong throws InputError with the field's path, such as "bars.rest".
+// Reads structs by their fields (fields.hpp) from a source of named arrays. Each array is checked:
+// its length, finite numbers, valid indices and known names. Errors throw InputError with the path
+// of the field, such as "bars.rest".
 //
 // A Source is a named group of arrays:
-//   static constexpr int first_place           which whole number is the first place: 0 or 1
-//   std::vector<std::string> names() const     of all that it holds
+//
+//   static constexpr int first_place           value of the first index: 0 or 1
+//   std::vector<std::string> names() const     all names in the group
 //   std::vector<double> numbers(name) const
 //   std::vector<int> whole_numbers(name) const
 //   std::vector<std::string> words(name) const
-//   Source group(name) const                   a group within
-//   std::vector<Source> items(name) const      a list of groups within
-// All but names() throw std::invalid_argument with what is needed ("must be numbers") where the type
-// is another.
+//   Source group(name) const                   an inner group
+//   std::vector<Source> items(name) const      an inner list of groups
+//
+// All except names() throw std::invalid_argument if the type differs. Its message is the
+// requirement, such as "must be numbers".
 #pragma once
 
 #include <algorithm>
@@ -32,7 +34,7 @@ class FieldReader {
  public:
   using Counts = std::array<int, names_of(Among{}).size()>;
 
-  // path: of the group, "" of the outermost.
+  // path: of the group; "" for the outermost group.
   FieldReader(const Source& from, const std::string& path, Counts& counts)
       : from_(from), path_(path), names_(from.names()), counts_(counts) {}
 
@@ -60,7 +62,7 @@ class FieldReader {
     }
   }
 
-  // Marks: 1 or 0 each.
+  // Flags: 1 or 0 each.
   void operator()(const char* name, std::vector<char>& to, Shape shape = {}) {
     const std::vector<int> values = take(name, shape, [&] { return from_.whole_numbers(name); });
     to.assign(values.size(), 0);
@@ -78,7 +80,6 @@ class FieldReader {
     }
   }
 
-  // One number, mark, name or vector of a struct.
   void operator()(const char* name, double& to) { to = one<double>(name, {}); }
   void operator()(const char* name, bool& to) { to = one<char>(name, {}) != 0; }
   void operator()(const char* name, int& to, Shape shape = {}) { to = one<int>(name, shape); }
@@ -175,7 +176,7 @@ class FieldReader {
     counts_[static_cast<std::size_t>(among)] = static_cast<int>(n);
   }
 
-  // Throws where the source holds what no field has asked for.
+  // Throws InputError for a name in the source that is not a field.
   void finish() const {
     for (const std::string& name : names_) {
       if (std::find(asked_.begin(), asked_.end(), name) == asked_.end()) {
@@ -185,8 +186,8 @@ class FieldReader {
   }
 
  private:
-  // The fields of a struct of which there is one array each: first loads them, then hands them out
-  // row by row.
+  // Reads a list of structs that is stored as one array per field. The first pass loads the arrays,
+  // later passes distribute them by row.
   struct Columns {
     FieldReader& reader;
     bool loading = true;
@@ -240,7 +241,7 @@ class FieldReader {
     }
   }
 
-  // An array of the right length. The first of a group says how many elements there are.
+  // Reads an array and checks its length. The first array of a group sets the number of elements.
   template <class Get>
   auto take(const char* name, Shape shape, Get get) {
     known(name);
@@ -268,7 +269,7 @@ class FieldReader {
 
   template <class Value>
   std::vector<Value> some(const char* name, std::size_t n, Shape shape) {
-    // Not an element's array: the length is its own.
+    // The length of this array is independent of the number of elements in the group.
     const std::int64_t outer = count_;
     shape.width = static_cast<int>(n);
     count_ = 1;
@@ -287,10 +288,10 @@ class FieldReader {
   const std::vector<std::string> names_;
   std::vector<std::string> asked_;
   Counts& counts_;
-  std::int64_t count_ = -1;  // of elements
+  std::int64_t count_ = -1;  // number of elements; -1: not yet known
 };
 
-// A struct from a source. Throws InputError.
+// Reads a struct from a source. Throws InputError.
 template <class Struct, class Source>
 Struct read_fields(const Source& from) {
   typename FieldReader<Source>::Counts counts{};

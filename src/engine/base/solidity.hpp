@@ -1,19 +1,23 @@
-// Solidity Sn of netting: the share of its area that its twine and knots hide.
+// Solidity Sn of netting: the fraction of its area that twine and knots cover.
 //
-// With s the projected area of twine and knots over the netting's, every crossing of two twines without
-// a knot would count twice. With bars a, width d and angle b between the families the twine is
-// s = 2 d / (a sin b) and the crossings are s^2 / 4, so that Sn = s - s^2 / 4 at every opening
-// (2 d/a - (d/a)^2 in square meshes), 1 from s = 2 on.
+// Let s be the sum of the projected areas of twine and knots, divided by the area of the netting.
+// In knotless netting, s counts every crossing of two twines twice. With bar length a, twine
+// diameter d and angle b between the families, the twine gives
+//
+//   s = 2 d / (a sin b),
+//
+// and the crossings give s^2 / 4. Hence Sn = s - s^2 / 4 at every opening (2 d/a - (d/a)^2 for
+// square meshes), and Sn = 1 for s >= 2.
 #pragma once
 
 namespace codend {
 
 struct Solidity {
   double value;
-  double by_closing;  // - A dSn/dA, A the area of the netting
+  double by_closing;  // - A dSn/dA, with A the area of the netting
 };
 
-// twine: s; overlap: Sn = s - overlap s^2, 1/4, or 0 where crossings are knots.
+// Computes Sn = s - overlap s^2 for s = twine. overlap: 1/4 for knotless netting, 0 for knots.
 inline Solidity solidity_of(double twine, double overlap) {
   if (2.0 * overlap * twine > 1.0) return {0.25 / overlap, 0.0};
   return {twine * (1.0 - overlap * twine), twine * (1.0 - 2.0 * overlap * twine)};

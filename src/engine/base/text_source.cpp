@@ -14,12 +14,11 @@ namespace {
 
 constexpr std::array<const char*, 5> types = {"number", "whole", "mark", "name", "list"};
 
-// The words of a text, and the line of the last one.
 class Words {
  public:
   explicit Words(const std::string& text) : text_(text) {}
 
-  // False at the end.
+  // Returns false at the end of the text.
   bool next(std::string& word) {
     while (place_ < text_.size() && (blank(text_[place_]) || text_[place_] == '#')) {
       if (text_[place_] == '#') {
@@ -46,7 +45,7 @@ class Words {
   long line_ = 1;
 };
 
-// Whether a whole word is a number; false also where it is none that int holds.
+// Returns false if the token is not an integer in the range of int.
 bool as_whole(const std::string& word, int& value) {
   char* end = nullptr;
   errno = 0;
@@ -59,14 +58,14 @@ bool as_whole(const std::string& word, int& value) {
   return true;
 }
 
-// In the "C" locale, which programs begin with and R keeps for numbers.
+// strtod() requires the "C" locale for numbers. Programs start in it, and R preserves it.
 bool as_number(const std::string& word, double& value) {
   char* end = nullptr;
   value = std::strtod(word.c_str(), &end);
   return end == word.c_str() + word.size();
 }
 
-// Letters, digits, _ and single dots between them.
+// Returns true for letters, digits, _ and single dots between them.
 bool is_name(const std::string& word) {
   bool dot = true;
   for (const char c : word) {
@@ -86,9 +85,9 @@ TextSource::Arrays TextSource::parse(const std::string& text) {
   Words words(text);
   std::string name, word;
   while (words.next(name)) {
-    if (!is_name(name)) words.fail("", "a name of an array must stand here, not \"" + name + "\"");
+    if (!is_name(name)) words.fail("", "\"" + name + "\" must be the name of an array");
     const auto added = arrays.try_emplace(name);
-    if (!added.second) words.fail(name, name + " stands twice");
+    if (!added.second) words.fail(name, name + " is given twice");
     Array& array = added.first->second;
     std::size_t type = 0;
     if (!words.next(word)) words.fail(name, name + " has no type");
@@ -100,13 +99,13 @@ TextSource::Arrays TextSource::parse(const std::string& text) {
     array.type = static_cast<Type>(type);
     int count = 0;
     if (!words.next(word) || !as_whole(word, count) || count < 0) {
-      words.fail(name, name + " must say how many values it has, 0 or more");
+      words.fail(name, name + " needs its number of values, 0 or more");
     }
     if (array.type == Type::list) {
       array.groups = count;
       continue;
     }
-    // Nothing is set aside for values before they are there: a count may be wrong.
+    // No memory is reserved in advance: the count may be wrong.
     for (int k = 0; k < count; ++k) {
       const std::string where = name + "[" + std::to_string(k + first_place) + "]";
       if (!words.next(word)) {
@@ -150,7 +149,7 @@ std::vector<std::string> TextSource::names() const {
     if (path.compare(0, prefix_.size(), prefix_) != 0) break;
     const std::string name =
         path.substr(prefix_.size(), path.find('.', prefix_.size()) - prefix_.size());
-    // An array and the groups of its list need not follow each other.
+    // An array and the groups of its list may be separated by other arrays.
     bool known = false;
     for (const std::string& one : out) known = known || one == name;
     if (!known) out.push_back(name);

@@ -1,14 +1,16 @@
-// Arrays by name in a plain text, as a source of fields (read_fields.hpp). A text holds any number of
+// Named arrays in plain text as a source of fields (read_fields.hpp). A text contains any number of
 //
 //   name type count value value ...
 //
-// parted by blanks or ends of lines; # begins a comment to the end of its line. Names are paths with
-// dots, such as model.bars.rest. Types are
+// separated by blanks or line ends. A comment starts with # and ends with its line. Names are paths
+// with dots, such as model.bars.rest. Types:
+//
 //   number   a decimal number
-//   whole    a whole number; places count from 1
+//   whole    an integer; indices count from 1
 //   mark     0 or 1
-//   name     a word without blanks
-//   list     of groups: no values; the arrays of the k-th group stand under name.k, from 1
+//   name     a string without blanks
+//   list     groups, without values; the arrays of the k-th group are named name.k, from 1
+//
 // Example:
 //
 //   model.nodes whole 1  2
@@ -28,10 +30,10 @@ class TextSource {
  public:
   static constexpr int first_place = 1;
 
-  // Throws InputError with the line where the text is not of this form, or a name stands twice.
+  // Throws InputError with the line number if the text is malformed or a name occurs twice.
   explicit TextSource(const std::string& text);
 
-  // What read_fields() asks of a source.
+  // Interface for read_fields().
   std::vector<std::string> names() const;
   std::vector<double> numbers(const std::string& name) const;
   std::vector<int> whole_numbers(const std::string& name) const;
@@ -56,7 +58,7 @@ class TextSource {
   bool has_group(const std::string& name) const;
 
   std::shared_ptr<const Arrays> arrays_;
-  std::string prefix_;  // of the names in this group, with its last dot
+  std::string prefix_;  // prefix of all names in this group, with its last dot
 };
 
 }  // namespace codend

@@ -1,4 +1,4 @@
-// The water: density, viscosity, a horizontal current that varies with depth, its surface, and waves.
+// Properties of the water: density, viscosity, current profile, surface and waves.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,13 @@ namespace codend {
 struct Water {
   double density = 1025.0;     // kg/m3; 0 for a gear in vacuum
   double viscosity = 1.19e-6;  // kinematic, m2/s
-  // Current profile, linear between its points and constant beyond them; depths ascend (m, z down).
+  // Current profile, linear between its points and constant outside; depths ascend (m, downwards).
   std::vector<double> depth = {0.0};
   std::vector<Vector> current = {Vector::Zero()};  // m/s in the frame of the gear
-  // How fast the current changes, m/s2, at the same depths; empty: it does not.
+  // Rate of change of the current (m/s2) at the same depths; empty for a steady current.
   std::vector<Vector> current_rate;
 
-  // Whether bodies lose buoyancy and drag where they leave the water at z = 0 (immersion.hpp); else
-  // water reaches everywhere.
+  // If true, bodies lose buoyancy and drag above z = 0; otherwise water is everywhere.
   bool free_surface = false;
   Waves waves;
 
@@ -34,18 +33,16 @@ struct Water {
     visit.optional("waves", waves);
   }
 
-  // The same current at all depths.
   bool uniform() const { return depth.size() == 1; }
-  // Whether a body's drag depends on its height.
   bool varies_with_height() const { return free_surface || !uniform() || waves.present(); }
-  // Whether the water's acceleration pushes now.
+  // True if the acceleration of the water exerts a force now.
   bool accelerates() const { return !current_rate.empty() || waves.running(); }
 
-  // Velocity of the current at height z (m, up, 0 at the surface) and its derivative by z (1/s).
+  // Computes the current (m/s) at height z (m, 0 at the surface), and its derivative by z (1/s).
   void velocity(double z, Vector& value, Vector& slope) const {
     by_depth(current, z, value, slope);
   }
-  // Acceleration of the current at height z, m/s2.
+  // Returns the acceleration of the current (m/s2) at height z.
   Vector acceleration(double z) const {
     if (current_rate.empty()) return Vector::Zero();
     Vector value, slope;

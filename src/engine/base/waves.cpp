@@ -6,7 +6,7 @@
 namespace codend {
 namespace {
 
-// So many wave numbers times the depth below the surface, nothing is left of a wave: exp(-40).
+// Beyond this product of wave number and depth, wave motion is negligible: exp(-40).
 constexpr double too_deep = 40.0;
 
 }  // namespace
@@ -14,8 +14,8 @@ constexpr double too_deep = 40.0;
 double wave_number(double frequency, double depth) {
   const double deep = frequency * frequency / gravity;
   if (!(deep * depth < too_deep)) return deep;
-  // Newton's method for y tanh y = c, y = k d: y is above c, which it is in deep water, and above
-  // sqrt(c), which it is in shallow water.
+  // Newton's method for y tanh y = c, with y = k d. The initial guess is the larger limit: c in
+  // deep water, sqrt(c) in shallow water.
   const double c = deep * depth;
   double y = std::max(std::sqrt(c), c);
   for (int k = 0; k < 50; ++k) {
@@ -53,7 +53,7 @@ WavePoint Waves::at(const Vector& place) const {
   auto angle = [&](std::size_t k) {
     return number_[k] * (x_[k] * place.x() + y_[k] * place.y()) - frequency[k] * time + phase[k];
   };
-  // At depths that no wave reaches, whatever the surface does, nothing is left to do.
+  // No wave reaches this depth, at any elevation of the surface.
   double least = number_.empty() ? 0.0 : number_[0];
   for (const double k : number_) least = std::min(least, k);
   if (-place.z() * least > 2.0 * too_deep) return out;
