@@ -1,6 +1,7 @@
-// Bars: a rope element, a twine, or many twines of grouped netting as one equivalent bar.
-// Grouping by lambda twines in both directions: length lambda times the real bar's, lambda lines
-// in parallel; that keeps mass, weight, projected area and stiffness of the netting.
+// Bars: a rope element, a twine, or many twines of netting grouped into one equivalent bar.
+// Grouping by lambda twines in both directions gives a bar lambda times as long as a mesh bar, with
+// lambda lines in parallel. This preserves the mass, weight, projected area and stiffness of the
+// netting.
 #pragma once
 
 #include <vector>
@@ -14,9 +15,9 @@ class Bars {
  public:
   std::vector<int> node;             // 2 per bar
   std::vector<double> rest;          // unstretched length, m
-  std::vector<double> multiplicity;  // lines in parallel
+  std::vector<double> multiplicity;  // number of lines in parallel
   std::vector<int> material;         // index into materials
-  std::vector<double> height;        // over which it leaves the water, m; where there is a surface
+  std::vector<double> height;        // vertical size at the free surface, m (immersion.hpp)
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -37,12 +38,12 @@ class Bars {
             bar};
   }
 
-  // Differences between the ends of bars [begin, end) of a quantity x (3 per point), by component
-  // into e[.][0 .. end - begin).
+  // Writes x(end node) - x(start node) of bars [begin, end), for a quantity x (3 per point), by
+  // component to e[.][0 .. end - begin).
   void vectors(const double* x, int begin, int end, double* const e[3]) const;
-  // Adds drag, and pull by given tensions of one line each (N), to the points of all bars.
+  // Adds each bar's drag and its pull to its points. tension: of one line, N.
   void add_force(const LineArrays& lines, const double* tension, double* force) const;
-  // Adds added mass (kg, 9 per point) to the points of all bars.
+  // Adds the bars' added mass to their points, kg (9 per point).
   void add_added_mass(const LineArrays& lines, double* mass) const;
 };
 

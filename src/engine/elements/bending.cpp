@@ -5,7 +5,7 @@
 namespace codend {
 namespace {
 
-// A bar without length has no direction.
+// A shorter bar (m) counts as this long, because a bar without length has no direction.
 constexpr double least_length = 1e-9;
 
 }  // namespace
@@ -31,7 +31,7 @@ void Bends::add_force(const Field& field, double* force) const {
   for (int e = 0; e < count(); ++e) {
     const Bend b = bend(e, field);
     const std::size_t k = static_cast<std::size_t>(e);
-    // Of the energy's negative by the bars' vectors.
+    // Negative derivatives of the energy by the bar vectors.
     const Vector by_u = couple[k] / b.length_u * (b.v - b.cosine * b.u);
     const Vector by_v = couple[k] / b.length_v * (b.u - b.cosine * b.v);
     at(force, node[3 * k]) -= by_u;
@@ -43,7 +43,7 @@ void Bends::add_force(const Field& field, double* force) const {
 void Bends::add_jacobian(const Field& field, const JacobianRequest& request,
                          const BlockSink& sink) const {
   if (request.stiffness == 0.0) return;
-  // How the vectors of both bars change with each point.
+  // Derivatives of the two bar vectors by the position of each point.
   constexpr double of_u[3] = {-1.0, 1.0, 0.0}, of_v[3] = {0.0, -1.0, 1.0};
   for (int e = 0; e < count(); ++e) {
     const Bend b = bend(e, field);
@@ -81,7 +81,7 @@ double Bends::unstable_size(const Field& field) const {
 }
 
 double Bends::unstable_stiffness() const {
-  // Of a bend whose middle moves aside.
+  // A bend is stiffest against lateral motion of its middle node.
   double most = 0.0;
   for (std::size_t e = 0; e < couple.size(); ++e) {
     most = std::max(most, 4.0 * couple[e] / (length[e] * length[e]));

@@ -1,11 +1,13 @@
-// Stiffness of ropes, pipes and poles against bending, at the node between two of their bars.
+// Bending stiffness of ropes, pipes and poles, at the node between two of their bars.
 //
-// With t the angle between the bars before and after the node and B/L the bending stiffness over
-// the length that bends there, the energy is (B/L) (1 - cos t). That is 1/2 (B/L) t^2 for small
-// angles, short of it by a share of t^2/12 for larger ones (0.3 % where a circle has 32 bars), and
-// stays smooth where a line folds back on itself. Straight at rest; a ring that is bent from a
-// straight pipe and closed is a circle, and its forces in its plane are those of a ring that was
-// made as a circle, since the curvature of a closed plane curve has a given sum. No torsion.
+// With t the angle between the bars before and after the node, B the bending stiffness and L the
+// length that bends there, the energy is (B/L) (1 - cos t). For small angles this is 1/2 (B/L) t^2.
+// For larger angles it is lower by the fraction t^2/12 (0.3 % for a circle of 32 bars). It stays
+// smooth if a line folds back on itself. The line is straight at rest and has no torsional
+// stiffness.
+// A straight pipe that is bent and closed to a ring takes the shape of a circle. Its in-plane
+// forces equal the forces in a ring made as a circle, because the total curvature of a closed plane
+// curve is fixed.
 #pragma once
 
 #include "kind.hpp"
@@ -14,9 +16,9 @@ namespace codend {
 
 class Bends : public ElementKind {
  public:
-  std::vector<int> node;       // 3 per bend: before, at and after it along the line
+  std::vector<int> node;       // 3 per bend: the nodes before, at and after the bend
   std::vector<double> couple;  // B/L, N m
-  std::vector<double> length;  // L, half of both bars at rest, m
+  std::vector<double> length;  // L, half the rest length of both bars, m
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -34,8 +36,8 @@ class Bends : public ElementKind {
                     const BlockSink& sink) const override;
   void add_added_mass(const Field&, double*) const override {}
   void add_drag_scale(const Field&, double*) const override {}
-  // The least length where any is in compression: beyond Euler's load it stands straight, but not
-  // for long.
+  // Smallest length L of the bends in compression, m; 0 if there are none. A straight line under
+  // more than Euler's load is in unstable equilibrium.
   double unstable_size(const Field& field) const override;
   double unstable_stiffness() const override;
 

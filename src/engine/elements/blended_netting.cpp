@@ -6,11 +6,12 @@
 namespace codend {
 namespace {
 
-// Of 60 and 80 degrees.
+// Cosines of 60 and 80 degrees.
 constexpr double first_cosine = 0.5, last_cosine = 0.17364817766693034;
 constexpr double screen_solidity = 0.05, open_solidity = 0.35, closed_solidity = 1.0;
 
-// 0 up to `first`, 1 from `last`, smooth between, with its slope.
+// Sets `value` to a cubic that rises from 0 at `first` to 1 at `last`, and `slope` to its
+// derivative by x.
 void rise(double x, double first, double last, double& value, double& slope) {
   const double s = std::clamp((x - first) / (last - first), 0.0, 1.0);
   value = s * s * (3.0 - 2.0 * s);
@@ -52,7 +53,8 @@ BlendedNetting::Blended BlendedNetting::blended(int e, const Field& field) const
 
   const double area = out.flow.area.norm(), speed = u.norm();
   double w = 0.0;
-  Eigen::RowVector3d by_area = Eigen::RowVector3d::Zero(), by_velocity = by_area;  // of w
+  // Derivatives of w.
+  Eigen::RowVector3d by_area = Eigen::RowVector3d::Zero(), by_velocity = by_area;
   if (area > 0.0 && speed > 0.0) {
     const double along = out.flow.area.dot(u), sign = along < 0.0 ? -1.0 : 1.0;
     const double cosine = std::abs(along) / (area * speed);
@@ -112,7 +114,7 @@ void BlendedNetting::add_drag_scale(const Field& field, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     const std::size_t i = static_cast<std::size_t>(e);
     const TwineMaterial& m = materials[static_cast<std::size_t>(material[i])];
-    // As of screens, about a coefficient of 1.2 on the twine's area.
+    // Drag coefficient of about 1.2 on the twine area, as for screens.
     const double whole = 1.2 * field.water->density * bars(e) * rest[i] * m.diameter *
                          screen_flow(field, shape_[i], &node[4 * i], height[i]).u.norm();
     for (std::size_t k = 0; k < 4; ++k) scale[node[4 * i + k]] += shape_[i].share[k] * whole;

@@ -1,18 +1,23 @@
-// Netting whose twines stand in each other's wake where it lies nearly along the flow. The sum over
-// its twines agrees with measured panels where the flow meets them steeply and gives too much drag
-// where it does not, for want of wakes (flume tests of rhombic panels, ASME OMAE2012, volume 44946,
-// page 49; H. Cheng et al., Aquacultural Engineering 90, 2020). With theta the angle between the
-// netting's normal and the flow, the force is
+// Netting with a drag model that blends Morison-type (twine-by-twine) drag and a screen drag model.
 //
-//   (1 - w) x the sum over twines + w x that of a screen by Kristiansen & Faltinsen
+// Twine-by-twine drag agrees with measured panels at steep angles to the flow. It is too high for
+// netting nearly parallel to the flow, because it neglects the wakes of other twines. Sources:
+// flume tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al.,
+// Aquacultural Engineering 90, 2020. With theta the angle between the netting's normal and the
+// flow, the force is
 //
-// where w rises smoothly from 0 at theta = 60 degrees to 1 at 80 degrees: both ends of that are
-// this package's choice around the 70 degrees from which shielding is said to matter. Meshes that
-// close leave the screen's range and have no plane in the end: w falls to 0 again from a solidity
-// of 0.35 to one of 1. Nor is netting a screen whose twines lie hundreds of diameters apart:
-// w rises to its full size between a solidity of 0 and 0.05, where bars are some 40 to 80 diameters long (this package's choice as well). Without that the screen's
-// force, which near the flow is linear in the angle where a twine's is square, would overrule the
-// little tension of such netting from node to node.
+//   (1 - w) x (twine-by-twine force) + w x (screen force by Kristiansen & Faltinsen)
+//
+// The weight w is a product of three smooth factors:
+//
+// - From 0 at theta = 60 degrees to 1 at 80 degrees. Both limits are choices of this package around
+//   the 70 degrees from which shielding reportedly matters.
+// - From 1 at a solidity of 0.35 to 0 at 1. Meshes that close leave the range of the screen model
+//   and finally have no plane.
+// - From 0 at a solidity of 0 to 1 at 0.05, a choice of this package (bars of 40 to 80 diameters).
+//   Netting with twines hundreds of diameters apart does not act as a screen. Near theta = 90
+//   degrees the screen force is linear in the angle and the twine force quadratic. Without this
+//   factor the screen force would exceed the low tension of such netting between nodes.
 #pragma once
 
 #include "netting_screen.hpp"
@@ -22,16 +27,16 @@ namespace codend {
 
 class BlendedNetting : public ElementKind {
  public:
-  std::vector<int> node;             // 4 per cell; of three corners the last one twice
+  std::vector<int> node;             // 4 per cell; a triangle repeats its last corner
   std::vector<double> twine;         // u0 v0 ... u3 v3 per cell
   std::vector<double> rest;          // bar length, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations overlap
-  std::vector<double> overlap;       // as of NettingScreens
+  std::vector<double> overlap;       // see NettingScreens
   std::vector<int> material;
-  std::vector<double> height;  // over which it leaves the water, m
+  std::vector<double> height;  // vertical size at the free surface, m
   std::vector<TwineMaterial> materials;
   SlackDrag slack = SlackDrag::curved;
-  ScreenMultipliers multipliers;  // of the screen's part
+  ScreenMultipliers multipliers;  // of the screen force
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -62,10 +67,11 @@ class BlendedNetting : public ElementKind {
  private:
   struct Blended {
     ScreenFlow flow;
-    ScreenForce force;  // by S and by U
+    ScreenForce force;  // with its derivatives by area vector and velocity
+    // Derivatives of the twine forces by the bar vectors.
     Matrix by_vector[2];
   };
-  double bars(int e) const;  // of one family
+  double bars(int e) const;  // number of bars of one family
   Blended blended(int e, const Field& field) const;
   std::vector<CellShape> shape_;
 };

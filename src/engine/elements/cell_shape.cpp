@@ -9,7 +9,7 @@ namespace {
 constexpr double h[4] = {1.0, -1.0, 1.0, -1.0};
 constexpr int corners[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}};
 
-// a_t.h and b_t.h of a triangle of the corners, and its area.
+// a_t.h and b_t.h of a triangle of three corners, and its area.
 struct TriangleShape {
   double along[2], area;
 };
@@ -22,10 +22,10 @@ TriangleShape triangle_shape(const double* twine, const int* corner) {
           0.5 * std::abs(d)};
 }
 
-// What bows of the twines make of kappa, u and v: of the parallelogram whose sides are the means of
-// opposite ones.
-void bow_weights(const double* twine, double of_h, double* weight) {
-  double across[2], down[2];  // half sides, of u and v
+// Computes the sag part b of kappa for u and v. The cell is replaced by the parallelogram whose
+// sides are the means of opposite sides. of_h: g.h.
+void sag_weights(const double* twine, double of_h, double* weight) {
+  double across[2], down[2];  // half sides: u and v components
   for (int f = 0; f < 2; ++f) {
     const double* c = twine + f;
     across[f] = 0.25 * (-c[0] + c[2] + c[4] - c[6]);
@@ -42,7 +42,7 @@ void bow_weights(const double* twine, double of_h, double* weight) {
 
 CellShape cell_shape(const double* twine) {
   constexpr double third = 1.0 / 3.0, no_area = 1e-9;
-  const double *u = twine, *v = twine + 1;  // of corner k at 2 k
+  const double *u = twine, *v = twine + 1;  // corner k is at index 2 k
   CellShape s{};
   const double d = (u[4] - u[0]) * (v[6] - v[2]) - (u[6] - u[2]) * (v[4] - v[0]);
   s.bars = 0.5 * std::abs(d);
@@ -70,12 +70,12 @@ CellShape cell_shape(const double* twine) {
       s.twist_weight[f] += third * weight * c * c;
     }
   }
-  bow_weights(twine, of_h, s.bow_weight);
-  for (int f = 0; f < 2; ++f) s.bow_weight[f] = std::min(s.bow_weight[f], s.twist_weight[f]);
+  sag_weights(twine, of_h, s.sag_weight);
+  for (int f = 0; f < 2; ++f) s.sag_weight[f] = std::min(s.sag_weight[f], s.twist_weight[f]);
   s.amplitude = 1.0 / of_h;
   if (u[4] == u[6] && v[4] == v[6]) {  // three corners have no twist
     std::fill(s.twist, s.twist + 4, 0.0);
-    s.twist_weight[0] = s.twist_weight[1] = s.bow_weight[0] = s.bow_weight[1] = 0.0;
+    s.twist_weight[0] = s.twist_weight[1] = s.sag_weight[0] = s.sag_weight[1] = 0.0;
     s.amplitude = 0.0;
   }
   return s;

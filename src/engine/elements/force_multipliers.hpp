@@ -1,22 +1,23 @@
-// Multipliers of components of force, 1 each where nothing else is known: what of a law's coefficients
-// is uncertain as a whole. Those that are a plain factor of an array (drag areas, polars, friction)
-// need none here.
+// Multipliers of force components, 1 by default. They represent the uncertainty of the coefficients
+// of a drag model. Coefficients that scale a whole array (drag areas, polars, friction) need no
+// multiplier.
 #pragma once
 
 #include <vector>
 
 #include "../base/fields.hpp"
-#include "netting_screen_law.hpp"
+#include "netting_screen_drag.hpp"
 
 namespace codend {
 
 struct ForceMultipliers {
-  // Of the force across lines, one per material of the model or none.
+  // Force normal to lines: one multiplier per material of the model, or empty.
   std::vector<double> normal;
-  double blended_normal = 1.0;  // the same of the twines of blended netting
-  // Of netting as a screen, blended netting's share of it too.
+  double blended_normal = 1.0;  // force normal to the twines of blended netting
+  // Screen drag models, including the screen force of blended netting.
   double screen_drag = 1.0, screen_lift = 1.0;
-  // Its drag coefficient along the flow besides, on the area of twine: what is added, no factor.
+  // Friction coefficient along the flow, referred to the twine area. It is added to C_D and is not
+  // a factor.
   double screen_friction = 0.0;
 
   template <class Visit>

@@ -41,7 +41,7 @@ void HexagonalTriangles::vectors(int which, const double* x, int begin, int end,
   for (int t = begin; t < end; ++t) {
     const Line<4> bar = line(t, which);
     const Vector first = at(x, bar.nodes[0]);
-    // Shapes sum to zero; differences come first because they round less.
+    // The sum of `shape` is zero. Differences of positions have a smaller rounding error.
     Vector sum = Vector::Zero();
     for (int k = 1; k < 4; ++k) sum += bar.shape[k] * (at(x, bar.nodes[k]) - first);
     for (int c = 0; c < 3; ++c) e[c][t - begin] = sum[c];

@@ -1,21 +1,22 @@
-// Triangles of hexagonal netting: three points with twine coordinates (u, v), linear inside, so
-// that all meshes of a triangle are alike (D. Priour, A Finite Element Method for Netting, Springer
-// 2013, which treats hexagonal meshes too). Netting whose knots have a length
-// is of this kind too, with the knots as short bars.
+// Triangles of hexagonal netting: three points with twine coordinates (u, v) and linear
+// interpolation, so that all meshes of a triangle are identical (D. Priour, A Finite Element Method
+// for Netting, Springer 2013, which also treats hexagonal meshes). Netting with knots of finite
+// length uses this element too: the knots are short bars.
 //
-// A mesh repeats along the lattice's base vectors A = sum_k a_k x_k and B = sum_k b_k x_k, a and b
-// as of a cell of three corners (cell_shape.hpp): one unit of u is one step A. Every cell has two ends
-// of bars, P and Q, and three bars: the straight one from P to Q, r, and the oblique ones from Q to the next P,
-// A - r and B - r. The triangle holds |d|/2 cells, times `multiplicity`.
+// Meshes repeat along the base vectors A = sum_k a_k x_k and B = sum_k b_k x_k. The coefficients a
+// and b are those that a three-cornered cell has (cell_shape.hpp): one unit of u is one step A.
+// Every unit cell has two nodes P and Q and three bars. The straight bar from P to Q is r. The
+// oblique bars from Q to the next P are A - r and B - r. The triangle contains |d|/2 unit cells,
+// times `multiplicity`.
 //
-// The offset r is where the three bars balance, T(r) = T(A - r) + T(B - r) as vectors. It is a
-// fourth point of the element, at the triangle's middle plus r: the solver finds it with all
-// others, so that bars stay tension-only along its path, and its elimination is that of the 3x3
-// equations for r inside every triangle. At balance the forces on the corners are those of the
-// energy at its minimum over r (envelope theorem).
+// At the offset r the three bars are in equilibrium: T(r) = T(A - r) + T(B - r) as vectors. A
+// fourth point of the element, at the triangle's centroid plus r, represents it. The solver treats
+// this point like all others, so that bars stay tension-only on the path to the solution. Its
+// elimination solves the 3x3 equations for r inside every triangle. At equilibrium the forces on
+// the corners are the gradient of the energy minimised over r (envelope theorem).
 //
-// Half of every bar belongs to a P and half to a Q, and so do drag and mass: a share of 1/2 acts on
-// the fourth point and 1/6 on every corner.
+// Half of every bar belongs to a P and half to a Q. The fourth point therefore takes 1/2 of drag
+// and mass, and every corner 1/6.
 #pragma once
 
 #include <array>
@@ -30,30 +31,31 @@ class HexagonalTriangles {
  public:
   static constexpr std::array<double, 4> share{1.0 / 6.0, 1.0 / 6.0, 1.0 / 6.0, 0.5};
 
-  std::vector<int> node;             // 4 per triangle: its corners and the inner point
+  std::vector<int> node;             // 4 per triangle: corners and inner point
   std::vector<double> twine;         // u1 v1 u2 v2 u3 v3 per triangle
   std::vector<double> straight;      // length of the straight bars, m
   std::vector<double> oblique;       // length of the oblique bars, m
   std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations share a cell
   std::vector<int> material;
-  std::vector<double> height;  // over which it leaves the water, m; where there is a surface
-  int first_line = 0;  // the straight lines' among the model's; then those along A, then along B
+  std::vector<double> height;  // vertical size at the free surface, m
+  // Index of the first straight line in the model. Lines along A, then along B follow.
+  int first_line = 0;
 
   // Call once after filling.
   void prepare();
   int count() const { return static_cast<int>(straight.size()); }
-  // which: 0 straight, 1 along A, 2 along B. Its drag is of the whole line.
+  // which: 0 straight, 1 along A, 2 along B. The drag of the result is the drag of the whole line.
   Line<4> line(int triangle, int which) const;
 
-  // Vectors of one family of triangles [begin, end) made from a quantity x (3 per point) as the
-  // bars' are from positions, by component into e[.][0 .. end - begin).
+  // Interpolates a quantity x (3 per point) as bar vectors are interpolated from positions. Covers
+  // one family of triangles [begin, end); writes by component to e[.][0 .. end - begin).
   void vectors(int which, const double* x, int begin, int end, double* const e[3]) const;
-  // Adds drag, and pull by given tensions of one line each (N), to the points of all triangles.
+  // Adds drag and pull to the points of all triangles. tension: of one line, N.
   void add_force(const LineArrays& lines, const double* tension, double* force) const;
-  // Adds blocks from the slopes of all lines (see LineKernels::slopes), triangle after triangle in
-  // each family.
+  // Adds blocks from the derivatives of all lines (LineKernels::slopes). `slopes` lists the
+  // triangles of each family in order.
   void add_jacobian(const double* slopes, const BlockSink& sink) const;
-  // Adds added mass (kg, 9 per point) to the points of all triangles.
+  // Adds the added mass of all triangles to their points, kg (9 per point).
   void add_added_mass(const LineArrays& lines, double* mass) const;
 
  private:

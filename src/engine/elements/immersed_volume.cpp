@@ -44,7 +44,7 @@ void ImmersedVolumes::add_jacobian(const Field& field, const JacobianRequest& re
     if (slope == 0.0) continue;
     Vector of_share(0.0, 0.0, buoyancy[e]);
     if (pushed) of_share += buoyancy[e] / gravity * field.acceleration(node[e]);
-    Vector down(0.0, 0.0, 1.0);  // of the height above the surface
+    Vector down(0.0, 0.0, 1.0);  // derivative of the height above the surface by position
     if (field.waves) {
       down.x() = -field.waves[node[e]].slope_x;
       down.y() = -field.waves[node[e]].slope_y;

@@ -1,6 +1,7 @@
-// Volumes that displace water. What a node carries is loaded with the weight less the full buoyancy:
-// at a free surface the share of it that is out of the water (immersion.hpp) is taken back here. Water
-// that accelerates pushes what is in it as it would push the water in its place (Froude and Krylov).
+// Volumes that displace water. The load of a node already contains weight minus full buoyancy. At a
+// free surface this element subtracts the buoyancy of the emerged fraction (immersion.hpp). In
+// accelerating water it adds the Froude-Krylov force: displaced mass times the acceleration of the
+// water.
 #pragma once
 
 #include "kind.hpp"
@@ -10,8 +11,8 @@ namespace codend {
 class ImmersedVolumes : public ElementKind {
  public:
   std::vector<int> node;
-  std::vector<double> buoyancy;  // in full, N
-  std::vector<double> height;    // of the body, m
+  std::vector<double> buoyancy;  // fully immersed, N
+  std::vector<double> height;    // vertical size of the body, m
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -24,10 +25,10 @@ class ImmersedVolumes : public ElementKind {
   int nodes_per_element() const override { return 1; }
   const std::vector<int>& nodes() const override { return node; }
   void add_force(const Field& field, double* force) const override;
-  // The most that any body's buoyancy would differ, where nodes move by dx (m, 3 per point), from what its
-  // slope says: as a share of the full one.
+  // Largest error of a linearised buoyancy when nodes move by dx (m, 3 per point), as a fraction of
+  // the full buoyancy. 0 without a free surface.
   double surfacing(const Field& field, const double* dx) const;
-  // Buoyancy (N) that one element lacks.
+  // Buoyancy missing from one element, N.
   Vector element_force(int e, const Field& field) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;

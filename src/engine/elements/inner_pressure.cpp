@@ -5,7 +5,7 @@
 namespace codend {
 namespace {
 
-// Over which netting that is pushed from inside leaves the water, m.
+// Vertical size of the netting at the free surface, m.
 constexpr double leaving_height = 0.1;
 
 }  // namespace
@@ -48,7 +48,7 @@ void InnerPressure::add_jacobian(const Field& field, const JacobianRequest& requ
     const Push p = push(e, field);
     const double c = drag_coefficient * field.water->density;
     for (int l = 0; l < 3; ++l) {
-      // S changes by 1/2 dx_l x (x_l+1 - x_l+2).
+      // dS = 1/2 dx_l x (x_l+1 - x_l+2).
       const Vector side = 0.5 * (p.x[(l + 1) % 3] - p.x[(l + 2) % 3]);
       Matrix turn;  // dS/dx_l
       turn << 0.0, side.z(), -side.y(), -side.z(), 0.0, side.x(), side.y(), -side.x(), 0.0;

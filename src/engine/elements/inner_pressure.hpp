@@ -1,11 +1,11 @@
-// Triangles of netting that a pressure p = 1/2 C_d rho |U|^2 pushes outward, where what they enclose lies
-// against them, such as what gathers in a bag (D. Priour, Ocean Engineering, 2014, doi:10.1016/j.oceaneng.2014.09.037;
-// C_d = 1.4).
+// Triangles of netting with a pressure p = 1/2 C_d rho |U|^2 from inside, due to contents that
+// press against them, such as the catch in a codend (D. Priour, Ocean Engineering, 2014,
+// doi:10.1016/j.oceaneng.2014.09.037; C_d = 1.4).
 //
 // With S = 1/2 (x2 - x1) x (x3 - x1) the triangle's area vector and U the mean velocity of the
-// water relative to its corners, corner k takes p w_k S. w_k is the integral of its linear shape
-// function over the covered part, over the triangle's area: 1/3 where all of it is covered. Its
-// sign says whether S points outward.
+// water relative to its corners, corner k takes p w_k S. The weight w_k is the integral of its
+// linear shape function over the covered part, divided by the triangle's area: 1/3 if all is
+// covered. Its sign is positive if S points outward.
 #pragma once
 
 #include "kind.hpp"
@@ -39,8 +39,8 @@ class InnerPressure : public ElementKind {
  private:
   struct Push {
     Vector x[3], area;   // corners and S
-    Vector u, slope[3];  // mean U, and its derivative by every corner's height
-    double share[3];     // of every corner's own velocity in it
+    Vector u, slope[3];  // mean U, and its derivative by the height of each corner
+    double share[3];     // of each corner's own velocity in U
     double pressure;
   };
   Push push(int e, const Field& field) const;

@@ -10,7 +10,7 @@
 namespace codend {
 namespace {
 
-// Derivatives by three positions, then three velocities.
+// Derivatives by three positions, then by three velocities.
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 18, 1>>;
 template <class Scalar>
 using Triple = Eigen::Matrix<Scalar, 3, 1>;
@@ -18,7 +18,7 @@ using Triple = Eigen::Matrix<Scalar, 3, 1>;
 double value_of(double x) { return x; }
 double value_of(const Dual& x) { return x.value(); }
 
-// A function of x by its value and derivative there.
+// Returns a function of x, given its value and derivative at x.
 double follow(double, double value, double) { return value; }
 Dual follow(const Dual& x, double value, double slope) {
   return Dual(value, slope * x.derivatives());
@@ -39,7 +39,7 @@ template <class Scalar>
 Scalar angle(const Scalar& y, const Scalar& x) {
   const double a = value_of(y), b = value_of(x), square = a * a + b * b;
   if (square == 0.0) return Scalar(0.0);
-  Scalar out = (b / square) * y - (a / square) * x;  // its derivative
+  Scalar out = (b / square) * y - (a / square) * x;  // has the derivative of the angle
   return follow(out, std::atan2(a, b), 1.0);
 }
 
@@ -60,13 +60,13 @@ PressureCentre joessel_pressure_centre(double attack) {
   constexpr double rounding = 0.01;
   const double s = std::sin(attack), c = std::cos(attack);
   const double size = std::sqrt(s * s + rounding * rounding);
-  // The edge that meets the flow changes at 90 deg, where both say half of the chord.
+  // At 90 deg the other edge meets the flow; both formulas give half of the chord there.
   const double most = std::sqrt(1.0 + rounding * rounding);
   const double way = c < 0.0 ? -1.0 : 1.0;
   return {0.5 - 0.3 * way * (most - size), 0.3 * way * s * c / size};
 }
 
-// The three points, and how they move.
+// Positions and velocities of the three points.
 template <class Scalar>
 struct LiftingPlates::Motion {
   Triple<Scalar> x[3], v[3];
@@ -86,9 +86,9 @@ struct LiftingPlates::Motion {
   Triple<Scalar> velocity(const PartsOf<Share>& p) const {
     return v[0] + p.a * e1_dot + p.b * e2_dot + p.c * e3_dot;
   }
-  // How fast a vector of the plate changes.
+  // Time derivative of a vector of the plate.
   Triple<Scalar> rate(const Parts& p) const { return p.a * e1_dot + p.b * e2_dot + p.c * e3_dot; }
-  // What acts on how fast such a vector changes: a couple, where it acts on what is rigid.
+  // Adds the forces of a load on the time derivative of such a vector: a couple on a rigid body.
   void hand_on_rate(const Parts& p, const Triple<Scalar>& load, Triple<Scalar> force[3]) const {
     hand_on(p, load, force);
     force[0] -= load;
@@ -150,7 +150,7 @@ void LiftingPlates::prepare() {
 template <class Scalar>
 void LiftingPlates::hand_on_inertia(const Fixed& f, const Motion<Scalar>& motion,
                                     const Triple<Scalar>& bending, Triple<Scalar> force[3]) {
-  // The last column of Q accelerates by `bending`, and J spreads that over all.
+  // The last column of Q accelerates by `bending`; J distributes the inertia over all columns.
   const auto row = f.moments.row(3);
   const Triple<Scalar> by_c = Scalar(row[3]) * bending;
   const Triple<Scalar> f1 = row[1] * bending + cross(motion.e2, by_c);
@@ -197,11 +197,12 @@ void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scal
     const Scalar push = water.density * b.added_mass * share * across;
     motion.hand_on(f.centre, push * outward, force);
   }
-  // What of accelerations is due to velocities.
+  // Accelerations due to velocities alone.
   const Triple<Scalar> bending = 2.0 * cross(motion.e1_dot, motion.e2_dot);
   hand_on_inertia(f, motion, bending, force);
 
-  // Of the water relative to a place of the plate, and its parts in the plate's axes.
+  // Sets u, the velocity of the water relative to a point of the plate, and its components in the
+  // plate's axes. moving: velocity of the point.
   Triple<Scalar> u;
   Scalar along_chord, along_outward, along_span;
   auto meet = [&](const Triple<Scalar>& moving) {
@@ -212,7 +213,7 @@ void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scal
   };
   meet(motion.velocity(f.centre));
   const Triple<Scalar> past_centre = u;
-  // Of the centre of pressure, from mid-chord.
+  // Position of the centre of pressure along the chord, from mid-chord.
   Scalar aft((b.pressure_centre - 0.5) * b.chord);
   if (b.pressure_wanders) {
     const Scalar first = angle(along_outward, along_chord);
@@ -248,7 +249,7 @@ void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scal
   }
   motion.hand_on(pressed, load, force);
 
-  // Turning, and what of the added mass turning makes.
+  // Damping moments, and added mass due to turning.
   const Scalar damping = 0.5 * water.density * b.area * share * speed;
   const Scalar yaw_rate = dot(outward, motion.rate(f.chord));
   const Scalar roll_rate = dot(outward, motion.rate(f.span));
@@ -298,7 +299,7 @@ void LiftingPlates::add_forces(int number, const Field& field, const Motion<Scal
   if (b.level) {
     attitude->heel = std::atan2(-s.z(), b.side * values(outward).z());
   } else {
-    // Outward and level, across the chord.
+    // Horizontal outward direction, normal to the chord.
     const Vector aside = b.side * Vector::UnitZ().cross(c);
     const double size = aside.norm();
     attitude->heel = std::atan2(size > 0.0 ? s.dot(aside) / size : 0.0, s.z());
@@ -399,7 +400,7 @@ LiftingPlates::BodyMass LiftingPlates::body_mass(std::size_t number, const Field
     motion.v[k].setZero();
   }
   motion.complete();
-  // How the columns of Q change with the points.
+  // Derivatives of the columns of Q by the positions of the points.
   using Columns = Eigen::Matrix<double, 3, 9>;
   auto crossing = [](const Vector& a) {
     Matrix m;
@@ -491,7 +492,7 @@ void LiftingPlates::add_drag_scale(const Field& field, double* scale) const {
                             plate[static_cast<std::size_t>(e)].height, u, slope);
     const LiftingPlate& b = plate[static_cast<std::size_t>(e)];
     const double drag = 0.5 * field.water->density * b.area * u.norm() / 3.0;
-    // Its mass by shares that have its centre of gravity, as far as positive ones can.
+    // Distributes the mass so that its centroid is the centre of gravity, with positive fractions.
     const Parts& gravity = fixed_[static_cast<std::size_t>(e)].gravity;
     const double part[3] = {std::max(1.0 - gravity.a - gravity.b, 0.1), std::max(gravity.a, 0.1),
                             std::max(gravity.b, 0.1)};

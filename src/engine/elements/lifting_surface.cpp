@@ -48,7 +48,7 @@ void LiftingSurfaces::add_force(const Field& field, double* force) const {
 
 void LiftingSurfaces::add_jacobian(const Field& field, const JacobianRequest& request,
                                    const BlockSink& sink) const {
-  // Without them it does not depend on x.
+  // Without damping and depth-dependent flow the force does not depend on x.
   if (request.damping == 0.0 && !field.water->varies_with_height()) return;
   for (int e = 0; e < count(); ++e) {
     Vector u, du, value;

@@ -1,10 +1,8 @@
-// Bodies at one point whose lift stands across the flow: plates, sheets of canvas,
-// depressors, at a fixed angle of attack.
-//
+// Bodies at one point with lift at a fixed angle of attack, such as plates, sheets of canvas and
+// depressors. Lift is perpendicular to the flow.
 //   F = 1/2 rho |U|^2 A_L l,  l = (I - u u^T) r / |(I - u u^T) r|,  u = U/|U|
-//
-// with A_L = C_L A the lift area. The direction r is up (0, 0, 1), or sideways, z x u: to starboard
-// of the flow, so that a plate keeps pushing outward while the gear turns. Drag is a Sphere's.
+// A_L = C_L A is the lift area. The direction r is up (0, 0, 1) or sideways, z x u: to starboard of
+// the flow, so that a plate continues to push outward while the gear turns. A Sphere adds the drag.
 #pragma once
 
 #include "kind.hpp"
@@ -17,9 +15,9 @@ constexpr std::array<const char*, 2> names_of(LiftDirection) { return {"up", "si
 class LiftingSurfaces : public ElementKind {
  public:
   std::vector<int> node;
-  std::vector<double> lift_area;  // C_L A, m2; negative: down, or to port
+  std::vector<double> lift_area;  // C_L A, m2; negative: downward or to port
   std::vector<LiftDirection> direction;
-  std::vector<double> height;  // over which it leaves the water, m
+  std::vector<double> height;  // vertical size at the free surface, m
 
   template <class Visit>
   void fields(Visit& visit) {

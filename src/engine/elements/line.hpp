@@ -1,5 +1,5 @@
-// What bars and netting share: one family of parallel lines whose vector is e = sum_k a_k x_k over N
-// points. In a netting cell lines differ by its twist q = sum_k g_k x_k, and their length is
+// One family of parallel lines, common to bars and netting. Its vector is e = sum_k a_k x_k over N
+// points. In a netting cell the lines vary with the twist q = sum_k g_k x_k, and their length is
 // sqrt(|e|^2 + kappa |q|^2).
 #pragma once
 
@@ -17,15 +17,15 @@ struct Line {
   const int* nodes;
   double shape[N];               // a_k
   double rest;                   // L0, m
-  double multiplicity;           // lines in parallel
-  int material;                  // place among the model's
-  int index;                     // among all lines of the model
-  double point_share = 1.0 / N;  // of drag, in the arrays of lines
+  double multiplicity;           // number of lines in parallel
+  int material;                  // index into the model's materials
+  int index;                     // index into all lines of the model
+  double point_share = 1.0 / N;  // fraction of drag per point in the line arrays
   double twist[N] = {};          // g_k
   double twist_weight = 0.0;     // kappa
-  double share[N] = {};          // of drag, where points have unequal ones
+  double share[N] = {};          // fraction of drag at each point, if fractions differ
 
-  // Of one line where points are at x (3 per point), m.
+  // Length of one line with points at x (3 per point), m.
   double length(const double* x) const {
     Vector e = Vector::Zero(), q = Vector::Zero();
     for (int k = 0; k < N; ++k) {
@@ -34,7 +34,7 @@ struct Line {
     }
     return std::sqrt(e.squaredNorm() + twist_weight * q.squaredNorm());
   }
-  // How fast its length grows (m/s) as its points move at v (m/s).
+  // Rate of change of length (m/s) for velocities v of the points (m/s).
   double stretching(const LineArrays& lines, const double* v) const {
     Vector e_rate = Vector::Zero(), twist_rate = Vector::Zero();
     for (int k = 0; k < N; ++k) {
@@ -50,8 +50,8 @@ struct Line {
     }
     return lines.inverse_length[index] * sum;
   }
-  // What holds its twist besides its tension (netting_cell.hpp): its energy, J, and its power (W)
-  // as its points move at v (m/s).
+  // Energy (J) of the additional stiffness against twist (netting_cell.hpp). `held_power` is its
+  // power (W) on points that move at v (m/s).
   double held_energy(const LineArrays& lines) const {
     if (twist_weight == 0.0) return 0.0;
     return 0.5 * lines.twist_stiffness[index] * twist_of(lines).squaredNorm();
@@ -62,7 +62,7 @@ struct Line {
     for (int k = 0; k < N; ++k) twist_rate += twist[k] * at(v, nodes[k]);
     return -lines.twist_stiffness[index] * twist_of(lines).dot(twist_rate);
   }
-  // The most that a unit of its tension pulls at point k.
+  // Largest force at point k per unit of tension.
   double pull_at(int k) const {
     return std::sqrt(shape[k] * shape[k] + twist_weight * twist[k] * twist[k]);
   }
@@ -73,8 +73,8 @@ struct Line {
   }
 };
 
-// Added mass of a line, of what is in the water, a point's share, kg. A slack line lies in curves: what
-// it has of its chord counts along the chord, the rest in all directions alike.
+// Added mass of the immersed part of a line, one point's fraction, kg. A slack line is curved: the
+// fraction L/L0 counts along the chord, the remainder isotropically.
 inline Block added_mass(const LineArrays& lines, int line) {
   const Vector t =
       lines.inverse_span[line] * Vector(lines.e[0][line], lines.e[1][line], lines.e[2][line]);

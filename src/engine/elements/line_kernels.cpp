@@ -12,7 +12,7 @@ namespace codend {
 
 namespace {
 
-constexpr int lanes = 2;  // SSE2 and NEON; split by the compiler where there is neither
+constexpr int lanes = 2;  // SSE2 and NEON; other processors split it
 
 #include "line_kernels.inl"
 

@@ -1,4 +1,4 @@
-// The arithmetic of lines, many at a time: vectors in, tensions, drags and derivatives out.
+// Vectorised arithmetic of lines: vectors in; tensions, drag forces and derivatives out.
 #pragma once
 
 #include <cstdint>
@@ -8,58 +8,60 @@
 
 namespace codend {
 
-// Arrays by line number, each of which may be read and written up to 7 places beyond the lines.
-// With e the vector along a line, q its twist (line.hpp), L its length, L0 its rest length, U the relative velocity.
+// Arrays by line index. Each must be readable and writable for 7 entries beyond the last line.
+// Notation: e the vector along the line, q its twist (line.hpp), L its length, L0 its rest length,
+// U the relative velocity.
 struct LineArrays {
-  // What the lines are.
+  // Properties of the lines.
   double* inverse_rest;   // 1/L0, 1/m
-  double* stiffness;      // EA, N; of loads by strain, at the present strain
-  double* least_tension;  // 0; of struts, which also push, far below it, N
+  double* stiffness;      // EA, N; for load tables, at the present strain
+  double* least_tension;  // 0; for struts, which also push, a large negative number, N
   double* multiplicity;
-  double* drag_weight;  // 1/2 rho d L0 times the multiplicity and a point's share, kg/m
-  double *added_normal, *added_tangential;  // added mass in the water, a point's share, kg
+  double* drag_weight;  // 1/2 rho d L0 x multiplicity x one point's fraction, kg/m
+  double *added_normal, *added_tangential;  // immersed added mass, one point's fraction, kg
   double *normal, *tangential, *skin;       // C_n, C_t, C_f
-  // Null where there are no cells:
-  double* twist_weight;     // kappa with the present bow, by which L^2 = |e|^2 + kappa |q|^2
-  double* twist_stiffness;  // by which a twist is held besides, N/m
-  double* held_pull;        // the same of one bar over kappa, N/m
-  double* bow_slope;        // dL/ds, s the bow of a cell's twines (bows.hpp), m
-  double* bow_stiffness;    // |q|^2 sum k b of bows.hpp, at a cell's u line, N m
-  double* damping;          // c, N s; null where no line has any
-  double* rest_rate;        // dL0/dt over L0, 1/s; with damping
-  // Materials of lines whose coefficients depend on speed, null for others; null if there are none.
+  // Null without netting cells:
+  double* twist_weight;     // kappa at the present sag; L^2 = |e|^2 + kappa |q|^2
+  double* twist_stiffness;  // additional stiffness against twist, N/m
+  double* held_pull;        // the same for one bar, divided by kappa, N/m
+  double* sag_derivative;   // dL/ds, s the sag parameter of the cell (sag.hpp), m
+  double* sag_stiffness;    // |q|^2 sum k b of sag.hpp, at the cell's u line, N m
+  double* damping;          // c, N s; null if no line has damping
+  double* rest_rate;        // dL0/dt over L0, 1/s; only with damping
+  // Material of each line whose coefficients depend on speed, null for others; null if none do.
   const TwineMaterial* const* speed_law;
-  // Materials of lines whose loads are given by strain, as above; T is then EA s + offset (N).
+  // Material of each line with a load table, as above; then T = EA s + offset (N).
   const TwineMaterial* const* load_law;
   double* offset;
   double viscosity;  // m2/s
   bool curved;       // SlackDrag::curved
 
-  // The flow past them.
+  // Flow at the lines.
   double *u[3], *speed;  // U and |U|, m/s
-  double* slope[3];      // dU/dz, 1/s; null where it is the same everywhere
+  double* slope[3];      // dU/dz, 1/s; null if the flow is uniform
   double* own;           // -dU/dv of the mean velocity v of its points
-  double* wet;           // share that is in the water; null without a free surface
-  double* loose;         // drag of a curled-up line over U, a point's share, N s/m
+  double* wet;           // immersed fraction; null without a free surface
+  double* loose;         // drag of a slack line over U, one point's fraction, N s/m
   double* loose_slope;   // its derivative by |U|
-  double* drag_scale;    // drag over U, a point's share, at right angles, N s/m
+  double* drag_scale;    // drag over U for a line normal to the flow, one point's fraction, N s/m
 
-  double* e_rate[3];      // de/dt, m/s; with damping or cells
-  double* twist_rate[3];  // dq/dt, m/s; with cells
+  double* e_rate[3];      // de/dt, m/s; only with damping or cells
+  double* twist_rate[3];  // dq/dt, m/s; only with cells
 
-  // Where they are.
-  double* e[3];      // m
-  double* twist[3];  // q of a netting cell's lines, 0 of others, m; null where there are no cells
+  // Geometry and forces.
+  double* e[3];  // m
+  // q of a netting cell's lines, 0 for others, m; null without cells.
+  double* twist[3];
   double* inverse_span;    // 1/|e|; 1/L0 where that is 0
-  double* inverse_length;  // 1/L, the same of lines without a twist; 1/L0 for a line without length
+  double* inverse_length;  // 1/L, or 1/L0 for a line without length
   double* strain;          // L/L0 - 1
-  double* tension;         // of one line, by the law, N
-  double* drag[3];         // a point's share, N
+  double* tension;         // of one line, by the constitutive law, N
+  double* drag[3];         // one point's fraction, N
 };
 
-// stiffness * (-dF/dx) + damping * (-dF/dv), as JacobianRequest; tension (N) and modulus (N) of one
-// line each, `lines` in all; without modulus, that of the law. A line's damper counts where its modulus is
-// not 0.
+// Requests stiffness * (-dF/dx) + damping * (-dF/dv), as JacobianRequest. tension, modulus: of one
+// line each, N, for `lines` lines; modulus null: by the constitutive law. Dampers act only on lines
+// with a modulus other than 0.
 struct LineRequest {
   double stiffness, damping;
   const double* tension;
@@ -67,51 +69,51 @@ struct LineRequest {
   std::int64_t lines;
 };
 
-// Of netting cells (netting_cell.hpp), readable up to 7 places beyond them.
+// Shape functions of netting cells (netting_cell.hpp), readable for 7 entries beyond the last cell.
 struct CellArrays {
   const double *along[2][4], *twist[4], *share[4], *amplitude;
 };
 
-// The inner loops, compiled once per set of processor instructions.
+// Inner loops, compiled once per instruction set.
 struct LineKernels {
-  // From U all else of the flow but its slope, for lines [begin, end).
+  // Computes all flow quantities of lines [begin, end) from U, except the gradient dU/dz.
   void (*flow)(const LineArrays& lines, std::int64_t begin, std::int64_t end);
-  // From e and the flow all that follows from them, for lines [begin, end).
+  // Computes geometry, tension and drag of lines [begin, end) from e and the flow.
   void (*evaluate)(const LineArrays& lines, std::int64_t begin, std::int64_t end);
-  // Changes of strain, to first order, when the vectors of lines [begin, end) change by change[.] and
-  // their twists by twist[.] (null: not at all); returns the largest (change of them / L0)^2. `change`,
-  // `twist` and `strain` begin at line `begin`.
+  // Computes changes of strain, to first order, when the vectors of lines [begin, end) change by
+  // change[.] and their twists by twist[.] (null: no change). Returns the largest (change of vector
+  // and twist / L0)^2. Entry 0 of `change`, `twist` and `strain` belongs to line `begin`.
   double (*change)(const LineArrays& lines, std::int64_t begin, std::int64_t end,
                    const double* const change[3], const double* const* twist, double* strain);
   // Adds the blocks of all bars, lines [0, bars).
   void (*add_bar_blocks)(const LineArrays& lines, const LineRequest& request, std::int64_t bars,
                          const BlockSink& sink);
-  // Adds the blocks of netting cells [begin, end); the u lines of all begin at `first`, v lines at
-  // first + cells.
+  // Adds the blocks of netting cells [begin, end). The u lines of all cells start at `first`, the v
+  // lines at first + cells.
   void (*add_cell_blocks)(const LineArrays& lines, const LineRequest& request, std::int64_t first,
                           std::int64_t cells, std::int64_t begin, std::int64_t end,
                           const CellArrays& shape, const BlockSink& sink);
-  // Slopes of lines [begin, end), 27 each, row-major: of the pull and of the drag by e, and of the
-  // drag by the water's velocity (zero where not asked for).
+  // Writes three 3x3 derivatives per line [begin, end), 27 numbers, row-major: pull by e, drag by
+  // e, and drag by the water's velocity (zero if not needed).
   void (*slopes)(const LineArrays& lines, const LineRequest& request, std::int64_t begin,
                  std::int64_t end, double* out);
 };
 
-// Coefficients of cylinder_law.hpp for a law that depends on speed: a, a_n, b, b_n, b_t.
+// Coefficients a, a_n, b, b_n, b_t (cylinder_drag_model.hpp) of a drag model that depends on speed.
 void speed_coefficients(const TwineMaterial& material, double q_n, double q_t, double viscosity,
                         double* out);
 
-// Tension less modulus times strain, and modulus, of a table of loads.
+// Writes tension minus modulus times strain, and the modulus, of a load table (N).
 void load_coefficients(const TwineMaterial& material, double strain, double* out);
 
 // For any processor.
 const LineKernels& portable_line_kernels();
 
-// For x86-64 with AVX2 and FMA; null where the compiler or the running processor lacks them.
+// For x86-64 with AVX2 and FMA; null if the compiler or the processor does not support them.
 const LineKernels* avx2_line_kernels();
 
-// The fastest that the running processor can execute. The choice is fixed for a machine; two
-// machines may differ in the last bits of a force.
+// Fastest kernels of the present processor. The choice never changes on one machine. Forces may
+// differ in the last bits between machines.
 const LineKernels& line_kernels();
 
 }  // namespace codend

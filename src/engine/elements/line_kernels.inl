@@ -1,23 +1,23 @@
-// Bodies of the line kernels: not a header of its own. Each line_kernels*.cpp includes it once,
-// inside an unnamed namespace that defines `lanes`, the doubles in one register of its processor,
-// and after it root() and store_across(). Nothing here may use std:: or an inline function of
-// another header: the linker could then hand a copy compiled for AVX2 to a processor without it.
+// Bodies of the line kernels, not a standalone header. Each line_kernels*.cpp includes this file
+// once inside an unnamed namespace, which must define `lanes`, the doubles per register, before it.
+// The file must define root() and store_across() after it. Do not use std:: or inline functions of
+// other headers here: the linker could give a processor without AVX2 a copy compiled for AVX2.
 
 using Pack = double __attribute__((vector_size(8 * lanes)));
-// At any place in memory; as `using`, clang would take it for aligned.
+// Unaligned pack. With `using`, clang would assume alignment.
 typedef double LoosePack __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
 
 inline Pack root(Pack x);
 // out[step * l ..] = {a[l], b[l], c[l], d[l]}
 inline void store_across(Pack a, Pack b, Pack c, Pack d, double* out, int step);
 
-// Packs passed through memory would cost more than the arithmetic.
+// Passing packs through memory would cost more than the arithmetic.
 #define INLINE inline __attribute__((always_inline))
 
 INLINE Pack load(const double* p) { return *reinterpret_cast<const LoosePack*>(p); }
 INLINE void store(double* p, Pack x) { *reinterpret_cast<LoosePack*>(p) = x; }
 
-// Of an array that ends after `left` numbers; what is beyond reads as zero.
+// Loads from an array that ends after `left` numbers, with zeros beyond.
 INLINE Pack load_before_end(const double* p, std::int64_t left) {
   if (left >= lanes) return load(p);
   Pack x = {};
@@ -60,10 +60,10 @@ INLINE Tensor add_diagonal(Pack k, Tensor a) {
   return a;
 }
 
-// Numbers from one block to the next among those of all lanes: whole registers.
+// Distance of the blocks of successive lanes in memory, a multiple of the register size.
 constexpr int block_step = 12;
 
-// The matrix of lane l at p[block_step * l ..], row-major.
+// Stores the matrix of lane l at p[block_step * l ..], row-major.
 INLINE void store(double* p, const Tensor& a) {
   store_across(a.x.x, a.x.y, a.x.z, a.y.x, p, block_step);
   store_across(a.y.y, a.y.z, a.z.x, a.z.y, p + 4, block_step);
@@ -72,7 +72,7 @@ INLINE void store(double* p, const Tensor& a) {
   for (int l = 0; l < lanes; ++l) p[block_step * l + 8] = last[l];
 }
 
-// As CylinderCoefficients.
+// See CylinderCoefficients.
 struct Coefficients {
   Pack a, a_n, b, b_n, b_t, c;
 };
@@ -86,7 +86,8 @@ INLINE Coefficients coefficients(const LineArrays& lines, std::int64_t i, Pack q
   k.b_n = Pack{};
   k.c = load(lines.skin + i);
   if (lines.speed_law) {
-    // By way of memory, so that registers hold the packs where no line has such a law.
+    // Goes through memory, so that packs stay in registers if no line has a speed-dependent drag
+    // model.
     double q[2][lanes], out[5][lanes];
     store(q[0], q_n);
     store(q[1], q_t);
@@ -111,7 +112,7 @@ INLINE Coefficients coefficients(const LineArrays& lines, std::int64_t i, Pack q
 }
 
 void flow(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
-  // Means over all directions of a line: of sin^3 of its angle to the flow, and of |cos|^3.
+  // Means over all directions of a line: of |sin|^3 of its angle to the flow, and of |cos|^3.
   constexpr double mean_normal = 3.0 * pi / 16.0, mean_tangential = 0.25;
   for (std::int64_t i = begin; i < end; i += lanes) {
     const Triple u = load(lines.u, i);
@@ -126,7 +127,7 @@ void flow(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
   }
 }
 
-// Drag of straight lines over their weight, by_u U + by_t t with t the unit vector along them.
+// Drag of straight lines over their weight, by_u U + by_t t, with t the unit vector along them.
 struct StraightDrag {
   Triple u, t, across;     // across: U_n
   Pack speed, along, q_n;  // along: U.t
@@ -154,7 +155,7 @@ INLINE Pack span_strain(Triple e, Pack inverse_span, Pack inverse_rest) {
   return dot(e, e) * inverse_span * inverse_rest - 1.0;
 }
 
-// The share of a line's drag that is taken as straight; strain: as span_strain().
+// Fraction of a line's drag computed as for a straight line; strain: see span_strain().
 INLINE Pack straight_share(const LineArrays& lines, Pack strain) {
   const Pack one = Pack{} + 1.0;
   return lines.curved ? (strain < 0.0 ? one + strain : one) : one;
@@ -165,7 +166,7 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
     const Triple e = load(lines.e, i);
     const Pack inverse_rest = load(lines.inverse_rest + i);
     const Pack span = root(dot(e, e));
-    // Below 1e-12 L0 a line has no direction; it pulls with T e/L0.
+    // A line shorter than 1e-12 L0 has no direction; its pull is T e/L0.
     const Pack inverse_span = span * inverse_rest > 1e-12 ? 1.0 / span : inverse_rest;
     store(lines.inverse_span + i, inverse_span);
     Pack length = span, inverse_length = inverse_span;
@@ -245,9 +246,9 @@ double change(const LineArrays& lines, std::int64_t begin, std::int64_t end,
   return most;
 }
 
-// How the pull of lines changes: of tension T and modulus over the length and the rest length.
+// Stiffness of the pull of lines: tension T over length, and modulus over rest length.
 struct LineStiffness {
-  Pack tension, modulus;  // M T/L and M EA/L0 times the request's stiffness
+  Pack tension, modulus;  // M T/L and M EA/L0 times the requested stiffness
   Pack by_rate;           // M c/L0 of a taut line
 };
 
@@ -279,10 +280,10 @@ INLINE LineStiffness line_stiffness(const LineArrays& lines, const LineRequest& 
   return out;
 }
 
-// Of drag, at a point's share of it and of U.
+// Derivatives of drag, for one point's fraction of drag and of U.
 struct DragSlopes {
   Tensor turn;        // d drag/de
-  Tensor everywhere;  // from the water's velocity, the same at all points
+  Tensor everywhere;  // by the water's velocity, identical at all points
 };
 
 template <bool with_everywhere>
@@ -294,7 +295,7 @@ INLINE DragSlopes drag_slopes(const LineArrays& lines, const LineRequest& reques
   const Pack strain = span_strain(e, inverse_span, inverse_rest);
   const StraightDrag s = straight_drag(lines, i, e, inverse_span);
   DragSlopes out;
-  // q_n falls by along/q_n, and U_t grows, where the axis turns towards the flow.
+  // If the axis turns towards the flow, q_n decreases by along/q_n and U_t increases.
   const Pack weight = load(lines.drag_weight + i);
   const Pack share = straight_share(lines, strain);
   const Pack inverse_q_n = inverse_or_zero(s.q_n);
@@ -336,8 +337,9 @@ INLINE DragSlopes drag_slopes(const LineArrays& lines, const LineRequest& reques
   return out;
 }
 
-// With F_k = drag - a_k pull at point k, e = sum_k a_k x_k, a point's share of U and drag: the
-// block of points (k, l) is a_k a_l pull - a_l turn + everywhere. Of lines without a twist.
+// Derivatives for lines without a twist. With F_k = drag - a_k pull at point k, e = sum_k a_k x_k
+// and one point's fraction of U and drag, the block of points (k, l) is a_k a_l pull - a_l turn +
+// everywhere.
 struct LineSlopes {
   Tensor pull;  // d pull/de
   Tensor turn, everywhere;
@@ -417,25 +419,26 @@ void add_bar_blocks(const LineArrays& lines, const LineRequest& request, std::in
     add_bars<false>(lines, request, bars, sink);
 }
 
-// One family of a cell. With G_k = (a_k e + kappa g_k q)/L, by which its length changes with the place
-// of point k, the pull at k is M T G_k, and its block of points (k, l)
+// One family of a cell. With G_k = (a_k e + kappa g_k q)/L, the derivative of length by the
+// position of point k, the pull at k is M T G_k. The block of points (k, l) is
 //   M [(EA/L0 - T/L) G_k G_l^T + T/L (a_k a_l + kappa g_k g_l) I]
 struct CellFamily {
   LineStiffness k;
   DragSlopes drag;
   Triple pull[4];    // G_k
-  Triple answer[4];  // by which the tension answers to a move of point k
+  Triple answer[4];  // derivative of tension by the position of point k
   Pack weight;       // kappa
-  // With l and A of bows.hpp, the law's without dampers: A l, the pull's loss at point k as the bow
-  // grows, by_pull G_k + by_twist g_k q, and A l^2.
-  Pack bow, by_pull, by_twist, bow_stiffness;
+  // With l and A of sag.hpp, A by the constitutive law without dampers: sag is A l and
+  // sag_stiffness A l^2. As sag increases, the pull at point k decreases by by_pull G_k + by_twist
+  // g_k q.
+  Pack sag, by_pull, by_twist, sag_stiffness;
 };
 
 INLINE void cell_bow(const LineArrays& lines, const LineRequest& request, std::int64_t i, Pack rate,
                      CellFamily& out) {
-  const Pack slope = load(lines.bow_slope + i);
+  const Pack slope = load(lines.sag_derivative + i);
   const Pack by_law = (out.k.modulus - out.k.tension) * slope;
-  out.bow = out.by_pull = by_law;
+  out.sag = out.by_pull = by_law;
   out.by_twist = Pack{};
   if (lines.damping && !request.modulus) {
     const Pack many = request.stiffness * load(lines.multiplicity + i);
@@ -445,15 +448,15 @@ INLINE void cell_bow(const LineArrays& lines, const LineRequest& request, std::i
     if (lines.load_law) tension = tension + load(lines.offset + i);
     const Pack pull = many * inverse_length * (tension > 0.0 ? tension : Pack{});
     const Pack modulus = tension > 0.0 ? many * stiffness * load(lines.inverse_rest + i) : Pack{};
-    out.bow = (modulus - pull) * slope;
+    out.sag = (modulus - pull) * slope;
     const Triple q = load(lines.twist, i);
-    const Pack by_square = 2.0 * slope * inverse_or_zero(dot(q, q));  // d kappa/ds over L
+    const Pack by_square = 2.0 * slope * inverse_or_zero(dot(q, q));  // dkappa/ds over L
     out.by_pull = by_law + request.stiffness * out.k.by_rate *
                                (by_square * dot(q, load(lines.twist_rate, i)) -
                                 slope * inverse_length * rate);
     out.by_twist = (out.k.tension - pull) * by_square / inverse_length;
   }
-  out.bow_stiffness = out.bow * slope;
+  out.sag_stiffness = out.sag * slope;
 }
 
 template <bool with_everywhere>
@@ -495,22 +498,22 @@ void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t
     CellFamily u, v;
     cell_family<with_everywhere>(lines, request, at_u, i, shape, 0, u);
     cell_family<with_everywhere>(lines, request, at_v, i, shape, 1, v);
-    // The bow gives way (bows.hpp).
-    const Pack give = inverse_or_zero(u.bow_stiffness + v.bow_stiffness +
+    // Static condensation of the sag parameter (sag.hpp).
+    const Pack give = inverse_or_zero(u.sag_stiffness + v.sag_stiffness +
                                       request.stiffness * load(lines.multiplicity + at_u) *
-                                          load(lines.bow_stiffness + at_u));
+                                          load(lines.sag_stiffness + at_u));
     const Triple q = load(lines.twist, at_u);
     Triple lost[4], moved[4];
     for (int k = 0; k < 4; ++k) {
       const Pack g = load(shape.twist[k] + i);
       lost[k] = give * (u.by_pull * u.pull[k] + v.by_pull * v.pull[k] +
                         (g * (u.by_twist + v.by_twist)) * q);
-      moved[k] = u.bow * u.pull[k] + v.bow * v.pull[k];
+      moved[k] = u.sag * u.pull[k] + v.sag * v.pull[k];
     }
     const Pack twisted = u.k.tension * u.weight + v.k.tension * v.weight +
                          request.stiffness * (load(lines.twist_stiffness + at_u) +
                                               load(lines.twist_stiffness + at_v));
-    // The twist's own drag: c and its change with U.
+    // Drag of the twist's own motion: c and its derivative by U.
     Tensor everywhere = {};
     Pack damped = {};
     Triple damped_u = {};

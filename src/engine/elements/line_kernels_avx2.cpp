@@ -1,12 +1,12 @@
 #include "../base/pi.hpp"
 #include "line_kernels.hpp"
 
-// Windows is left out: GCC there misaligns spills of such registers to the stack (GCC bug 54412).
+// Not on Windows: GCC misaligns spills of AVX registers to the stack there (GCC bug 54412).
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
 
 #include <immintrin.h>
 
-// After every other header, so that only the kernels of this file use these instructions.
+// After all other headers, so that only the kernels of this file use these instructions.
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
 #else

@@ -7,14 +7,14 @@ namespace codend {
 namespace {
 
 constexpr int strip = 512;
-// Cells are left out by so many at a time: whole registers are written.
+// Cells are skipped in groups of this size, because kernels write whole registers.
 constexpr int together = 8;
 
 // m/s, see netting_cell.hpp.
 constexpr double twist_speed = 4.0;
 
-// A column of numbers per array. An odd number of cache lines each: the same place of all columns
-// then falls on different sets of the cache.
+// Length of each column: an odd number of cache lines. Equal indices of different columns then map
+// to different sets of the cache.
 std::size_t column_length(int lines) {
   const std::size_t cache_lines = (static_cast<std::size_t>(lines) + 7) / 8 + 1;
   return 8 * (cache_lines | 1);
@@ -77,7 +77,7 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
   if (cells.count() > 0) {
     columns.insert(columns.end(),
                    {&a.inverse_length, &a.twist_weight, &a.twist_stiffness, &a.held_pull,
-                    &a.bow_slope, &a.bow_stiffness, &a.twist[0], &a.twist[1], &a.twist[2],
+                    &a.sag_derivative, &a.sag_stiffness, &a.twist[0], &a.twist[1], &a.twist[2],
                     &a.twist_rate[0], &a.twist_rate[1], &a.twist_rate[2]});
   }
   const std::size_t length = column_length(count_);
@@ -86,7 +86,7 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
   if (!a.inverse_length) a.inverse_length = a.inverse_span;
   a.viscosity = water.viscosity;
   a.curved = slack == SlackDrag::curved;
-  led_bows_.assign(static_cast<std::size_t>(cells.count()), 0.0);
+  led_sag_.assign(static_cast<std::size_t>(cells.count()), 0.0);
   in_strips(cells.count(), [&](int begin, int end) { all_cells_.push_back({begin, end}); });
   moving_cells_ = all_cells_;
   for (int b = 0; b < bars.count(); ++b) describe(bars.line(b));
@@ -103,7 +103,7 @@ void Lines::describe(const Line<N>& line) {
   const TwineMaterial& m = materials_[static_cast<std::size_t>(line.material)];
   const std::size_t k = static_cast<std::size_t>(line.index);
   arrays_.inverse_rest[k] = 1.0 / line.rest;
-  // Where no line is left, none pulls.
+  // With no lines in parallel the stiffness is 0.
   arrays_.stiffness[k] = line.multiplicity > 0.0 ? m.axial_stiffness : 0.0;
   arrays_.least_tension[k] = m.strut ? -1e300 : 0.0;
   arrays_.multiplicity[k] = line.multiplicity;
@@ -156,7 +156,7 @@ void Lines::set_still(const std::vector<char>& point) {
       for (int e = begin; e < end; ++e) {
         const std::size_t u = static_cast<std::size_t>(bars_.count() + e);
         still_[u] = still_[u + static_cast<std::size_t>(cells)] = 1;
-        // Those that have moved have been elsewhere.
+        // Lines that moved before need one update at the fixed positions.
         renew_ = renew_ || before.empty() || !before[u];
       }
     } else if (!moving_cells_.empty() && moving_cells_.back().end == begin &&
@@ -286,7 +286,7 @@ void Lines::move_to(const double* position) {
     double* const q[3] = {a.twist[0] + u, a.twist[1] + u, a.twist[2] + u};
     cells_.vectors(position, begin, end, e_u, e_v, q);
     for (double* twist : q) std::copy_n(twist, size, twist + cells);
-    set_bows(cells_, a, begin, end);
+    set_sag(cells_, a, begin, end);
     kernels_.evaluate(a, u, u + size);
     kernels_.evaluate(a, v, v + size);
   }
@@ -301,31 +301,31 @@ void Lines::move_to(const double* position) {
   }
 }
 
-void Lines::bow_to(const double* tension) {
+void Lines::sag_to(const double* tension) {
   for (const auto [begin, end] : moving_cells_) {
-    lead_bows(cells_, arrays_, begin, end, tension, led_bows_.data());
+    lead_sag(cells_, arrays_, begin, end, tension, led_sag_.data());
   }
 }
 
-void Lines::share_bows(const double* tension, const double* modulus, const double* mismatch,
-                       const double* change, double* strain) const {
+void Lines::distribute_sag(const double* tension, const double* modulus, const double* mismatch,
+                           const double* change, double* strain) const {
   for (const auto [begin, end] : moving_cells_) {
-    add_bow_strains(cells_, arrays_, begin, end, {tension, modulus, mismatch, change}, strain);
+    add_sag_strains(cells_, arrays_, begin, end, {tension, modulus, mismatch, change}, strain);
   }
 }
 
-void Lines::add_bow_tensions(const double* tension, const double* modulus, const double* bow,
+void Lines::add_sag_tensions(const double* tension, const double* modulus, const double* sag,
                              double* sum) const {
   for (int k = 0; k < count_; ++k) {
-    if (bow[k] == 0.0) continue;
+    if (sag[k] == 0.0) continue;
     sum[k] +=
-        (modulus[k] - tension[k] * arrays_.inverse_length[k] / arrays_.inverse_rest[k]) * bow[k];
+        (modulus[k] - tension[k] * arrays_.inverse_length[k] / arrays_.inverse_rest[k]) * sag[k];
   }
 }
 
-void Lines::change_bows(double* strain) const {
+void Lines::change_sag(double* strain) const {
   for (const auto [begin, end] : moving_cells_) {
-    codend::change_bows(cells_, arrays_, begin, end, strain);
+    codend::change_sag(cells_, arrays_, begin, end, strain);
   }
 }
 
@@ -389,7 +389,7 @@ void Lines::add_drag_scale(double* scale) const {
 }
 
 double Lines::change(const double* dx, double* strain) const {
-  // Whole registers are read at the end of a strip.
+  // Kernels read whole registers at the end of a strip.
   double u[3][strip + 7] = {}, v[3][strip + 7] = {}, q[3][strip + 7] = {};
   double* const change_u[3] = {u[0], u[1], u[2]};
   double* const change_v[3] = {v[0], v[1], v[2]};

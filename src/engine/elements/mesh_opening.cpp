@@ -7,9 +7,9 @@ namespace {
 
 constexpr double rounding = 0.02;
 
-// The square of a length over the rest length as it counts, and its derivatives: itself where taut,
-// below that levelling off at 3/4 where it has fallen to half. A slack twine without length would
-// otherwise have any angle, at no distance from each other.
+// Squared ratio of length to rest length for use in the angle, and its derivatives. It is the true
+// value for taut twines. Below 1 it levels off at 3/4 at a ratio of 0.5. Without this bound, slack
+// twines of zero length would have an undefined angle.
 struct Held {
   double value, slope, curve;
 };
@@ -48,7 +48,7 @@ MeshOpenings::Opening MeshOpenings::opening(int e, const Field& field) const {
   const double sine = std::sqrt(1.0 - k * k + rounding * rounding);
   const double off = std::atan2(sine, k) - angle[t];
   o.energy = 0.5 * knots * couple[t] * off * off;
-  // Of the energy by k, and of k by the three.
+  // Derivatives of the energy by k, and of k by the two squares and the product.
   const double h1 = -knots * couple[t] * off / sine;
   const double h2 = knots * couple[t] * (1.0 / (sine * sine) - off * k / (sine * sine * sine));
   const double by_a = a.slope / a.value, by_b = b.slope / b.value;
@@ -86,7 +86,7 @@ void MeshOpenings::add_jacobian(const Field& field, const JacobianRequest& reque
   if (request.stiffness == 0.0) return;
   for (int e = 0; e < count(); ++e) {
     const Opening o = opening(e, field);
-    // Gradients of the three by u and by v.
+    // Gradients of the two squares and the product by u and by v.
     const Vector of_u[3] = {2.0 * o.u, Vector::Zero(), o.v};
     const Vector of_v[3] = {Vector::Zero(), 2.0 * o.v, o.u};
     Matrix uu = 2.0 * o.slope[0] * Matrix::Identity();

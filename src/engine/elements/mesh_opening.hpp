@@ -1,10 +1,11 @@
-// Stiffness of meshes against opening and closing: a couple at every knot between the two families
-// of twine (D. Priour, A Finite Element Method for Netting, Springer 2013), on netting cells.
+// Stiffness of meshes against opening and closing, on netting cells: a couple at every knot between
+// the two families of twine (D. Priour, A Finite Element Method for Netting, Springer 2013).
 //
-// With b the angle between the mean bar vectors e_u and e_v of the cell, over their rest length, a
-// knot's energy is 1/2 H (b - b0)^2 and its couple H (b - b0). cos b = k = e_u.e_v / (|e_u| |e_v|), in
-// which the lengths of slack twines, whose ends say less and less of their angle at the knot, are
-// held above sqrt(3/4); sin b is taken as sqrt(1 - k^2 + 0.02^2), an angle changed by 0.02 at most.
+// Let b be the angle between the mean bar vectors e_u and e_v of the cell, over their rest length.
+// A knot has the energy 1/2 H (b - b0)^2 and the couple H (b - b0). Here cos b = k = e_u.e_v /
+// (|e_u| |e_v|). The lengths of slack twines in k are bounded below by sqrt(3/4), because their
+// ends no longer determine the angle at the knot. The code computes sin b as
+// sqrt(1 - k^2 + 0.02^2), which changes the angle by at most 0.02 rad.
 #pragma once
 
 #include "cell_shape.hpp"
@@ -14,11 +15,11 @@ namespace codend {
 
 class MeshOpenings : public ElementKind {
  public:
-  std::vector<int> node;             // 4 per cell; of three corners the last one twice
+  std::vector<int> node;             // 4 per cell; a triangle repeats its last corner
   std::vector<double> twine;         // u0 v0 ... u3 v3 per cell, m of twine at rest
-  std::vector<double> couple;        // H, N m/rad, of one knot
+  std::vector<double> couple;        // H of one knot, N m/rad
   std::vector<double> angle;         // b0, rad
-  std::vector<double> multiplicity;  // that of the netting cell over the bar's length squared
+  std::vector<double> multiplicity;  // multiplicity of the netting cell over the squared bar length
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -34,7 +35,7 @@ class MeshOpenings : public ElementKind {
   void prepare();
   int nodes_per_element() const override { return 4; }
   const std::vector<int>& nodes() const override { return node; }
-  // Energy (J) of all knots of a cell.
+  // Energy of all knots of a cell, J.
   double element_energy(int e, const Field& field) const;
   void add_force(const Field& field, double* force) const override;
   void add_jacobian(const Field& field, const JacobianRequest& request,
@@ -46,7 +47,7 @@ class MeshOpenings : public ElementKind {
   struct Opening {
     Vector u, v;  // e_u and e_v
     double energy;
-    // By the squares of the lengths of u and v and by their product: first and second derivatives.
+    // First and second derivatives by the squares of the lengths of u and v and by their product.
     double slope[3], curve[3][3];
   };
   Opening opening(int e, const Field& field) const;

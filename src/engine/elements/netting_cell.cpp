@@ -12,7 +12,7 @@ void NettingCells::prepare() {
   }
   for (int f = 0; f < 2; ++f) {
     clear(twist_weight[f]);
-    clear(bow_weight[f]);
+    clear(sag_weight[f]);
   }
   clear(bars);
   clear(amplitude);
@@ -25,7 +25,7 @@ void NettingCells::prepare() {
     }
     for (int f = 0; f < 2; ++f) {
       twist_weight[f][e] = s.twist_weight[f];
-      bow_weight[f][e] = s.bow_weight[f];
+      sag_weight[f][e] = s.sag_weight[f];
     }
     bars[e] = s.bars;
     amplitude[e] = s.amplitude;
@@ -59,7 +59,8 @@ void NettingCells::vectors(const double* x, int begin, int end, double* const u[
     for (int k = 0; k < 3; ++k) corner[k] = x + 3 * static_cast<std::ptrdiff_t>(n[k + 1]);
     const int place = e - begin;
     for (int c = 0; c < 3; ++c) {
-      // Shapes sum to zero; differences come first because they round less.
+      // The sum of each shape function is zero. Differences of positions have a smaller rounding
+      // error.
       double along_u = 0.0, along_v = 0.0, twisted = 0.0;
       for (int k = 0; k < 3; ++k) {
         const double side = corner[k][c] - first[c];

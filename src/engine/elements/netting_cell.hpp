@@ -1,24 +1,29 @@
-// Netting cells: four points with twine coordinates (u, v), whose twines of one family are parallel in
-// the mean (cell_shape.hpp).
+// Netting cells: four points with twine coordinates (u, v). The twines of one family are parallel
+// on average (cell_shape.hpp).
 //
-// One length stands for all bars of a family, the root mean square of their vectors over the cell:
+// One length represents all bars of a family, the root mean square of their vectors over the cell:
+//
 //   len^2 = |e|^2 + kappa |q|^2,  e the mean bar vector, q the cell's twist
-// with a kappa that tells how far its twines bow (bows.hpp).
-// A cell has two constraints of length where its twines are stiff, and as there are as many cells as
-// points, netting keeps one freedom a point: it does not lock. A triangle has two constraints too, but
-// there are two triangles a point. The energy is W(len) of every bar, as of a line (twine.hpp); drag is
-// that of all bars along e. A cell of three corners is a triangle of parallel, equally long bars
-// (D. Priour, A Finite Element Method for Netting, Springer 2013).
 //
-// Nothing holds the twist of a slack cell, and netting that is slack then balances in many ways. So the
-// twist is held, taut or slack, as by a tension of 1/2 rho d L0 V^2 in every bar, with V = 4 m/s: of the
-// size of the drag of a bar or some, where a cell carries that of many. With 0.5 m/s the shipped dip
-// net, slack all round, does not settle; with 4 m/s a hung panel's width at 1,000 nodes is 0.1 % more,
-// at 5,000 nodes 0.02 %: it goes to nothing with the size of cells.
+// kappa depends on the sag of the twines (sag.hpp). The energy is W(len) for every bar, as for a
+// line (twine.hpp). Drag is computed for all bars along e. A three-cornered cell is a triangle of
+// parallel, equally long bars (D. Priour, A Finite Element Method for Netting, Springer 2013).
 //
-// The twist's own motion, which the cell's mean velocity does not see, is damped by the mean over all
-// directions of the drag of its twines, c: over the cell its mean square is a ninth of that at the
-// corners, so with w = amplitude sum_k g_k v_k corner k takes -amplitude g_k c w / 9.
+// Cells do not lock. Stiff twines impose two length constraints per cell, and there are as many
+// cells as points, so that one degree of freedom per point remains. A triangle also has two
+// constraints, but there are two triangles per point.
+//
+// A slack cell has no stiffness against twist, and slack netting then has many equilibria.
+// Therefore an additional stiffness acts on the twist of taut and slack cells. It equals a tension
+// of 1/2 rho d L0 V^2 in every bar, with V = 4 m/s. This force is about the drag of one or a few
+// bars, and a cell carries the drag of many. With 0.5 m/s the shipped dip net, slack all round,
+// does not converge. With 4 m/s the width of a hung panel increases by 0.1 % at 1,000 nodes and by
+// 0.02 % at 5,000 nodes. The effect vanishes with the size of cells.
+//
+// The twist's own motion, which does not contribute to the cell's mean velocity, is damped by c.
+// This is the mean over all directions of the drag of the cell's twines. The mean square of the
+// motion over the cell is a ninth of the mean square at the corners. With w = amplitude sum_k g_k
+// v_k corner k therefore takes -amplitude g_k c w / 9.
 #pragma once
 
 #include <vector>
@@ -30,32 +35,32 @@ namespace codend {
 
 class NettingCells {
  public:
-  std::vector<int> node;      // 4 per cell; of three corners the last one twice
+  std::vector<int> node;      // 4 per cell; a triangle repeats its last corner
   std::vector<double> twine;  // u0 v0 ... u3 v3 per cell
   std::vector<double> rest;   // bar length, m
   std::vector<double> multiplicity;
   std::vector<int> material;
-  std::vector<double> height;  // over which it leaves the water, m; where there is a surface
-  int first_line = 0;  // number of the first u line among the model's; v lines follow all u lines
+  std::vector<double> height;  // vertical size at the free surface, m
+  int first_line = 0;          // index of the first u line in the model; v lines follow all u lines
 
-  // Of cell_shape(), one array each with room for 7 cells more; from prepare().
-  std::vector<double> along[2][4], twist[4], share[4], twist_weight[2], bow_weight[2], bars,
+  // Results of cell_shape(), one array each with space for 7 more cells; set by prepare().
+  std::vector<double> along[2][4], twist[4], share[4], twist_weight[2], sag_weight[2], bars,
       amplitude;
 
   // Call once after filling.
   void prepare();
   int count() const { return static_cast<int>(rest.size()); }
-  // which: 0 along u, 1 along v. Its drag is of the whole line.
+  // which: 0 along u, 1 along v. The drag of the result is the drag of the whole line.
   Line<4> line(int cell, int which) const;
 
-  // Mean bar vectors and twists of cells [begin, end) made from a quantity x (3 per point) as those of
-  // the netting are from places, by component into u[.], v[.] and q[.][0 .. end - begin).
+  // Interpolates a quantity x (3 per point) of cells [begin, end) as mean bar vectors and twists
+  // are interpolated from positions. Writes by component to u[.], v[.] and q[.][0 .. end - begin).
   void vectors(const double* x, int begin, int end, double* const u[3], double* const v[3],
                double* const q[3]) const;
-  // Adds drag, and pull by given tensions of one line each (N), to the points of cells [begin, end).
+  // Adds drag and pull to the points of cells [begin, end). tension: of one line, N.
   void add_force(const LineArrays& lines, const double* tension, int begin, int end,
                  double* force) const;
-  // Adds added mass (kg, 9 per point) to the points of all cells.
+  // Adds the added mass of all cells to their points, kg (9 per point).
   void add_added_mass(const LineArrays& lines, double* mass) const;
 };
 

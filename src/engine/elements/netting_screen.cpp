@@ -32,7 +32,7 @@ ScreenFlow screen_flow(const Field& field, const CellShape& shape, const int* no
 }
 
 Matrix area_slope(const ScreenFlow& flow, int l) {
-  // S changes by 1/2 dx_l x (x_l+1 - x_l+3).
+  // dS = 1/2 dx_l x (x_l+1 - x_l+3).
   const Vector side = 0.5 * (flow.x[(l + 1) % 4] - flow.x[(l + 3) % 4]);
   Matrix out;
   out << 0.0, side.z(), -side.y(), -side.z(), 0.0, side.x(), side.y(), -side.x(), 0.0;
@@ -46,7 +46,7 @@ ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double tw
   const Vector &s = flow.area, &u = flow.u;
   const double area = s.norm(), speed = u.norm();
   if (speed == 0.0) return out;
-  // Friction goes by the twine, however the cell lies.
+  // Friction depends on the twine area only, not on the orientation of the cell.
   const double rubs = 0.5 * water.density * multipliers.friction * twine_area;
   out.value = rubs * speed * u;
   out.by_velocity = rubs / speed * u * u.transpose();
@@ -132,7 +132,7 @@ void NettingScreens::add_drag_scale(const Field& field, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     const std::size_t i = static_cast<std::size_t>(e);
     const ScreenFlow f = flow(e, field);
-    // About a coefficient of 1.2 on the twine's area, as of twines across the flow.
+    // Drag coefficient of about 1.2 on the twine area, as for twines across the flow.
     const double whole = 0.6 * field.water->density * twine_area[i] * f.u.norm();
     for (std::size_t k = 0; k < 4; ++k) scale[node[4 * i + k]] += shape_[i].share[k] * whole;
   }

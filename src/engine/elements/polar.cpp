@@ -5,7 +5,7 @@
 namespace codend {
 namespace {
 
-// Value and derivative of the cubic between two knots a width apart, at share t.
+// Computes value and derivative of the cubic between two knots at distance `width`, at fraction t.
 void hermite(double t, double width, double y0, double y1, double s0, double s1, double& value,
              double& slope) {
   const double t2 = t * t, t3 = t2 * t;

@@ -1,7 +1,5 @@
-// Lift and drag coefficients of a plate by its angle of attack, over the full circle.
-//
-// Between its knots a cubic that takes over values and slopes, so that forces have continuous
-// derivatives.
+// Lift and drag coefficients of a plate by its angle of attack, over the full circle. A cubic
+// between the knots matches values and slopes, so that forces have continuous derivatives.
 #pragma once
 
 #include <vector>
@@ -14,7 +12,7 @@ struct PolarPoint {
 
 class Polar {
  public:
-  // Ascending from -pi to pi (rad), where the values are those at the beginning.
+  // angle ascends from -pi to pi (rad); values at both ends are equal.
   std::vector<double> angle, lift, drag, lift_slope, drag_slope;
 
   template <class Visit>

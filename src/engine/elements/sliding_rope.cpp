@@ -51,7 +51,7 @@ void SlidingRope::add_jacobian(const Field& field, const JacobianRequest& reques
                                const BlockSink& sink) const {
   const Pull p = pull(field);
   if (request.stiffness == 0.0 || p.tension == 0.0) return;
-  // By every point's place: of the length, and of the directions at both sides of it.
+  // Derivatives by each point's position: length, then the directions on both sides.
   std::vector<Vector> slope(node_.size(), Vector::Zero());
   for (std::size_t k = 0; k < bar.size(); ++k) {
     double length;

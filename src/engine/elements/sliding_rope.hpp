@@ -1,14 +1,14 @@
 // A rope that slides through a chain of points, such as a purse wire through its rings or a rope
-// over blocks: one tension throughout, without friction.
+// over blocks. Its tension is uniform, without friction.
 //
-// With d_k the vectors from point to point, it is as long as l = sum_k sqrt(|d_k|^2 + b^2): b, of
-// the size of a ring, is what a ring takes of the rope where all of them meet in one place. Energy
-// EA (l - L0)^2 / (2 L0) where l > L0, none below. So T = EA (l - L0) / L0, and with
-// u_k = d_k / sqrt(|d_k|^2 + b^2) point k is pulled by T (u_k - u_k-1).
+// With d_k the vectors from point to point, its length is l = sum_k sqrt(|d_k|^2 + b^2). b, about
+// the size of a ring, is the length of rope per ring if all rings meet. The energy is EA (l - L0)^2
+// / (2 L0) for l > L0, and 0 otherwise. Therefore T = EA (l - L0) / L0, and with u_k = d_k /
+// sqrt(|d_k|^2 + b^2) the pull on point k is T (u_k - u_k-1).
 //
-// The rope's bars, one from point to point, carry its weight and drag and share its length L0; they
-// have no stiffness of their own. What slides past a point takes its share of both along only as
-// the length of all bars changes: they keep their proportions.
+// The rope's bars, one from point to point, have its weight and drag and add up to its length L0.
+// They have no stiffness of their own. Rope that slides past a point does not move weight and drag
+// between bars: all bars keep their proportions of the rope's length.
 #pragma once
 
 #include "bar.hpp"
@@ -18,7 +18,7 @@ namespace codend {
 
 class SlidingRope : public ElementKind {
  public:
-  std::vector<int> bar;          // in order from its start
+  std::vector<int> bar;          // in order from the start
   double axial_stiffness = 0.0;  // EA, N
   double bend = 0.02;            // b, m
 
@@ -28,8 +28,8 @@ class SlidingRope : public ElementKind {
     visit("axial_stiffness", axial_stiffness);
   }
 
-  // Call once after filling, with the bars of the model. In use it asks those of the Field, whose rest
-  // lengths may change at any time; one whose multiplicity is 0 has parted.
+  // Call once after filling, with the bars of the model. Later calls use the bars of the Field,
+  // which may change their rest lengths at any time. A bar with multiplicity 0 has parted.
   void prepare(const Bars& bars);
   // N.
   double tension(const Field& field) const { return pull(field).tension; }
@@ -48,7 +48,8 @@ class SlidingRope : public ElementKind {
   struct Pull {
     double length = 0.0, rest = 0.0, tension = 0.0;  // m, m, N
   };
-  // Vector from a point to the next over its length b included, and that length.
+  // Vector d_k from a point to the next, divided by sqrt(|d_k|^2 + b^2). `length` (m) returns the
+  // divisor.
   Vector direction(std::size_t k, const Field& field, double& length) const;
   Pull pull(const Field& field) const;
 

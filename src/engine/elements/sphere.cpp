@@ -19,7 +19,7 @@ void Spheres::coefficient(int e, double speed, double viscosity, double& value,
     const double second = 0.411 * std::pow(r, 0.06) / (1.0 + fall);
     const double third = std::pow(re, 0.8) / 461000.0;
     value = 24.0 / per_speed + speed * (first + second + third);
-    // Each times the speed, by the speed: its value and Re times its derivative.
+    // Derivative of speed x term by speed: the term plus Re times its derivative.
     slope = first * (2.0 - 1.52 * rise / (1.0 + rise)) +
             second * (1.06 - 8.0 * fall / (1.0 + fall)) + 1.8 * third;
     return;
@@ -46,7 +46,7 @@ void Spheres::add_force(const Field& field, double* force) const {
 
 void Spheres::add_jacobian(const Field& field, const JacobianRequest& request,
                            const BlockSink& sink) const {
-  // Without them it does not depend on x.
+  // Without damping and depth-dependent flow the force does not depend on x.
   if (request.damping == 0.0 && !field.water->varies_with_height()) return;
   for (int e = 0; e < count(); ++e) {
     if (field.is_still(node[e])) continue;

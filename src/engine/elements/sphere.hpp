@@ -1,10 +1,13 @@
-// Bodies without lift at one point: knots, balls, weights. Drag 1/2 rho A C |U| U.
+// Bodies without lift at one point: knots, balls, weights. The drag is 1/2 rho A C |U| U.
 //
-// Knots are spheres with C(Re) = 24/Re + 6/(1 + sqrt Re) + 0.4, Re = |U| d / nu (F. White, Viscous
-// Fluid Flow; good below Re = 2e5). Smooth spheres go through the drag crisis (F. A. Morrison, Data
-// Correlation for Drag Coefficient for Sphere, Michigan Technological University, 2013; to Re = 1e6):
+// Knots are spheres with C(Re) = 24/Re + 6/(1 + sqrt Re) + 0.4 and Re = |U| d / nu (F. White,
+// Viscous Fluid Flow; valid below Re = 2e5). Smooth spheres include the drag crisis (F. A.
+// Morrison, Data Correlation for Drag Coefficient for Sphere, Michigan Technological University,
+// 2013; to Re = 1e6):
+//
 //   C(Re) = 24/Re + 2.6 (Re/5) / (1 + (Re/5)^1.52) + 0.411 r^-7.94 / (1 + r^-8) + Re^0.8 / 461000,
 //   r = Re / 263000.
+//
 // Other bodies have one coefficient for all speeds, given by diameter 0 and their drag area C A.
 #pragma once
 
@@ -15,11 +18,11 @@ namespace codend {
 class Spheres : public ElementKind {
  public:
   std::vector<int> node;
-  std::vector<double> drag_area;  // C A where diameter is 0, else projected area A of all knots, m2
-  std::vector<double> diameter;   // m; 0: coefficient included in drag_area
-  std::vector<char> smooth;       // whether a smooth sphere instead of a knot
-  std::vector<double> added_mass;  // kg at density 1 kg/m3 of water, i.e. m3
-  std::vector<double> height;      // over which it leaves the water, m
+  std::vector<double> drag_area;   // C A if diameter is 0, else projected area A of all knots, m2
+  std::vector<double> diameter;    // m; 0: coefficient included in drag_area
+  std::vector<char> smooth;        // smooth sphere instead of a knot
+  std::vector<double> added_mass;  // m3: kg at a water density of 1 kg/m3
+  std::vector<double> height;      // vertical size at the free surface, m
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -35,7 +38,7 @@ class Spheres : public ElementKind {
   int nodes_per_element() const override { return 1; }
   const std::vector<int>& nodes() const override { return node; }
   void add_force(const Field& field, double* force) const override;
-  // Force (N) on one element.
+  // Force on one element, N.
   Vector element_force(int e, const Field& field) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;

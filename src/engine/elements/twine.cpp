@@ -11,7 +11,7 @@ TwinePull twine_pull(const TwineMaterial& m, double strain) {
   for (std::size_t k = 1;; ++k) {
     const double from = m.strains[k - 1], load = m.loads[k - 1];
     const bool last = k + 1 >= m.strains.size();
-    // A table of one row goes on as it begins.
+    // A table of one row is linear: extrapolate with its first modulus.
     const double modulus =
         m.strains.size() == 1 ? m.axial_stiffness : (m.loads[k] - load) / (m.strains[k] - from);
     if (last || strain <= m.strains[k]) {

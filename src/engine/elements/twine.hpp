@@ -1,36 +1,37 @@
-// A straight line of twine or rope between two ends that are weighted sums of nodes.
+// A straight line of twine or rope between two ends, each a weighted sum of nodes.
 //
-// One element stands for `multiplicity` equal lines in parallel. With e = sum_k a_k x_k the vector
-// along the line, L = |e|, L0 its unstretched length:
-//   tension  T = max(0, EA s + c ds/dt), s = L/L0 - 1 the strain: without damping c the gradient
-//            of W(L) = EA (L - L0)^2 / (2 L0). The damper acts within the max: no line pushes.
-//            Where loads are given by strain instead of EA they are straight between the rows of
-//            their table, from nothing at strain 0, and go on as they end;
-//   drag     of a cylinder of diameter d and length L0 (elements/cylinder_law.hpp) at the relative
-//            velocity U = sum_k w_k (u_k - v_k), shared over the nodes by w_k.
-// A slack line (L < L0) hangs in a curve, so its drag loses its direction: a share L/L0 of it is
-// taken straight, and the rest as the mean of the same law over all directions,
-// (3 pi/16) C_n + (1/4) C_t + C_f. At L = L0 both agree, and drag stays smooth in x as L -> 0.
-// Lines are computed many at a time: elements/line_kernels.hpp.
+// One element represents `multiplicity` equal lines in parallel. Let e = sum_k a_k x_k be the
+// vector along the line, L = |e|, L0 its unstretched length and s = L/L0 - 1 the strain.
+//
+// - Tension: T = max(0, EA s + c ds/dt). Without damping c it is the gradient of W(L) = EA (L -
+//   L0)^2 / (2 L0). Damping cannot make a line push. A load table replaces EA s by linear
+//   interpolation between its rows. It starts from 0 at strain 0 and extrapolates the last segment.
+// - Drag: force on a cylinder of diameter d and length L0 (elements/cylinder_drag_model.hpp) at the
+//   relative velocity U = sum_k w_k (u_k - v_k), distributed to the nodes by w_k.
+//
+// A slack line (L < L0) is curved, so that its drag depends less on direction. The fraction L/L0 is
+// computed as for a straight line. The remainder is the mean of the same drag model over all
+// directions, (3 pi/16) C_n + (1/4) C_t + C_f. At L = L0 both agree, and drag remains smooth in x
+// as L -> 0. Many lines are computed together: elements/line_kernels.hpp.
 #pragma once
 
 #include <vector>
 
 #include "../base/fields.hpp"
-#include "cylinder_law.hpp"
+#include "cylinder_drag_model.hpp"
 
 namespace codend {
 
 struct TwineMaterial {
-  double axial_stiffness = 0.0;  // EA, N; of a table of loads the stiffness of its beginning
-  // Loads (N) by strain, both growing and above 0; empty: EA alone.
+  double axial_stiffness = 0.0;  // EA, N; with a load table its initial stiffness
+  // Load table (N by strain), both increasing and above 0; empty: EA only.
   std::vector<double> strains, loads;
-  // Damping c over L0, N s/m: a damping ratio z of one line makes z sqrt(EA m), m its mass per
-  // length. With half a line's mass at each end z = 1 then damps its own stretching critically.
+  // Damping c over L0, N s/m. A line with damping ratio z has z sqrt(EA m), m its mass per length.
+  // With half a line's mass at each end, z = 1 then damps its stretching critically.
   double damping = 0.0;
   double diameter = 0.0;           // m
   double volume_per_length = 0.0;  // m2
-  double added_mass_normal = 1.0;  // on the displaced mass of water
+  double added_mass_normal = 1.0;  // relative to the displaced mass of water
   double added_mass_tangential = 0.0;
   CylinderLaw law;
   bool strut = false;  // also pushes: T = EA (L/L0 - 1) of either sign
@@ -56,7 +57,7 @@ struct TwineMaterial {
 enum class SlackDrag { curved, straight };
 constexpr std::array<const char*, 2> names_of(SlackDrag) { return {"curved", "straight"}; }
 
-// Loads by strain of some of a model's materials: a row each, those of one material in order.
+// Load tables of some materials: one row per entry, the rows of each material in order.
 struct LoadTable {
   std::vector<int> material;
   std::vector<double> strain, load;  // N
@@ -70,13 +71,13 @@ struct LoadTable {
   bool present() const { return !material.empty(); }
 };
 
-// Tension (N) at a strain before it is clipped, its derivative, and its integral over the strain.
+// Tension (N) at a strain, before the lower bound, its derivative, and its integral over strain.
 struct TwinePull {
   double tension, modulus, energy;
 };
 TwinePull twine_pull(const TwineMaterial& material, double strain);
 
-// The inverse: strain at a tension (N, not negative), and its derivative.
+// Inverse of twine_pull(): strain at a tension (N, >= 0), and its derivative (1/N).
 void twine_stretch(const TwineMaterial& material, double tension, double& strain, double& slope);
 
 // Tension of one line, N.

@@ -1,5 +1,5 @@
-// Drag of one family of parallel twines at a time, the same as that of lines (twine.hpp), for
-// elements that weigh it. Lines themselves are computed many at a time (line_kernels.hpp).
+// Drag of one family of parallel twines, by the same model as for lines (twine.hpp). Elements that
+// weight this drag use it; lines use the vectorised line_kernels.hpp.
 #pragma once
 
 #include "../base/geometry.hpp"
@@ -10,12 +10,12 @@ namespace codend {
 
 struct TwineDrag {
   Vector value;        // N
-  Matrix by_vector;    // by the vector along the twine, N/m
-  Matrix by_velocity;  // by the velocity of the water relative to it, N s/m
+  Matrix by_vector;    // derivative by the vector along the twine, N/m
+  Matrix by_velocity;  // derivative by the relative velocity of the water, N s/m
 };
 
-// Of twines of this many metres in all at their rest length `rest` (m) each, whose vectors are e
-// (m), in water of relative velocity u (m/s).
+// Computes the drag of twines with the total rest length `metres` (m). Each has the rest length
+// `rest` (m) and the vector e (m). u: relative velocity of the water, m/s.
 TwineDrag twine_drag(const TwineMaterial& material, double metres, double rest, const Vector& e,
                      const Vector& u, const Water& water, SlackDrag slack);
 

@@ -1,4 +1,4 @@
-#include "bows.hpp"
+#include "sag.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,28 +9,28 @@ namespace {
 constexpr int most_iterations = 60;
 constexpr double smallest_change = 1e-15;
 
-// Two families of one cell; f = 0: u, 1: v.
+// The two families of one cell. Index f = 0: u, 1: v.
 struct Cell {
   double straight[2];  // |e|^2 + (kappa - b) |q|^2
-  double bow[2];       // b |q|^2
-  double rest, held;   // held: what holds the twist besides, N/m
+  double sag[2];       // b |q|^2
+  double rest, held;   // held: additional stiffness against twist, N/m
   double length[2], tension[2], modulus[2];
 
   static double side(int f, double s) { return f == 0 ? 1.0 - s : 1.0 + s; }
   void set_lengths(double s) {
     for (int f = 0; f < 2; ++f) {
-      length[f] = std::sqrt(straight[f] + bow[f] * side(f, s) * side(f, s));
+      length[f] = std::sqrt(straight[f] + sag[f] * side(f, s) * side(f, s));
     }
   }
   double pull(int f) const { return length[f] > 0.0 ? tension[f] / length[f] : 0.0; }
-  // By given tensions.
+  // Change of s that balances the given tensions, in [-1, 1].
   double balance() const {
-    const double u = (pull(0) + held) * bow[0], v = (pull(1) + held) * bow[1];
+    const double u = (pull(0) + held) * sag[0], v = (pull(1) + held) * sag[1];
     return u + v > 0.0 ? (u - v) / (u + v) : 0.0;
   }
 };
 
-// Lengths at the bow s, and tensions and moduli that the law gives them.
+// Sets lengths, tensions and moduli at sag parameter s from the constitutive law.
 void follow_law(const LineArrays& lines, const int* line, double s, Cell& cell) {
   cell.set_lengths(s);
   for (int f = 0; f < 2; ++f) {
@@ -43,8 +43,8 @@ void follow_law(const LineArrays& lines, const int* line, double s, Cell& cell) 
   }
 }
 
-// Where the law's tensions balance the bow: the root of a function that grows, by Newton's method
-// within bounds.
+// Returns the s at which the tensions by the constitutive law are in equilibrium. Newton's method
+// within bounds finds the root of an increasing function.
 double balance_by_law(const LineArrays& lines, const int* line, Cell& cell) {
   double low = -1.0, high = 1.0, s = 0.0;
   for (int k = 0; k < most_iterations; ++k) {
@@ -52,10 +52,10 @@ double balance_by_law(const LineArrays& lines, const int* line, Cell& cell) {
     double out = 0.0, slope = 0.0;
     for (int f = 0; f < 2; ++f) {
       const double side = Cell::side(f, s), pull = cell.pull(f);
-      out += (f == 0 ? -1.0 : 1.0) * (pull + cell.held) * cell.bow[f] * side;
-      slope += (pull + cell.held) * cell.bow[f];
+      out += (f == 0 ? -1.0 : 1.0) * (pull + cell.held) * cell.sag[f] * side;
+      slope += (pull + cell.held) * cell.sag[f];
       if (cell.tension[f] > 0.0) {
-        const double by_s = cell.bow[f] * side / cell.length[f];
+        const double by_s = cell.sag[f] * side / cell.length[f];
         slope += (cell.modulus[f] / cell.rest - pull) * by_s * by_s;
       }
     }
@@ -71,9 +71,9 @@ double balance_by_law(const LineArrays& lines, const int* line, Cell& cell) {
   return s;
 }
 
-// Nothing bows in cells whose sides lie along the twines.
-bool bows(const NettingCells& cells, std::size_t cell) {
-  return cells.bow_weight[0][cell] > 0.0 || cells.bow_weight[1][cell] > 0.0;
+// Cells whose sides lie along the twines have no sag.
+bool can_sag(const NettingCells& cells, std::size_t cell) {
+  return cells.sag_weight[0][cell] > 0.0 || cells.sag_weight[1][cell] > 0.0;
 }
 
 Cell cell_of(const NettingCells& cells, const LineArrays& a, std::size_t e, const int* line) {
@@ -85,8 +85,8 @@ Cell cell_of(const NettingCells& cells, const LineArrays& a, std::size_t e, cons
   for (int f = 0; f < 2; ++f) {
     double span = 0.0;
     for (int k = 0; k < 3; ++k) span += a.e[k][line[f]] * a.e[k][line[f]];
-    cell.bow[f] = cells.bow_weight[f][e] * square;
-    cell.straight[f] = span + (cells.twist_weight[f][e] - cells.bow_weight[f][e]) * square;
+    cell.sag[f] = cells.sag_weight[f][e] * square;
+    cell.straight[f] = span + (cells.twist_weight[f][e] - cells.sag_weight[f][e]) * square;
   }
   return cell;
 }
@@ -100,20 +100,20 @@ void put(const NettingCells& cells, const LineArrays& a, std::size_t e, const in
   for (int f = 0; f < 2; ++f) {
     const int i = line[f];
     const double side = Cell::side(f, s);
-    a.twist_weight[i] = cells.twist_weight[f][e] + cells.bow_weight[f][e] * (side * side - 1.0);
+    a.twist_weight[i] = cells.twist_weight[f][e] + cells.sag_weight[f][e] * (side * side - 1.0);
     a.twist_stiffness[i] = a.held_pull[i] * a.multiplicity[i] * a.twist_weight[i];
-    a.bow_slope[i] = (f == 0 ? -1.0 : 1.0) * cell.bow[f] * side * inverse_length(cell, f);
+    a.sag_derivative[i] = (f == 0 ? -1.0 : 1.0) * cell.sag[f] * side * inverse_length(cell, f);
   }
-  a.bow_stiffness[line[0]] =
-      (cell.pull(0) + cell.held) * cell.bow[0] + (cell.pull(1) + cell.held) * cell.bow[1];
+  a.sag_stiffness[line[0]] =
+      (cell.pull(0) + cell.held) * cell.sag[0] + (cell.pull(1) + cell.held) * cell.sag[1];
 }
 
 }  // namespace
 
-void set_bows(const NettingCells& cells, const LineArrays& a, int begin, int end) {
+void set_sag(const NettingCells& cells, const LineArrays& a, int begin, int end) {
   for (int c = begin; c < end; ++c) {
     const std::size_t e = static_cast<std::size_t>(c);
-    if (!bows(cells, e)) continue;
+    if (!can_sag(cells, e)) continue;
     const int line[2] = {cells.first_line + c, cells.first_line + cells.count() + c};
     Cell cell = cell_of(cells, a, e, line);
     const double s = balance_by_law(a, line, cell);
@@ -121,23 +121,23 @@ void set_bows(const NettingCells& cells, const LineArrays& a, int begin, int end
   }
 }
 
-void lead_bows(const NettingCells& cells, const LineArrays& a, int begin, int end,
-               const double* tension, double* bow) {
+void lead_sag(const NettingCells& cells, const LineArrays& a, int begin, int end,
+              const double* tension, double* sag) {
   for (int c = begin; c < end; ++c) {
     const std::size_t e = static_cast<std::size_t>(c);
-    if (!bows(cells, e)) continue;
+    if (!can_sag(cells, e)) continue;
     const int line[2] = {cells.first_line + c, cells.first_line + cells.count() + c};
     Cell cell = cell_of(cells, a, e, line);
     for (int f = 0; f < 2; ++f) cell.tension[f] = std::max(tension[line[f]], 0.0);
-    // Lengths hardly change with the bow.
-    double s = bow[e];
+    // Fixed-point iteration: lengths depend only weakly on s.
+    double s = sag[e];
     for (int k = 0; k < most_iterations; ++k) {
       const double before = s;
       cell.set_lengths(s);
       s = cell.balance();
       if (std::abs(s - before) <= smallest_change) break;
     }
-    bow[e] = s;
+    sag[e] = s;
     cell.set_lengths(s);
     put(cells, a, e, line, cell, s);
     for (int f = 0; f < 2; ++f) {
@@ -147,14 +147,14 @@ void lead_bows(const NettingCells& cells, const LineArrays& a, int begin, int en
   }
 }
 
-void change_bows(const NettingCells& cells, const LineArrays& a, int begin, int end,
-                 double* strain) {
+void change_sag(const NettingCells& cells, const LineArrays& a, int begin, int end,
+                double* strain) {
   for (int c = begin; c < end; ++c) {
     const std::size_t e = static_cast<std::size_t>(c);
-    if (!bows(cells, e)) continue;
+    if (!can_sag(cells, e)) continue;
     const int line[2] = {cells.first_line + c, cells.first_line + cells.count() + c};
     Cell cell = cell_of(cells, a, e, line);
-    double unbowed[2];  // lengths after the change at the bow before it
+    double unbowed[2];  // lengths after the change, at the previous s
     for (int f = 0; f < 2; ++f) {
       const double now = cell.rest * (1.0 + a.strain[line[f]]);
       unbowed[f] = std::max(now + cell.rest * strain[line[f]], 0.0);
@@ -165,20 +165,23 @@ void change_bows(const NettingCells& cells, const LineArrays& a, int begin, int 
   }
 }
 
-void add_bow_strains(const NettingCells& cells, const LineArrays& a, int begin, int end,
+void add_sag_strains(const NettingCells& cells, const LineArrays& a, int begin, int end,
                      const BowRequest& request, double* strain) {
   for (int e = begin; e < end; ++e) {
     const int line[2] = {cells.first_line + e, cells.first_line + cells.count() + e};
-    double driven = 0.0, stiffness = a.bow_stiffness[line[0]];
+    double driven = 0.0, stiffness = a.sag_stiffness[line[0]];
     for (const int i : line) {
       const double own = request.modulus[i] * a.inverse_rest[i] -
                          std::max(request.tension[i], 0.0) * a.inverse_length[i];
-      stiffness += own * a.bow_slope[i] * a.bow_slope[i];
-      if (request.mismatch) driven += a.bow_slope[i] * request.modulus[i] * request.mismatch[i];
-      if (request.change) driven += a.bow_slope[i] * own * request.change[i] / a.inverse_rest[i];
+      stiffness += own * a.sag_derivative[i] * a.sag_derivative[i];
+      if (request.mismatch)
+        driven += a.sag_derivative[i] * request.modulus[i] * request.mismatch[i];
+      if (request.change)
+        driven += a.sag_derivative[i] * own * request.change[i] / a.inverse_rest[i];
     }
     if (!(stiffness > 0.0)) continue;
-    for (const int i : line) strain[i] -= a.bow_slope[i] * a.inverse_rest[i] * driven / stiffness;
+    for (const int i : line)
+      strain[i] -= a.sag_derivative[i] * a.inverse_rest[i] * driven / stiffness;
   }
 }
 

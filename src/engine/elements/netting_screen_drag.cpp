@@ -1,4 +1,4 @@
-#include "netting_screen_law.hpp"
+#include "netting_screen_drag.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +26,12 @@ Number operator/(Number x, Number y) {
 Number log10(Number x) {
   return combine(std::log10(x.value), 1.0 / (x.value * std::log(10.0)), x, 0.0, x);
 }
-// Held between two ends.
+// Clamps x between two bounds.
 Number held(Number x, double low, double high) {
   return x.value < low ? constant(low) : x.value > high ? constant(high) : x;
 }
 
-// Drag of a circular cylinder by log10 Re, the polynomial that Kristiansen & Faltinsen print.
+// Drag coefficient of a circular cylinder as a polynomial in log10 Re (Kristiansen & Faltinsen).
 Number cylinder_drag(Number log_re) {
   const double c[] = {-78.46675, 254.73873, -327.8864, 223.64577,
                       -87.92234, 20.00769,  -2.44894,  0.12479};

@@ -1,4 +1,4 @@
-#include "cylinder_law.hpp"
+#include "cylinder_drag_model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ Slope exponential(Slope x) {
   return {e, e * x.slope};
 }
 
-// Reynolds number held above 0.01 without a kink: the laws' powers have no derivative at zero.
+// Reynolds number, smoothly bounded below at 0.01, because powers are not differentiable at zero.
 Slope reynolds(double q, double d, double viscosity) {
   constexpr double floor = 0.01;
   const double re = q * d / viscosity;
@@ -37,8 +37,8 @@ Slope reynolds(double q, double d, double viscosity) {
   return {held, re / held * d / viscosity};
 }
 
-// Joins two branches of a published law over +-10 % around its switch, where they do not meet:
-// a jump in force has no equilibrium next to it.
+// Blends two branches of a published drag model within +-10 % of their switch, where their values
+// differ. A jump in force would prevent an equilibrium near the switch.
 Slope join(Slope re, double at, Slope below, Slope above) {
   const double half = 0.1;
   const double s = (std::log(re.value / at) + half) / (2.0 * half);
@@ -96,7 +96,7 @@ CylinderCoefficients cylinder_coefficients(const CylinderLaw& law, double q_n, d
     case CylinderLawKind::choo_casarella: {
       const Slope re = reynolds(q_n, d, viscosity);
       set_normal(choo_casarella_normal(re));
-      // Printed as a force per length, pi mu U_t (0.55 Re^1/2 + 0.084 Re^2/3).
+      // The source prints a force per length, pi mu U_t (0.55 Re^1/2 + 0.084 Re^2/3).
       const Slope b =
           (2.0 * pi * viscosity / d) * (0.55 * power(re, 0.5) + 0.084 * power(re, 2.0 / 3.0));
       k.b = b.value;
@@ -104,7 +104,7 @@ CylinderCoefficients cylinder_coefficients(const CylinderLaw& law, double q_n, d
       break;
     }
     case CylinderLawKind::cifuentes_kim: {
-      // A parabola that turns negative at Re Sn^2 = 219; held constant beyond 100.
+      // The parabola becomes negative at Re Sn^2 = 219; it is constant above 100.
       const double sn2 = law.solidity * law.solidity;
       Slope x{q_n * d / viscosity * sn2, d / viscosity * sn2};
       if (x.value > 100.0) x = Slope{100.0, 0.0};
