@@ -11,13 +11,13 @@ namespace codend {
 
 namespace {
 
-// Area of a circle over that of a polygon of n equal sides with its girth.
+// Area of a circle divided by the area of a regular polygon of n sides with the same perimeter.
 double circle_share(double n) {
   n = std::max(n, 3.0);
   return n * std::tan(pi / n) / pi;
 }
 
-// A cell or a sheet that what gathers inside may lie against.
+// A cell or a sheet that can be in contact with the contents of the bag.
 struct BagCell {
   int cell, panel;
   std::array<int, 4> node;
@@ -40,7 +40,7 @@ BagCell bag_cell(const Gear& gear, int cell, int part, const int* node, const do
     out.across[k] = panel.square() ? u : (u - v) / 2;
     depths += out.depth[k];
   }
-  // Meshes around the bag there.
+  // Number of meshes around the bag at the cell's depth.
   std::vector<double> upper, lower;
   for (const int p : gear.bag.panels) {
     upper.push_back(gear.panels[p].upper);
@@ -60,15 +60,15 @@ double triple_product(const Vector& a, const Vector& b, const Vector& c) {
          a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-// The volume (m3) between each panel and the middle of all, by panel.
+// Volume (m3) between each panel and the centre of all panels, by panel.
 std::map<int, double> panel_volumes(const BagTriangles& bag, const std::vector<int>& panel,
-                                    const Lattice& lattice) {
+                                    const Mesh& mesh) {
   const auto place = [&](int point) -> Vector {
-    if (point < lattice.nodes) return at(lattice.start.data(), point);
-    const std::size_t t = static_cast<std::size_t>(point - lattice.nodes);
-    const TieList& ties = lattice.ties;
-    return (1 - ties.share[t]) * at(lattice.start.data(), ties.first[t]) +
-           ties.share[t] * at(lattice.start.data(), ties.second[t]);
+    if (point < mesh.nodes) return at(mesh.start.data(), point);
+    const std::size_t t = static_cast<std::size_t>(point - mesh.nodes);
+    const TieList& ties = mesh.ties;
+    return (1 - ties.share[t]) * at(mesh.start.data(), ties.first[t]) +
+           ties.share[t] * at(mesh.start.data(), ties.second[t]);
   };
   long double sum[3] = {0.0L, 0.0L, 0.0L};
   for (const int node : bag.node) {
@@ -91,19 +91,18 @@ std::map<int, double> panel_volumes(const BagTriangles& bag, const std::vector<i
 
 }  // namespace
 
-BagTriangles bag_triangles(const Gear& gear, const Lattice& lattice) {
+BagTriangles bag_triangles(const Gear& gear, const Mesh& mesh) {
   std::vector<BagCell> cells;
   const auto has = [&](int part) {
     const std::vector<int>& panels = gear.bag.panels;
     return std::find(panels.begin(), panels.end(), part - gear.rope_count) != panels.end();
   };
-  for (std::size_t c = 0; c < lattice.cell_part.size(); ++c) {
-    if (!has(lattice.cell_part[c])) continue;
-    cells.push_back(bag_cell(gear, static_cast<int>(c), lattice.cell_part[c],
-                             &lattice.cells.node[4 * c], &lattice.cells.twine[8 * c],
-                             lattice.cells.multiplicity[c]));
+  for (std::size_t c = 0; c < mesh.cell_part.size(); ++c) {
+    if (!has(mesh.cell_part[c])) continue;
+    cells.push_back(bag_cell(gear, static_cast<int>(c), mesh.cell_part[c], &mesh.cells.node[4 * c],
+                             &mesh.cells.twine[8 * c], mesh.cells.multiplicity[c]));
   }
-  const Sheets& sheets = lattice.sheets;
+  const Sheets& sheets = mesh.sheets;
   for (std::size_t c = 0; c < sheets.part.size(); ++c) {
     if (!has(sheets.part[c])) continue;
     cells.push_back(
@@ -122,7 +121,7 @@ BagTriangles bag_triangles(const Gear& gear, const Lattice& lattice) {
     out.weight.push_back(cell.multiplicity * cell.round * weight);
     panel.push_back(cell.panel);
   };
-  // Cells of four corners as all four triangles, which overlap and count a half each.
+  // Quadrilateral cells give all four triangles of their corners, which overlap: weight 1/2 each.
   for (const BagCell& cell : cells) {
     if (cell.node[2] == cell.node[3]) add(cell, corner_triangles[0], 1.0);
   }
@@ -130,8 +129,8 @@ BagTriangles bag_triangles(const Gear& gear, const Lattice& lattice) {
     if (cell.node[2] == cell.node[3]) continue;
     for (const auto& corner : corner_triangles) add(cell, corner, 0.5);
   }
-  // Panels are laid out round what they hold from the start, whichever way round.
-  const std::map<int, double> volume = panel_volumes(out, panel, lattice);
+  // The initial shape encloses a volume, so that its sign gives the orientation of each panel.
+  const std::map<int, double> volume = panel_volumes(out, panel, mesh);
   for (std::size_t t = 0; t < panel.size(); ++t) {
     const double outward = volume.at(panel[t]);
     if (outward == 0.0) out.encloses = false;
@@ -142,7 +141,7 @@ BagTriangles bag_triangles(const Gear& gear, const Lattice& lattice) {
 
 void round_bag(const Gear& gear, const std::vector<char>& held, const BagTriangles& bag,
                std::vector<double>& start) {
-  // Rows of nodes, by their depth; points tied between nodes follow them.
+  // Rows of nodes by depth; tied points follow their nodes.
   std::map<double, std::vector<int>> rows;
   std::vector<char> known(start.size() / 3, 0);
   for (std::size_t k = 0; k < bag.node.size(); ++k) {

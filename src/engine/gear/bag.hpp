@@ -1,21 +1,23 @@
-// Panels that are a bag: which triangles of their cells, or of the sheets between their bars, what
-// gathers inside may lie against.
+// Panels that form a bag. Triangles of their cells, or of the sheets between their bars, can be in
+// contact with its contents.
 //
-// A ring of n straight cells encloses less than the circle of its girth: its area is less by
-// n tan(pi / n) / pi. Pressure and volume count with the circle's.
+// A ring of n straight cells encloses a smaller area than a circle of the same girth, by the factor
+// pi / (n tan(pi / n)). Pressure and volume use the area of the circle.
 #pragma once
 
 #include <vector>
 
-#include "lattice.hpp"
+#include "mesh.hpp"
 
 namespace codend {
 
-// The lattice's start says which way is out.
-BagTriangles bag_triangles(const Gear& gear, const Lattice& lattice);
+// Returns the triangles of the bag's panels. The initial shape of `mesh` determines outward
+// normals.
+BagTriangles bag_triangles(const Gear& gear, const Mesh& mesh);
 
-// The start with the netting of the bag as one that hangs open at the nominal ratio and closes over its
-// last third: from a slender cone a solver may pull its twines through each other.
+// Moves the bag's netting in `start` (m, 3 per node) to a bag that hangs open at the nominal ratio
+// and closes over its last third. From a slender cone a solver could pull twines through each
+// other. held: fixed nodes, per node.
 void round_bag(const Gear& gear, const std::vector<char>& held, const BagTriangles& bag,
                std::vector<double>& start);
 

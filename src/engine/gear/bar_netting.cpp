@@ -9,45 +9,45 @@ namespace codend {
 
 namespace {
 
-// Sides of a panel that a knot or the end of a twine lies on: none, then its edges in their order.
+// Sides of a panel on which a knot or the end of a twine lies: none, then the edges in order.
 enum Side { inside = 0, on_upper, on_lower, on_left, on_right };
 
 struct Knot {
   int row;
-  double i, j;         // where it lies
-  double at;           // i before it was moved onto a side
-  double left, right;  // i of the panel's sides there
-  int edge = inside;   // a side that it was moved onto
+  double i, j;         // mesh coordinates
+  double at;           // i before the knot was moved to a side
+  double left, right;  // i of the panel's sides in its row
+  int edge = inside;   // side to which it was moved
   bool kept = false;
 };
 
-// All knots that may lie in a panel, row by row, with two beyond the panel at both ends of a row.
+// All candidate knots of a panel, row by row, with two beyond the panel at both ends of a row.
 struct KnotRows {
   std::vector<Knot> knots;
   int width = 0;  // knots in a row
-  int rows = 0;   // of the last one
+  int rows = 0;   // index of the last row
 };
 
-// A twine from knot to knot, or to where it ends on a side.
+// A twine between two knots, or from a knot to a cut end on a side.
 struct Twine {
-  int from, to;  // knots; to: a cut end where `cut` is
+  int from, to;  // knots; `to` is unused if `cut`
   bool cut = false;
-  double share = 1.0;  // that is left
+  double share = 1.0;  // remaining fraction of its length
   double i = 0.0, j = 0.0;
-  int edge = inside;        // that it is cut at
-  bool along_edge = false;  // of a twine on an edge half belongs to the neighbour
+  int edge = inside;        // side at which it is cut
+  bool along_edge = false;  // on an edge; half of it belongs to the neighbour
 };
 
-// A point of a panel of bars: a knot or a cut end, or the middle of a bar.
+// A node of a panel of bars: a knot, a cut end, or an interior node of a bar.
 struct Point {
   double i, j;
   int edge = inside;
   double fraction = 0.0;  // along that edge
-  double knots = 0.0;     // of the plan, that it is in place of
+  double knots = 0.0;     // number of real knots that it represents
 };
 
 struct Segment {
-  int first, second;  // points; the middles of bars follow the others
+  int first, second;  // points; interior nodes of bars follow all others
   double rest, multiplicity;
 };
 
@@ -58,7 +58,7 @@ struct BarPanel {
   int rows;      // of knots
   std::vector<Point> points, between;
   std::vector<Segment> bars;
-  std::vector<int> id;  // node of every point, then of those between
+  std::vector<int> id;  // node of every point, then of the interior nodes
 };
 
 int count_rows(const GearPanel& panel, double lambda) {
@@ -68,7 +68,8 @@ int count_rows(const GearPanel& panel, double lambda) {
 KnotRows knot_rows(const GearPanel& panel, double lambda, int rows) {
   KnotRows out;
   out.rows = rows;
-  // A knot at the left end of the upper edge, or midway where that fits the width better.
+  // If the width is a whole number of equivalent meshes, the ends of the upper edge have knots.
+  // Otherwise its middle has one.
   const double meshes = std::nearbyint(panel.upper / lambda);
   const bool half = std::abs(panel.upper / lambda - meshes) < 1e-6 && std::fmod(meshes, 2.0) == 1.0;
   const double centre = panel.upper / 2 + half * lambda / 2;
@@ -79,7 +80,7 @@ KnotRows knot_rows(const GearPanel& panel, double lambda, int rows) {
   const double near = lambda / 4 + 1e-9;
   for (int row = 0; row <= rows; ++row) {
     const int shift = panel.square() ? 0 : row % 2;
-    // The twines of the first and the last row of diamonds end there, not at a side.
+    // Twines of the first and last row of diamond meshes end there, not at a side.
     const bool ends = !panel.square() && (row == 0 || row == rows);
     for (int k = 0; k < out.width; ++k) {
       Knot knot;
@@ -103,9 +104,10 @@ KnotRows knot_rows(const GearPanel& panel, double lambda, int rows) {
   return out;
 }
 
-// Where a twine ends on a side: those that leave over it are cut where they meet it, and those whose
-// last knot is near it cut there or drawn out to it along the twine, so that lengths are exact. A twine
-// that runs nearly along the side keeps its knot, moved onto the side. Returns whether it ends there.
+// Computes the end of a twine on a side; returns true if it ends there. A twine that crosses the
+// side is cut at the crossing. A twine with its last knot near the side is cut or extended along
+// its direction, so that lengths are exact. A twine nearly parallel to the side keeps its knot,
+// which is moved to the side.
 bool cut_twine(const std::vector<Knot>& knots, Twine& twine) {
   const Knot &from = knots[twine.from], &to = knots[twine.to];
   const bool leaves = from.kept != to.kept;
@@ -118,7 +120,7 @@ bool cut_twine(const std::vector<Knot>& knots, Twine& twine) {
     return side == on_left ? knot.at - knot.left : knot.right - knot.at;
   };
   const double within = gap(inner), share = within / (within - gap(outer));
-  // What lies on the side is a knot of it.
+  // A knot on the side belongs to the side.
   if (inner.edge != inside) return false;
   if (!leaves && !(std::abs(gap(outer)) > 1e-9 * within && std::isfinite(share) && share > 0.45 &&
                    share < 1.55)) {
@@ -133,8 +135,9 @@ bool cut_twine(const std::vector<Knot>& knots, Twine& twine) {
   return true;
 }
 
-// Twines between knots of which one at least is kept: they run to the next row, those of square meshes
-// also along the row; first those of one family, then of the other, whole ones before cut ones.
+// Returns the twines between knots; at least one of their two knots is kept. They run to the next
+// row; twines of square meshes also run along the row. Order: uncut twines of one family, then of
+// the other, then cut twines.
 std::vector<Twine> knot_twines(const GearPanel& panel, const KnotRows& rows) {
   const std::vector<Knot>& knots = rows.knots;
   const int number = static_cast<int>(knots.size());
@@ -168,7 +171,7 @@ std::vector<Twine> knot_twines(const GearPanel& panel, const KnotRows& rows) {
   return whole;
 }
 
-// Edges of the points, their shares along these, and how many knots each is in place of.
+// Sets the edge of every point, its fraction along the edge, and the number of knots it represents.
 void place_points(const GearPanel& panel, std::vector<Point>& points) {
   double all = 0.0;
   for (Point& point : points) {
@@ -195,7 +198,7 @@ BarPanel bar_panel(const GearPanel& panel, double lambda, int segments) {
   const KnotRows rows = knot_rows(panel, lambda, out.rows);
   const std::vector<Twine> twines = knot_twines(panel, rows);
 
-  // Knots that twines end at, then cut ends.
+  // Numbers the knots at the ends of twines, then cut ends.
   std::vector<int> number(rows.knots.size(), -1);
   for (const Twine& twine : twines) {
     number[twine.from] = 0;
@@ -225,7 +228,7 @@ BarPanel bar_panel(const GearPanel& panel, double lambda, int segments) {
   for (Segment bar : bars) {
     bar.multiplicity = bar.multiplicity * exact / built;
     const Point &a = out.points[bar.first], &b = out.points[bar.second];
-    // Equal segments between points of their own (the middles of the mesh bars).
+    // Equal segments with interior nodes (only between mesh knots).
     int from = bar.first;
     for (int step = 1; step <= segments; ++step) {
       int to = bar.second;
@@ -242,7 +245,7 @@ BarPanel bar_panel(const GearPanel& panel, double lambda, int segments) {
   return out;
 }
 
-// A point at this share of an edge: its node, or tied between two of them.
+// Returns the point at fraction `at` of an edge: a node, or a point tied between two nodes.
 int edge_point(Collection& to, const EdgeNodes& edges, int edge, double at) {
   at = std::min(std::max(at, 0.0), 1.0);
   const int cell = edges.cell_of(at, edge);
@@ -253,8 +256,9 @@ int edge_point(Collection& to, const EdgeNodes& edges, int edge, double at) {
   return to.tie(first, second, share);
 }
 
-// Wake sheets between equivalent bars: half a mesh below every knot where two of them begin, and half a
-// mesh above every knot where two end; each panel's twine is spread evenly over its sheets.
+// Adds wake sheets between equivalent bars: half a mesh below every knot where two bars begin, and
+// half a mesh above every knot where two bars end. The twine area of a panel is distributed evenly
+// over its sheets.
 void add_wake_sheets(Collection& to, const Gear& gear, const std::vector<BarPanel>& all) {
   std::vector<int> number(all.size(), 0);
   std::vector<std::size_t> of_sheet;
@@ -292,19 +296,19 @@ void add_wake_sheets(Collection& to, const Gear& gear, const std::vector<BarPane
 // Knots of a panel in rows, with ends on both sides.
 struct RowPlaces {
   std::vector<int> row, id;
-  std::vector<double> i, s;  // s: share of the panel's width
+  std::vector<double> i, s;  // s: fraction of the panel's width
 };
 
-// Sheets between the rows of knots of those panels that need them.
+// Adds sheets between the rows of knots of panels that need them.
 void add_sheets(Collection& to, const Gear& gear, const Division& division,
                 const std::vector<BarPanel>& all) {
   std::vector<RowPlaces> places(all.size());
   const auto needs = [&](const BarPanel& bars) {
     const GearPanel& panel = gear.panels[bars.panel];
-    return panel.drag != NettingDrag::twines || panel.stiff ||
+    return panel.drag != NettingDrag::morison || panel.stiff ||
            (gear.has_bag && std::count(gear.bag.panels.begin(), gear.bag.panels.end(), bars.panel));
   };
-  std::vector<std::vector<char>> open[2];  // rows without a knot on their left, right side
+  std::vector<std::vector<char>> open[2];  // rows without a knot on the left and right side
   for (std::size_t p = 0; p < all.size(); ++p) {
     const BarPanel& bars = all[p];
     const GearPanel& panel = gear.panels[bars.panel];
@@ -385,7 +389,7 @@ std::vector<std::array<int, 3>> row_facets(const std::vector<int>& row,
     while (end < n && row[end] == row[middle]) ++end;
     int upper = begin, lower = middle, last_upper = -1, last_lower = -1;
     while (middle < end && (upper < middle || lower < end)) {
-      // of two as far across that of the upper row comes first
+      // For equal s the point of the upper row comes first.
       const bool from_upper = upper < middle && (lower == end || s[upper] <= s[lower]);
       const int place = from_upper ? upper++ : lower++;
       if (last_upper >= 0 && last_lower >= 0) out.push_back({last_upper, last_lower, place});
@@ -405,7 +409,7 @@ void add_bar_netting(Collection& to, const Gear& gear, const Division& division,
     panel.part = gear.rope_count + panel.panel;
     all.push_back(std::move(panel));
   }
-  // Nodes of each panel follow each other: its knots, then the middles of its bars.
+  // Consecutive node numbers per panel: knots, then interior nodes of bars.
   for (BarPanel& panel : all) {
     for (const Point& point : panel.points) {
       panel.id.push_back(point.edge == inside ? to.nodes++ : -1);

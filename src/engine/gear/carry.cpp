@@ -17,7 +17,7 @@ PartMap part_map(const Gear& gear, const Division& division, int nodes,
 
 void PartMap::check(const Gear& gear, std::size_t points_of_shape) const {
   const auto need = [](bool right, const char* name) {
-    if (!right) throw InputError(name, std::string(name) + " are not those of the gear's parts");
+    if (!right) throw InputError(name, std::string(name) + " do not match the parts of the gear");
   };
   const std::size_t panels_of_gear = gear.panels.size(), on_edges = edges.fraction.size();
   need(grids.size() == panels_of_gear && panels.size() == panels_of_gear, "panels");
@@ -101,7 +101,7 @@ struct RowPlace {
   Between at;
 };
 
-// Places on the rows of a panel of bars: knots between the edges.
+// Adds the knots of a panel of bars that lie on its rows between the edges.
 void add_inner_knots(std::vector<RowPlace>& out, const Gear& gear, const PartMap& map, int p,
                      int rows) {
   for (std::size_t k = 0; k < map.panels[p].node.size(); ++k) {
@@ -112,10 +112,10 @@ void add_inner_knots(std::vector<RowPlace>& out, const Gear& gear, const PartMap
   }
 }
 
-// The values (0 to 1) of a group next to x in it, and the share of the way between them; groups and
-// values in order, keys: 2 (group + 1) + value.
-Beside values_beside(int group, double x, const std::vector<int>& groups,
-                     const std::vector<double>& values, const std::vector<double>& keys) {
+// Returns the neighbours of x among the values (0 to 1) of a group, and the fraction between them.
+// groups and values are sorted; keys are 2 (group + 1) + value.
+Beside neighbouring_values(int group, double x, const std::vector<int>& groups,
+                           const std::vector<double>& values, const std::vector<double>& keys) {
   const double key = 2.0 * (group + 1) + x;
   int low = static_cast<int>(std::upper_bound(keys.begin(), keys.end(), key) - keys.begin()) - 1;
   low = std::max(low, static_cast<int>(std::lower_bound(groups.begin(), groups.end(), group) -
@@ -144,7 +144,7 @@ PanelRows panel_rows(const Gear& gear, const PartMap& map) {
     }
   };
   each([&](int p, int rows) { add_inner_knots(all, gear, map, p, rows); });
-  // The ends of rows on the left and the right edge, then all of the upper and the lower edge.
+  // The ends of rows on the left and right edges, then all nodes of the upper and lower edges.
   for (int side = 2; side < 4; ++side) {
     each([&](int p, int rows) {
       for (int row = 1; row < rows; ++row) {
@@ -197,12 +197,12 @@ void PlaceRows::add_place(double across) {
   s_key.push_back(2.0 * (row.back() + 1) + across);
 }
 
-Beside PlaceRows::rows_beside(int of_group, double deep) const {
-  return values_beside(of_group, deep, group, t, t_key);
+Beside PlaceRows::neighbouring_rows(int of_group, double deep) const {
+  return neighbouring_values(of_group, deep, group, t, t_key);
 }
 
 Beside PlaceRows::beside(int of_row, double across) const {
-  return values_beside(of_row, across, row, s, s_key);
+  return neighbouring_values(of_row, across, row, s, s_key);
 }
 
 std::vector<PanelPlace> panel_places(const Gear& gear, const PartMap& map) {
@@ -223,7 +223,7 @@ std::vector<PanelPlace> panel_places(const Gear& gear, const PartMap& map) {
   for (std::size_t p = 0; p < map.panels.size(); ++p) {
     if (!map.panels[p].bars) continue;
     for (std::size_t k = 0; k < map.panels[p].node.size(); ++k) {
-      // its own nodes, neither on edges nor tied
+      // Interior nodes only, neither on edges nor tied.
       if (map.panels[p].node[k] > map.divided_nodes) {
         out.push_back(bar_place(gear, map, static_cast<int>(p), k));
         out.back().node = map.panels[p].node[k] - 1;
@@ -253,12 +253,11 @@ std::vector<double> carry_positions(const Gear& gear, const PartMap& to, const P
     return low + (rows.at[on.high](position.data()) - low) * on.share;
   };
   for (const PanelPlace& place : panel_places(gear, to)) {
-    const Beside on = rows.rows_beside(place.panel, place.t);
+    const Beside on = rows.neighbouring_rows(place.panel, place.t);
     const Vector first = along(on.low, place.s);
     at(start.data(), place.node) = first + (along(on.high, place.s) - first) * on.share;
   }
-  // A point in the middle of a rope lies where the rope does: where that has one bar, it has no node of
-  // its own.
+  // Restores the position of points within a rope: with one bar the rope has no node there.
   for (std::size_t k = 0; k < to.points.size(); ++k) {
     if (!inside[to.points[k]]) {
       at(start.data(), to.points[k]) = at(position.data(), from.points[k]);

@@ -1,5 +1,5 @@
-// Carries a shape from one lattice to another of the same parts: to a finer division, or to a gear with
-// other lengths. Every node goes where its place on its rope or panel is on the old shape.
+// Interpolates a shape from one discretisation to another of the same parts: to a finer mesh, or to
+// a gear with other lengths. Every node keeps its relative position on its rope or panel.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace codend {
 
-// Where the nodes of a lattice lie on the parts of its gear.
+// Relative positions of the nodes on the parts of the gear.
 struct PartMap {
-  int nodes = 0, divided_nodes = 0;  // all, and those of edges, ropes and points
+  int nodes = 0, divided_nodes = 0;  // all; nodes of edges, ropes and points
   EdgeNodes edges;
   std::vector<Grid> grids;
   std::vector<NodeRun> ropes;
@@ -28,28 +28,29 @@ struct PartMap {
     visit.list("points", points, {1, Among::nodes});
     visit.items("panels", panels);
   }
-  // Throws InputError where it is not one of a gear with these parts, or refers to what is not there;
-  // points: of its shape, with tied ones.
+  // Throws InputError if the map does not match the gear's parts, or contains invalid indices.
+  // points: number of points of its shape, including tied points.
   void check(const Gear& gear, std::size_t points) const;
-  // Of a drawn node, as it is numbered there, its number among all points.
+  // Returns the point index of a drawn node (DrawnPanel numbers).
   int point(int drawn) const { return drawn > 0 ? drawn - 1 : nodes - 1 - drawn; }
 };
-// nodes: of the lattice, with those that netting has of its own.
+// Returns the map of a discretisation with `nodes` nodes, including interior nodes of netting.
 PartMap part_map(const Gear& gear, const Division& division, int nodes,
                  const std::vector<DrawnPanel>& drawn);
 
-// A place on a panel: shares across and deep, from its left and its upper edge.
+// A position on a panel: fractions across (s, from the left edge) and deep (t, from the upper
+// edge).
 struct PanelPlace {
   int node, panel;
   double s, t;
 };
 std::vector<PanelPlace> panel_places(const Gear& gear, const PartMap& map);
-// Those of the nodes of grids, the panels of cells, at the end of `out`.
+// Appends the positions of grid nodes (panels of cells) to `out`.
 void add_grid_places(std::vector<PanelPlace>& out, const PartMap& map);
-// That of the k-th knot or middle of a bar of a panel of bars; its node as a number among all points.
+// Position of the k-th knot or interior node of a panel of bars; `node` is a point index.
 PanelPlace bar_place(const Gear& gear, const PartMap& map, int panel, std::size_t k);
 
-// A place on the straight line between two points.
+// A point on the straight line between two points, at fraction `share`.
 struct Between {
   int from, to;
   double share;
@@ -60,36 +61,34 @@ struct Between {
   }
 };
 
-// The values (0 to 1) of a group next to one in it, and the share of the way between them.
+// Indices of the two neighbours of a value, and the fraction between them.
 struct Beside {
   int low, high;
   double share;
 };
 
-// Rows of places, row after row: of a group each, by group and how deep they are, their places by how far
-// across.
+// Rows of positions, sorted by group and depth, and within a row by the position across.
 struct PlaceRows {
-  std::vector<int> group;        // of every row
-  std::vector<double> t, t_key;  // and how deep it is
-  std::vector<int> row;          // of every place
-  std::vector<double> s, s_key;  // and how far across
+  std::vector<int> group;        // per row
+  std::vector<double> t, t_key;  // depth of each row
+  std::vector<int> row;          // per position
+  std::vector<double> s, s_key;  // fraction across, per position
 
   void add_row(int of_group, double deep);
-  // To the last row.
+  // Adds a position to the last row.
   void add_place(double across);
-  // The rows of a group next to a depth, and the places of a row next to a share across.
-  Beside rows_beside(int of_group, double deep) const;
+  // Neighbouring rows of a group at a depth, and neighbouring positions in a row.
+  Beside neighbouring_rows(int of_group, double deep) const;
   Beside beside(int of_row, double across) const;
 };
 
-// The shape of panels as such rows, each from the left edge to the right edge: the rows of a grid, or those
-// of knots.
+// Shape of panels as rows from the left to the right edge: rows of a grid or of knots.
 struct PanelRows : PlaceRows {
   std::vector<Between> at;
 };
 PanelRows panel_rows(const Gear& gear, const PartMap& map);
 
-// Positions (m, 3 per node) of the nodes of `to`, from those of all points of `from`.
+// Interpolates positions (m, 3 per node) of the nodes of `to` from all points of `from`.
 std::vector<double> carry_positions(const Gear& gear, const PartMap& to, const PartMap& from,
                                     const std::vector<double>& position);
 

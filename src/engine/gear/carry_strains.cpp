@@ -10,9 +10,9 @@
 
 namespace codend {
 
-LineMap line_map(const Gear& gear, const Lattice& lattice) {
-  return {gear.parts(),      lattice.bars.node, lattice.cells.node,    lattice.bar_part,
-          lattice.cell_part, lattice.bars.rest, lattice.cells.straight};
+LineMap line_map(const Gear& gear, const Mesh& mesh) {
+  return {gear.parts(),   mesh.bars.node, mesh.cells.node,    mesh.bar_part,
+          mesh.cell_part, mesh.bars.rest, mesh.cells.straight};
 }
 
 void LineMap::check(const Gear& gear) const {
@@ -20,19 +20,19 @@ void LineMap::check(const Gear& gear) const {
                            std::size_t width, const std::vector<double>& length) {
     return node.size() == width * part.size() && length.size() == part.size();
   };
-  // a catch is no part of lines
+  // A catch is a part without lines.
   if (part_count < gear.parts() - gear.has_bag || !of_parts(bar_part, bar_node, 2, bar_rest) ||
       !of_parts(cell_part, cell_node, 4, cell_straight)) {
-    throw InputError("lines", "lines are not those of the gear's parts");
+    throw InputError("lines", "lines do not match the parts of the gear");
   }
 }
 
 namespace {
 
-// Of a rope, or the first family of a panel's twine; the second follows it.
+// Family of a rope, or first family of a panel's twine; the second family follows.
 int family_of(int part) { return 2 * part + 1; }
 
-// Of bars, by the lengths of those of their part before them.
+// Positions of bars by the lengths of the preceding bars of their part.
 void place_along_parts(const LineMap& lines, std::vector<LinePlace>& out) {
   std::map<int, long double> whole, begun;
   for (std::size_t b = 0; b < out.size(); ++b) whole[lines.bar_part[b]] += lines.bar_rest[b];
@@ -44,7 +44,7 @@ void place_along_parts(const LineMap& lines, std::vector<LinePlace>& out) {
   }
 }
 
-// Of the bars of netting, by their ends' places in their panels.
+// Positions of netting bars by the positions of their ends in the panel.
 void place_in_panels(const Gear& gear, const PartMap& map, const LineMap& lines,
                      std::vector<LinePlace>& out) {
   struct End {
@@ -71,7 +71,7 @@ void place_in_panels(const Gear& gear, const PartMap& map, const LineMap& lines,
   }
 }
 
-// Of cells, by the mean of their corners' places.
+// Positions of cells by the mean of their corners.
 std::vector<LinePlace> cell_places(const Gear& gear, const PartMap& map, const LineMap& lines) {
   std::vector<PanelPlace> grid;
   add_grid_places(grid, map);
@@ -114,7 +114,7 @@ std::vector<double> carry_strains(const Gear& gear, const PartMap& to_map, const
                                   const std::vector<double>& strain) {
   if (to.alike(from)) return strain;
   const std::vector<LinePlace> old = line_places(gear, from_map, from);
-  // Lines in rows: those whose middles lie equally deep.
+  // Lines form a row if their middles have the same depth.
   std::vector<double> deep;
   for (const LinePlace& place : old) deep.push_back(std::nearbyint(place.t * 1e6));
   std::vector<std::size_t> order(old.size());
@@ -140,7 +140,7 @@ std::vector<double> carry_strains(const Gear& gear, const PartMap& to_map, const
     double& width = widest[old[order[row.begin]].family];
     width = std::max(width, reach(row));
   }
-  // Rows that reach less than half as far across as others, of twines cut at the sides, say nothing of the
+  // Skips rows less than half as wide as the widest: twines cut at the sides do not represent the
   // middle.
   PlaceRows rows;
   std::vector<double> value;
@@ -163,7 +163,7 @@ std::vector<double> carry_strains(const Gear& gear, const PartMap& to_map, const
       out.push_back(0.0);
       continue;
     }
-    const Beside on = rows.rows_beside(place.family, place.t);
+    const Beside on = rows.neighbouring_rows(place.family, place.t);
     const double first = along(on.low, place.s);
     out.push_back(first + (along(on.high, place.s) - first) * on.share);
   }

@@ -1,17 +1,17 @@
-// Carries strains from one lattice to another of the same parts: with a carried shape alone the strains
-// of stiff lines would be those of its interpolation.
+// Interpolates strains between two discretisations of the same parts. An interpolated shape without
+// strains would give large errors in stiff lines.
 #pragma once
 
 #include <vector>
 
-#include "lattice.hpp"
+#include "mesh.hpp"
 
 namespace codend {
 
-// The lines of a lattice: what they join, the parts that they are of, and their lengths.
+// The lines of a discretisation: their points, parts and lengths.
 struct LineMap {
   int part_count = 0;
-  std::vector<int> bar_node, cell_node;  // points, 2 and 4 each
+  std::vector<int> bar_node, cell_node;  // points, 2 and 4 per line
   std::vector<int> bar_part, cell_part;
   std::vector<double> bar_rest, cell_straight;  // m
 
@@ -26,17 +26,17 @@ struct LineMap {
     visit.list("bar_rest", bar_rest);
     visit.list("cell_straight", cell_straight);
   }
-  // Whether both have the same lines, of whatever length.
+  // True if both have the same lines; lengths may differ.
   bool alike(const LineMap& other) const {
     return bar_node == other.bar_node && cell_node == other.cell_node;
   }
-  // Throws InputError where it is not one of a gear with these parts.
+  // Throws InputError if the map does not match the gear's parts.
   void check(const Gear& gear) const;
 };
-LineMap line_map(const Gear& gear, const Lattice& lattice);
+LineMap line_map(const Gear& gear, const Mesh& mesh);
 
-// What is known of all lines in the order of Model::lines(), from what is known of bars and of cells'
-// twines: bars, then the u and the v twines of plain cells, then straight bars, u and v of hexagonal ones.
+// Arranges values in the order of Model::lines(), given values of bars and of the twines of cells.
+// Order: bars, u and v of plain cells, then straight bars, u and v of hexagonal cells.
 template <class Value>
 std::vector<Value> in_line_order(const std::vector<double>& cell_straight, std::vector<Value> bars,
                                  const std::vector<Value>& u, const std::vector<Value>& v,
@@ -54,16 +54,16 @@ std::vector<Value> in_line_order(const std::vector<double>& cell_straight, std::
   return bars;
 }
 
-// Where the middle of a line lies. family: of the rope or the family of twine, the same in every lattice
-// of these parts; s, t: shares across and deep, of ropes along them and 0.
+// Position of the middle of a line. family: rope or family of twine, the same number in every
+// discretisation with these parts. s, t: fractions across and deep; ropes: fraction along and 0.
 struct LinePlace {
   int family = 0;
   double s = 0.0, t = 0.0;
 };
 std::vector<LinePlace> line_places(const Gear& gear, const PartMap& map, const LineMap& lines);
 
-// Strains of all lines of `to`, from those of `from`: along and across every rope and family of twine,
-// straight between its lines; 0 of families that `from` does not have.
+// Interpolates strains of all lines of `to` from the lines of `from`, linearly along and across
+// every rope and family of twine. Families that `from` lacks get 0.
 std::vector<double> carry_strains(const Gear& gear, const PartMap& to_map, const LineMap& to,
                                   const PartMap& from_map, const LineMap& from,
                                   const std::vector<double>& strain);

@@ -1,6 +1,5 @@
-// What the parts of a gear bring into its lattice: nodes, points tied between them, elements, masses.
-//
-// Tied points are numbered -1, -2, ... until all nodes are known.
+// Contributions of a gear's parts to its discretisation: nodes, tied points, elements, masses. Tied
+// points have numbers -1, -2, ... until all nodes are known.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +18,9 @@ struct TieList {
   std::vector<double> share;
 };
 
-// Sheets of netting between equivalent bars, on which these have what cells have as a whole.
+// Sheets of netting between equivalent bars. They carry properties that cells have as a whole.
 struct Sheets {
-  std::vector<int> node;      // 4 each, of three corners the last one twice
+  std::vector<int> node;      // 4 each; a triangle repeats its last corner
   std::vector<double> twine;  // u0 v0 ... u3 v3 each
   std::vector<double> height;
   std::vector<int> part;
@@ -39,13 +38,14 @@ struct Mass {
   int node;
   double mass, volume;  // kg, m3
   double height;        // of the body, m
-  double surface;       // over which it leaves the water, m
-  double area;          // on the ground, m2
+  double surface;       // vertical size at the free surface, m
+  double area;          // ground contact area, m2
 };
 
-// A line of a lattice is one of all the material around it, so it leaves the water over at least this
-// share of its length. What is thinner would come and go with every millimetre, and a net that lies at
-// the surface would not settle; the finer the lattice, the less it matters.
+// Minimum height over which a line leaves the water, as a fraction of its length. One line
+// represents all the material around it. With a smaller height, drag and buoyancy would change with
+// every millimetre, and a net at the surface would not converge. The effect decreases with
+// refinement.
 constexpr double surface_share = 0.05;
 inline double surface_height(double diameter, double length) {
   return std::max(diameter, surface_share * length);
@@ -63,7 +63,7 @@ struct Collection {
   std::vector<int> bar_part, cell_part, sphere_part, lift_part;
   std::vector<Mass> masses;
 
-  // A point on the straight line between two nodes.
+  // Adds a point on the straight line between two nodes; returns its number.
   int tie(int first, int second, double share) {
     ties.first.push_back(first);
     ties.second.push_back(second);
@@ -96,7 +96,7 @@ struct Collection {
     lifts.height.push_back(height);
     lift_part.push_back(part);
   }
-  // Gives tied points their numbers, once all nodes are known.
+  // Replaces the numbers of tied points once all nodes are known.
   void number_ties() {
     const auto number = [&](int& node) {
       if (node < 0) node = nodes - 1 - node;

@@ -15,8 +15,7 @@ int EdgeNodes::cell_of(double x, int edge) const {
 
 namespace {
 
-// Where a value lies between numbers that grow (of equal ones, their mean), straight between them and
-// constant beyond.
+// Piecewise linear interpolation at v; constant beyond the ends. x increases.
 double between(double v, const std::vector<double>& x, const std::vector<double>& y) {
   std::size_t i = 0, j = x.size() - 1;
   if (v < x[i]) return y[i];
@@ -30,8 +29,8 @@ double between(double v, const std::vector<double>& x, const std::vector<double>
   return y[i] + (y[j] - y[i]) * ((v - x[i]) / (x[j] - x[i]));
 }
 
-// Shares of a rope's length from those of its chain's stretched length, where it has these shares of
-// its length along the chain's edges.
+// Converts fractions of a chain's stretched length to fractions of the rope's length. shares: parts
+// of the rope's length along the chain's edges.
 void share_out(std::vector<double>& at, const ChainTable& chains, int chain,
                const std::vector<double>& shares) {
   const double total = exact_sum(shares);
@@ -51,7 +50,7 @@ void share_out(std::vector<double>& at, const ChainTable& chains, int chain,
   for (double& a : at) a = x.size() > 1 ? between(a, x, y) : y[0];
 }
 
-// The first of those nearest to a share.
+// Returns the first node nearest to a fraction.
 int nearest(const NodeRun& run, double share) {
   std::size_t best = 0;
   for (std::size_t k = 1; k < run.at.size(); ++k) {
@@ -60,10 +59,10 @@ int nearest(const NodeRun& run, double share) {
   return run.node[best];
 }
 
-// How panels number the nodes of their edges before these are joined: those of a panel of cells are
-// its grid's, those of a panel of bars follow each other. Node k of edge e is offset[e] + step[e] k.
+// Node numbers on the edges of panels before edges are joined. A panel of cells uses the numbers of
+// its grid, a panel of bars consecutive numbers. Node k of edge e is offset[e] + step[e] k.
 struct EdgeNumbers {
-  std::vector<int> base, size;  // per panel: nodes numbered before its own, and its own
+  std::vector<int> base, size;  // per panel: preceding nodes, own nodes
   std::vector<int> offset, step;
   int operator()(int edge, int k) const { return offset[edge] + step[edge] * k; }
 };
@@ -109,7 +108,7 @@ Division divide(const Gear& gear, const ChainTable& chains, const EdgePieces& pi
   const EdgeNumbers on = number_edges(edges.count, bars, points);
   const auto last_on = [&](int edge) { return on(edge, edges.count[edge] - 1); };
 
-  // Numbers of all nodes, before what is the same is joined.
+  // Numbers all nodes, before identical nodes are joined.
   int numbered = points;
   for (const int size : on.size) numbered += size;
   std::vector<NodeRun> ropes;
@@ -132,7 +131,7 @@ Division divide(const Gear& gear, const ChainTable& chains, const EdgePieces& pi
     const double f = edges.fraction[edges.before[chains.edge[row]] + k];
     return f > chains.low(row) - break_tolerance && f < chains.high(row) + break_tolerance;
   });
-  // Where one edge of a chain ends and the next begins there are two names for one node.
+  // Two consecutive edges of a chain share one node.
   for (int c = 0; c < chains.chains(); ++c) {
     int ends = 0;
     for (int row = chains.first[c]; row < chains.first[c] + chains.rows[c]; ++row) {
@@ -177,7 +176,7 @@ Division divide(const Gear& gear, const ChainTable& chains, const EdgePieces& pi
       joined.join(last_on(upper), on(right, 0));
       joined.join(last_on(lower), last_on(right));
     }
-    // The tip of a pointed panel is one node, gathered in a place or not.
+    // The tip of a pointed panel is one node, even if no seam gathers it.
     for (const int tip : {upper, lower}) {
       if ((tip == upper ? gear.panels[p].upper : gear.panels[p].lower) != 0.0) continue;
       for (int k = 1; k < edges.count[tip]; ++k) joined.join(on(tip, k - 1), on(tip, k));
@@ -230,7 +229,7 @@ Division divide(const Gear& gear, const ChainTable& chains, const EdgePieces& pi
     for (const int node : run_of(chain).node) joined.join(node, places[place]);
   }
 
-  // Numbers in the order in which they come first.
+  // Numbers nodes in order of first appearance.
   std::vector<int> number(static_cast<std::size_t>(numbered));
   for (int k = 0; k < numbered; ++k) {
     const int label = joined(k);

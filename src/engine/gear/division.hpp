@@ -1,5 +1,5 @@
-// Nodes of a lattice: points, ropes and panels number their own, and seams, laced ropes and places make
-// them the same.
+// Nodes of a discretisation. Points, ropes and panels have separate numbers; seams, laced ropes and
+// locations join them.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace codend {
 
-// Nodes along a rope, a seam or a run of pieces, and their shares of its length.
+// Nodes along a rope, a seam or a run of pieces, and their fractions of its length.
 struct NodeRun {
   std::vector<int> node;
   std::vector<double> at;
@@ -21,11 +21,11 @@ struct NodeRun {
   }
 };
 
-// Nodes along every edge of panels, edge after edge, and their shares of it.
+// Nodes along all edges of panels, edge after edge, and their fractions of the edge.
 struct EdgeNodes {
   std::vector<double> fraction;
   std::vector<int> edge_node;
-  std::vector<int> count, before;  // per edge: nodes of its own, and before them
+  std::vector<int> count, before;  // per edge: number of nodes, and of preceding nodes
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -34,11 +34,11 @@ struct EdgeNodes {
     visit.list("count", count);
     visit.list("before", before);
   }
-  // Which of all nodes on edges begins the stretch between two nodes of its edge that x lies in.
+  // Returns the index of the node of `edge` that begins the interval containing x.
   int cell_of(double x, int edge) const;
 };
 
-// The nodes of a panel of cells, row by row; empty: it is of bars.
+// Nodes of a panel of cells, row by row; empty for a panel of bars.
 struct Grid {
   int columns = 0;
   std::vector<int> node;
@@ -54,7 +54,7 @@ struct Division {
   int nodes = 0;
   EdgeNodes edges;
   std::vector<Grid> grids;
-  std::vector<NodeRun> ropes, runs;  // runs: of every piece spread along edges, else empty
+  std::vector<NodeRun> ropes, runs;  // runs: of pieces along edges, else empty
   struct Held : NodeRun {
     int seam = 0;
     std::array<int, 2> points = {0, 0};
@@ -66,8 +66,8 @@ struct Division {
       visit("points", points, {1, Among::places});
     }
   };
-  std::vector<Held> held_edges;  // of seams held on a line
-  std::vector<int> places;       // node of every place (gear.hpp); points come first
+  std::vector<Held> held_edges;  // of seams fixed on a line
+  std::vector<int> places;       // node of every location (gear.hpp); points come first
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -82,8 +82,8 @@ struct Division {
   }
 };
 
-// piece_counts: elements of every piece of an edge; rope_counts: of every rope with nodes of its own;
-// bars: which panels are of bars.
+// Creates the nodes. piece_counts: elements per edge piece; rope_counts: elements per rope with its
+// own nodes; bars: true for panels of bars.
 Division divide(const Gear& gear, const ChainTable& chains, const EdgePieces& pieces,
                 const std::vector<int>& piece_counts, const std::vector<int>& rope_counts,
                 const std::vector<char>& bars);

@@ -33,8 +33,8 @@ double edge_length(const GearPanel& panel, int side) {
   if (panel.square()) return panel.mesh_size / 2 * (across + down);
   const bool turned = panel.orientation == MeshOrientation::hexagonal_turned;
   if (turned || panel.orientation == MeshOrientation::hexagonal) {
-    // Steps along the straight bars and the oblique ones next to them go down and across alike; what is
-    // left goes along oblique bars, or across, where turned, along straight ones too.
+    // Steps along straight bars and adjacent oblique bars advance equally down and across. The
+    // remaining distance follows oblique bars, and also straight bars if it is in their direction.
     const double short_way = panel.mesh_size - 2 * panel.straight_bar;
     const double long_way = turned ? across : down;
     return panel.mesh_size * long_way +
@@ -71,7 +71,7 @@ int add_chain(ChainTable& table, const Gear& gear, const std::vector<Link>& link
   return table.chains() - 1;
 }
 
-// Where the new breaks are not known yet, they are put among the known.
+// Inserts breaks that are not yet known.
 std::vector<double> merge_breaks(std::vector<double> known, const std::vector<double>& found) {
   for (const double f : found) {
     double nearest = INFINITY;
@@ -160,8 +160,8 @@ Breaks edge_breaks(const ChainTable& chains, const std::vector<char>& linked) {
     }
   }
 
-  // Whatever has more breaks than its ends hands them to its neighbours; a seam of one whole edge with
-  // another has nothing to hand on until then.
+  // Edges with interior breaks pass them to their neighbours. A seam between two whole edges passes
+  // breaks only when it receives some.
   std::vector<int> waiting;
   std::vector<char> waits(breaks.size(), 0);
   const auto wait = [&](int edge) {

@@ -1,5 +1,5 @@
-// Edges of panels as a lattice divides them: chains of edges, breaks that seams carry from panel to
-// panel, and the pieces between breaks, in classes that share one count of elements.
+// Edges of panels: chains of edges, breaks that seams transfer between panels, and pieces between
+// breaks. Joined pieces have one common number of elements.
 #pragma once
 
 #include <array>
@@ -10,23 +10,22 @@
 
 namespace codend {
 
-// Shares of an edge that are nearer than this are one.
+// Fractions of an edge that differ by less than this are equal.
 constexpr double break_tolerance = 1e-7;
 
 inline int opposite_edge(int edge) { return edge ^ 1; }
 
-// All chains of a gear as one table, a row per link, the rows of a chain one after the other. First
-// come those of seams that join edges, then of laced ropes, of pieces spread along edges, and of seams
-// gathered in a place.
+// All chains of a gear as one table with a row per link; rows of a chain are consecutive. Order:
+// seams that join edges, laced ropes, pieces along edges, seams gathered in one point.
 struct ChainTable {
-  // Per row: its edge; the shares of that between which it runs, from > to where reversed; the shares
-  // of the chain's stretched length there.
+  // Per row: the edge, the fractions of the edge between which it runs (from > to if reversed), and
+  // the corresponding fractions of the chain's stretched length.
   std::vector<int> edge;
   std::vector<double> from, to, start, end;
-  std::vector<int> first, rows;               // per chain: its first row and how many
-  std::vector<int> seam_first, seam_count;    // per joining seam: its first chain and how many
-  std::vector<int> laced, run;                // per rope, per piece: its chain, or -1
-  std::vector<std::pair<int, int>> gathered;  // chain and the place that it is gathered in
+  std::vector<int> first, rows;               // per chain: first row, number of rows
+  std::vector<int> seam_first, seam_count;    // per joining seam: first chain, number of chains
+  std::vector<int> laced, run;                // per rope and per piece: chain, or -1
+  std::vector<std::pair<int, int>> gathered;  // chain, and location in which it is gathered
   struct Held {
     int seam, chain;
     std::array<int, 2> points;
@@ -36,7 +35,7 @@ struct ChainTable {
     int edge;
     double share;
   };
-  std::vector<Mark> marks;  // places at a share of a laced rope's length, on its edges
+  std::vector<Mark> marks;  // locations at a fraction of a laced rope, on its edges
 
   int chains() const { return static_cast<int>(first.size()); }
   bool whole(int row) const;
@@ -46,20 +45,20 @@ struct ChainTable {
 };
 ChainTable chain_table(const Gear& gear);
 
-// Stretched length (m) of an edge: the shortest way along its twines. Across i and down j meshes that
-// is 2 max(i, j) bars in diamond netting and, i and j counting bars, i + j bars in square; hexagonal
-// meshes are shorter across their straight bars.
+// Stretched length (m) of an edge, the shortest path along its twines. Across i and down j meshes
+// it is 2 max(i, j) bars in diamond netting, and i + j bars in square netting, where i and j count
+// bars. Hexagonal meshes are shorter across their straight bars.
 double edge_length(const GearPanel& panel, int side);
 
-// Things numbered 0, 1, ... along every edge (nodes, pieces) that lie in a row of the table: the first
-// in the row's direction, 1 or -1, and how many.
+// Items numbered 0, 1, ... along every edge (nodes or pieces) that lie in a row of the table: the
+// first in the row's direction, the direction (1 or -1), and the number.
 struct Covered {
   std::vector<int> begin, way, number;
 };
 struct Thing {
-  int row, k;  // of the table, along the edge
+  int row, k;  // row of the table, index along the edge
 };
-// inside(row, k): whether thing k of the row's edge lies in it; asked where it is not the whole edge.
+// inside(row, k): true if item k of the row's edge lies in the row. Used only for partial edges.
 template <class Inside>
 Covered covered(const ChainTable& chains, const std::vector<int>& number_on_edge, Inside inside) {
   Covered out;
@@ -79,11 +78,11 @@ Covered covered(const ChainTable& chains, const std::vector<int>& number_on_edge
   }
   return out;
 }
-// The things along a chain.
+// Returns the items along a chain.
 std::vector<Thing> along_chain(const ChainTable& chains, const Covered& covered, int chain);
 
-// Breaks (shares, growing) of every edge, carried through seams and across panels until nothing
-// changes. linked: panels whose opposite edges must be divided alike.
+// Breaks (increasing fractions) of every edge, propagated through seams and across panels until
+// nothing changes. linked: panels whose opposite edges must have the same pieces.
 using Breaks = std::vector<std::vector<double>>;
 Breaks edge_breaks(const ChainTable& chains, const std::vector<char>& linked);
 
@@ -91,14 +90,14 @@ Breaks edge_breaks(const ChainTable& chains, const std::vector<char>& linked);
 struct EdgePieces {
   std::vector<int> edge;
   std::vector<double> from, to;
-  std::vector<int> joined;           // pieces of one number have one count
-  std::vector<int> first, count_of;  // per edge: pieces before its own, and of its own
+  std::vector<int> joined;           // class of pieces with one common number of elements
+  std::vector<int> first, count_of;  // per edge: preceding pieces, own pieces
   int count() const { return static_cast<int>(edge.size()); }
 };
 EdgePieces edge_pieces(const ChainTable& chains, const Breaks& breaks,
                        const std::vector<char>& linked);
 
-// Numbers that are made the same: each group is known by its smallest.
+// Disjoint sets (union-find). The smallest member represents each set.
 class Joined {
  public:
   explicit Joined(int count);

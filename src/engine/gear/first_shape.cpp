@@ -29,14 +29,13 @@ double length_of(const Vector& x) {
   return std::sqrt(static_cast<double>(squares));
 }
 
-// The coarsest division of a gear.
 Division divide_coarsely(const Gear& gear) {
   const std::vector<char> linked(gear.panels.size(), 1), bars(gear.panels.size(), 0);
   const ChainTable chains = chain_table(gear);
   const EdgePieces pieces = edge_pieces(chains, edge_breaks(chains, linked), linked);
   std::vector<int> segments;
   for (const GearRope& rope : gear.ropes) {
-    // What is fastened to the middle of a pole must not start at its end.
+    // An attachment at the middle of a pole must not start at its end.
     segments.push_back(rope.strut ? std::max(1, rope.segments) : 1);
   }
   return divide(gear, chains, pieces, std::vector<int>(pieces.edge.size(), 1), segments, bars);
@@ -92,12 +91,12 @@ Strings skeleton_strings(const Gear& gear, const Division& skeleton, double open
   return out;
 }
 
-// Adds weight, lift and a rough drag (N) to the loads of a skeleton's nodes, part by part.
+// Adds weight, lift and an approximate drag (N) to the loads of the skeleton's nodes, part by part.
 void add_skeleton_load(const Gear& gear, const Division& skeleton, double speed,
                        std::vector<double>& load) {
   const double density = gear.density;
   const double push = 0.5 * density * speed * std::abs(speed);
-  // First each part's force on each node, then the sum over parts.
+  // First sums each part's force per node, then adds parts.
   std::vector<Vector> sum(static_cast<std::size_t>(skeleton.nodes), Vector::Zero());
   std::vector<char> loaded(sum.size(), 0);
   std::vector<int> nodes;
@@ -113,7 +112,7 @@ void add_skeleton_load(const Gear& gear, const Division& skeleton, double speed,
     }
     nodes.clear();
   };
-  // A line's weight, and the drag of a cylinder at about 20 degrees to the flow.
+  // Weight of a line, and drag of a cylinder at about 20 degrees to the flow.
   const auto line_load = [&](double length, double mass, double volume, double diameter) {
     return Vector(0.1 * push * diameter * length, 0.0,
                   -gravity * length * (mass - density * volume));
@@ -162,7 +161,7 @@ void add_skeleton_load(const Gear& gear, const Division& skeleton, double speed,
   }
 }
 
-// Returns the nodes that a free surface keeps from rising: buoyant nodes.
+// Buoyant nodes, which a free surface prevents from rising.
 std::vector<char> buoyant_nodes(const std::vector<double>& load) {
   std::vector<char> out;
   for (std::size_t k = 2; k < load.size(); k += 3) out.push_back(load[k] > 0.0);
@@ -174,7 +173,7 @@ double height_above(const GearGround& ground, const Vector& x) {
          ground.height;
 }
 
-// What is held of a gear that is let go along a rope: that rope.
+// Supports of a gear that is shot along a rope: the rope is fixed.
 Supports rope_supports(const Gear& gear, const Division& skeleton, int rope) {
   Supports out;
   out.held.assign(static_cast<std::size_t>(skeleton.nodes), 0);
@@ -207,7 +206,7 @@ std::vector<double> first_shape(const Gear& gear, const PartMap& map, bool shot,
   strings.load = supports.load;
   add_skeleton_load(gear, skeleton, shot ? 0.0 : gear.speed, strings.load);
   if (gear.free_surface) strings.buoyant = buoyant_nodes(strings.load);
-  // Nothing pulls on a weightless gear at rest: let it hang.
+  // A weightless gear at rest has no loads: add a small weight.
   double total = 1e-9;
   for (int k = 0; k < skeleton.nodes; ++k) {
     total = std::max(total, length_of(at(strings.load.data(), k)));
@@ -217,7 +216,7 @@ std::vector<double> first_shape(const Gear& gear, const PartMap& map, bool shot,
   }
   for (double& tension : strings.tension) tension *= total;
   lay_out(strings, position.data());
-  // What floats stays at the surface.
+  // No node may start above the surface.
   for (std::size_t k = 2; k < position.size() && gear.free_surface; k += 3) {
     position[k] = std::min(position[k], 0.0);
   }

@@ -1,10 +1,10 @@
-// A crude first shape, so that nobody gives coordinates.
+// Approximate initial shape, so that the user does not need to provide coordinates.
 //
-// The gear is divided as coarsely as its seams allow. On that skeleton ropes and the lengthwise lines
-// of panels are strings, the crosswise lines weak strings, pulled by weight, lift and a rough drag;
-// string tensions are found that bring the lengths near their own (force densities, H.-J. Schek,
-// Comput. Methods Appl. Mech. Eng. 3:115, 1974). The shape is then carried from the skeleton to the
-// lattice.
+// The gear is meshed as coarsely as its seams allow. On this skeleton ropes and the longitudinal
+// lines of panels are strings, the transverse lines weak strings. Loads are weight, lift and an
+// approximate drag. String tensions are computed that bring lengths near their rest lengths (force
+// densities, H.-J. Schek, Comput. Methods Appl. Mech. Eng. 3:115, 1974). The shape is then
+// interpolated to the final mesh.
 #pragma once
 
 #include <functional>
@@ -15,24 +15,24 @@
 
 namespace codend {
 
-// A net of strings: see solve/layout.hpp, whose lay_out() is what a caller hands over to find its shape.
+// A net of strings. The caller passes lay_out() of solve/layout.hpp to compute its shape.
 struct Strings {
   std::vector<char> held;
   std::vector<int> ends;
   std::vector<double> rest, tension, load;
   std::vector<char> buoyant;
 };
-// x: 3 per node (m); held nodes on entry, all on return.
+// x: 3 per node (m); fixed nodes on entry, all nodes on return.
 using LayOut = std::function<void(const Strings&, double* x)>;
 
-// Positions (m, 3 per node) of the nodes of `map`. shot: hung in water at rest from the rope that the
-// gear is let go along, drawn out straight along x from 0, its netting as wide as it goes; every node's
-// x then says when it is let go.
+// Returns positions (m, 3 per node) of the nodes of `map`. shot: the gear hangs in still water from
+// the rope along which it is shot. The rope is straight along x from 0, and the netting hangs at
+// its full width. The x of a node then determines the time of its release.
 std::vector<double> first_shape(const Gear& gear, const PartMap& map, bool shot,
                                 const LayOut& lay_out);
 
-// Moves points out of the ground: what hangs below it is laid down along it, aft, so that lengths stay;
-// plates that are not level stand upright with their foot above it.
+// Moves points out of the ground. Points below it are moved up and aft along it, which preserves
+// lengths. Plates that are not level are placed upright with their foot above the ground.
 void lay_on_ground(const Gear& gear, const std::vector<int>& points, std::vector<double>& position);
 
 }  // namespace codend

@@ -1,10 +1,14 @@
-// A gear's numbers in SI, from which its lattice is made: points, ropes, panels of netting, the seams
-// that join their edges, pieces that are fastened to them, and plates.
+// A gear in SI units, from which its discretisation is made: points, ropes, panels of netting,
+// seams that join their edges, attached pieces, and plates.
 //
-// Edges are numbered panel by panel: 4 p upper, 4 p + 1 lower, 4 p + 2 left, 4 p + 3 right. Places are
-// numbered too: all points, then of every panel its upper left, upper right, lower left and lower right
-// corner, then of every rope its start, middle and end, then the places at a share of a rope's length.
-// A place of -1 is none. Parts are numbered ropes first, then panels, pieces and plates.
+// Edges are numbered panel by panel: 4 p upper, 4 p + 1 lower, 4 p + 2 left, 4 p + 3 right.
+// Locations (`places`) are numbered in this order; -1 means none:
+// - all points;
+// - for every panel its upper left, upper right, lower left and lower right corner;
+// - for every rope its start, middle and end;
+// - locations at a fraction of a rope's length.
+//
+// Parts are numbered ropes first, then panels, pieces and plates.
 #pragma once
 
 #include <array>
@@ -19,7 +23,7 @@
 
 namespace codend {
 
-// Netting hangs open to about this share of its stretched width, to begin with.
+// Initial opening of netting as a fraction of its stretched width.
 constexpr double nominal_hanging_ratio = 0.3;
 
 enum class MeshOrientation { diamond, square, turned, hexagonal, hexagonal_turned };
@@ -27,7 +31,7 @@ constexpr std::array<const char*, 5> names_of(MeshOrientation) {
   return {"diamond", "square", "turned", "hexagonal", "hexagonal_turned"};
 }
 
-// A stretch of an edge, between two shares of its length; from > to: it runs the other way.
+// A part of an edge, between two fractions of its length; reversed if from > to.
 struct Link {
   int edge = 0;
   double from = 0.0, to = 1.0;
@@ -40,7 +44,7 @@ struct Link {
   }
 };
 
-// Stretches of edges one after the other.
+// Consecutive parts of edges.
 struct Chain {
   std::vector<Link> links;
 
@@ -51,12 +55,12 @@ struct Chain {
 };
 
 struct GearPoint {
-  bool held = false;                 // its position is given
+  bool held = false;                 // fixed at `position`
   Vector position = Vector::Zero();  // m
-  bool has_near = false;             // where about it is, to begin with
+  bool has_near = false;             // initial position is given
   Vector near = Vector::Zero();      // m
   Vector load = Vector::Zero();      // N
-  int at = -1;                       // a place that it is the same as
+  int at = -1;                       // location identical to this point
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -69,20 +73,20 @@ struct GearPoint {
   }
 };
 
-// A rope between two places, through others where it slides; or laced along edges.
+// A rope between two locations, which may slide through others, or a rope laced along edges.
 struct GearRope {
   int from = -1, to = -1;
-  std::vector<int> through;    // places
-  std::vector<Link> along;     // empty: it has nodes of its own
-  std::vector<double> shares;  // of its length along each edge of `along`; empty: evenly
+  std::vector<int> through;    // locations
+  std::vector<Link> along;     // empty: the rope has its own nodes
+  std::vector<double> shares;  // parts of its length per edge of `along`; empty: even
   double length = 0.0;         // m
   double diameter = 0.0;       // m
   double mass_per_length = 0.0, volume_per_length = 0.0;  // kg/m, m2
-  double weight_factor = 1.0;  // by which its weight in water is multiplied
+  double weight_factor = 1.0;                             // multiplier of its weight in water
   double axial_stiffness = 0.0, bending_stiffness = 0.0;  // N, N m2
-  bool strut = false;                                     // pushes as well
-  int segments = 0;                                       // 0: as the lattice needs
-  std::vector<double> friction;  // along and across it; empty: the ground's
+  bool strut = false;                                     // carries compression
+  int segments = 0;                                       // 0: automatic
+  std::vector<double> friction;  // along and across its axis; empty: as the ground
 
   bool laced() const { return !along.empty(); }
   template <class Visit>
@@ -106,21 +110,21 @@ struct GearRope {
 };
 
 struct GearPanel {
-  double mesh_size = 0.0;                      // stretched, m
-  double upper = 0.0, lower = 0.0;             // meshes across its edges
-  double deep = 0.0;                           // meshes
-  double taper_left = 0.5, taper_right = 0.5;  // shares of the meshes lost at either side
-  double mass_per_length = 0.0, volume_per_length = 0.0;  // of all twine side by side, kg/m, m2
-  double twine_diameter = 0.0, twine_count = 1.0;         // m; side by side
+  double mesh_size = 0.0;                                 // stretched, m
+  double upper = 0.0, lower = 0.0;                        // meshes along its edges
+  double deep = 0.0;                                      // meshes
+  double taper_left = 0.5, taper_right = 0.5;             // fractions of the lost meshes per side
+  double mass_per_length = 0.0, volume_per_length = 0.0;  // all parallel twines, kg/m, m2
+  double twine_diameter = 0.0, twine_count = 1.0;         // m; number of parallel twines
   double knot_diameter = 0.0, knot_twine = 0.0;           // m; 0: no knots
-  double knot_drag = 1.0;                                 // by which their drag is multiplied
+  double knot_drag = 1.0;                                 // multiplier of the drag of knots
   double straight_bar = 0.0;                              // of hexagonal meshes, m
   MeshOrientation orientation = MeshOrientation::diamond;
   WakeLaw shielding = WakeLaw::none;
-  NettingDrag drag = NettingDrag::twines;
-  int columns = 0, rows = 0, bar_segments = 0;       // 0: as the lattice needs
-  bool bars = false;                                 // equivalent bars, not cells
-  bool stiff = false;                                // its knots resist opening:
+  NettingDrag drag = NettingDrag::morison;
+  int columns = 0, rows = 0, bar_segments = 0;       // 0: automatic
+  bool bars = false;                                 // equivalent bars instead of cells
+  bool stiff = false;                                // knots resist opening
   double opening_couple = 0.0, opening_angle = 0.0;  // N m/rad, rad
 
   template <class Visit>
@@ -152,30 +156,30 @@ struct GearPanel {
   }
 
   bool square() const { return orientation == MeshOrientation::square; }
-  // Where its left and right side lie at a depth of j meshes, in meshes across.
+  // Positions of the left and right side at a depth of j meshes, in meshes across.
   double left(double j) const { return taper_left * (upper - lower) * j / deep; }
   double right(double j) const { return upper - taper_right * (upper - lower) * j / deep; }
   // Length of one mesh, in square netting of one bar, m.
   double unit() const { return mesh_size / (1 + square()); }
-  // Width of its twine across the flow, m.
+  // Total width of the parallel twines, m.
   double width() const { return twine_diameter * twine_count; }
-  // Bars of one family, as many of the other, and knots.
+  // Number of bars of one family, equal to the other family and to the number of knots.
   double bar_count() const { return (upper + lower) / 2 * deep * (2 - square()); }
-  // Twine for each of these bars, m, and the same with what its knots take.
+  // Twine length per bar, m; then including the twine in its knots.
   double cell_twine() const { return mesh_size - straight_bar; }
   double cell_twine_with_knots() const { return cell_twine() + knot_twine; }
-  // How much of its twine's share of the area it loses where its twines cross without a knot, over that
-  // share squared (base/solidity.hpp). Bars of hexagons meet and do not cross.
+  // Coefficient of the area lost at crossings without knots: Sn = s - overlap s^2
+  // (base/solidity.hpp). Bars of hexagonal meshes meet and do not cross.
   double crossing_overlap() const { return knot_diameter == 0 && straight_bar == 0 ? 0.25 : 0.0; }
-  // Whether its drag is a screen's.
-  bool screen() const { return drag != NettingDrag::twines && drag != NettingDrag::blended; }
+  // True for screen drag models.
+  bool screen() const { return drag != NettingDrag::morison && drag != NettingDrag::blended; }
 };
 
-// Edges that are joined, chain to chain, gathered in a place or held on the line between two points.
+// Edges joined chain to chain, gathered in a location, or fixed on the line between two points.
 struct GearSeam {
   std::vector<Chain> chains;
-  int gathered_at = -1;                        // a place
-  std::array<int, 2> held_between = {-1, -1};  // points, as places
+  int gathered_at = -1;                        // location
+  std::array<int, 2> held_between = {-1, -1};  // points, as locations
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -185,18 +189,18 @@ struct GearSeam {
   }
 };
 
-// Bodies at a place, or spread along a rope or along edges.
+// Bodies at a location, or distributed along a rope or along edges.
 struct GearPiece {
-  int at = -1;                               // a place
+  int at = -1;                               // location
   int rope = -1;                             // or along this rope,
   std::vector<Link> along;                   // or along these edges,
-  std::array<double, 2> share = {0.0, 1.0};  // between these shares of it,
-  bool end_to_end = false;                   // one at either end, else evenly
+  std::array<double, 2> share = {0.0, 1.0};  // between these fractions,
+  bool end_to_end = false;                   // one at each end; else distributed evenly
   double number = 1.0;
-  double mass = 0.0, volume = 0.0;                              // of one, kg, m3
+  double mass = 0.0, volume = 0.0;                              // of one body, kg, m3
   double height = 0.0, drag_area = 0.0, smooth_diameter = 0.0;  // m, m2, m
   double added_mass = 0.0;                                      // kg
-  double lift_area = 0.0;  // C_L A, m2; negative: down or to port
+  double lift_area = 0.0;  // C_L A, m2; negative: downward or to port
   LiftDirection lift_direction = LiftDirection::up;
   double upward_lift_area = 0.0;  // m2
 
@@ -220,15 +224,15 @@ struct GearPiece {
   }
 };
 
-// A rigid plate on three points that pushes sideways, or up where its span lies level.
+// A rigid plate on three points with lift to the side, or upward if its span is level.
 struct GearPlate {
-  std::array<int, 3> points = {0, 0, 0};  // as places
-  std::array<Vector, 3> attachment;       // of these, m (axes: lifting_plate.hpp)
-  std::array<Vector, 3> upright;          // the same in the first shape, from their middle, m
-  double side = 1.0;                      // 1 or -1: to which side it pushes
+  std::array<int, 3> points = {0, 0, 0};  // as locations
+  std::array<Vector, 3> attachment;       // of the points, m (axes: lifting_plate.hpp)
+  std::array<Vector, 3> upright;          // in the initial shape, relative to their centroid, m
+  double side = 1.0;                      // 1: starboard or up; -1: port or down
   bool level = false;
   double area = 0.0, mass = 0.0, volume = 0.0;  // m2, kg, m3
-  double room = 0.0;                            // height of the points' middle over its foot, m
+  double room = 0.0;                            // height of the points' centroid above the foot, m
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -244,10 +248,10 @@ struct GearPlate {
   }
 };
 
-// Panels that are a bag which what gathers inside pushes out, from their lower edges on.
+// Panels that form a bag with a pressure from its contents, which start at the lower edges.
 struct GearBag {
   std::vector<int> panels;
-  double deep = 0.0;  // meshes
+  double deep = 0.0;  // total depth, meshes
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -267,7 +271,7 @@ struct SharePlace {
   }
 };
 
-// The sea bed as the lattice needs it: normal . x = height.
+// Seabed plane for the initial shape: normal . x = height (m).
 struct GearGround {
   Vector normal = Vector::UnitZ();
   double height = 0.0;
@@ -292,10 +296,10 @@ struct Gear {
   GearBag bag;
   bool has_ground = false;
   GearGround ground;
-  double density = 0.0;  // of the water, kg/m3
-  double speed = 0.0;    // of the water past the gear at the surface, towards x, m/s
+  double density = 0.0;  // of water, kg/m3
+  double speed = 0.0;    // water speed past the gear at the surface, towards x, m/s
   bool free_surface = false;
-  int shot_along = -1;  // the rope that it is let go along; -1: it is in the water
+  int shot_along = -1;  // rope along which the gear is shot; -1: already in the water
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -326,7 +330,7 @@ struct Gear {
   int parts() const {
     return rope_count + panel_count + static_cast<int>(pieces.size() + plates.size()) + has_bag;
   }
-  // Throws InputError where the counts are not those of what is given.
+  // Throws InputError if the counts differ from the numbers of given parts.
   void check() const;
 };
 

@@ -1,24 +1,23 @@
-// The model of a gear's lattice: its elements with the water, the ground and the materials that they are
-// of.
+// Creates the model of a gear from its discretisation, with water, ground and materials.
 #pragma once
 
 #include "../model/model.hpp"
-#include "lattice.hpp"
+#include "mesh.hpp"
 
 namespace codend {
 
-// What a model takes of a gear beside its lattice, as Model has it: materials of ropes, panels' twine and
-// plates in the order of their parts, and plates, whose nodes the lattice gives.
+// Additional input of a model, with the fields of Model. Materials: ropes, panels' twine and plates
+// in the order of their parts. The discretisation adds the nodes of plates.
 struct GearModel {
   Water water;
   Ground ground;
   SlackDrag slack = SlackDrag::curved;
   std::vector<TwineMaterial> materials,
-      blended;  // blended: of netting's twine where it is in part a screen
+      blended;  // blended: twine of panels with blended drag
   LoadTable load_table;
   ForceMultipliers multipliers;
   std::vector<LiftingPlate> plates;
-  double drag_coefficient = 0.0;  // of the pressure within a bag
+  double drag_coefficient = 0.0;  // of the pressure in a bag
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -30,16 +29,16 @@ struct GearModel {
     visit.columns("blended", blended);
     visit.optional("load_table", load_table);
     visit.optional("multipliers", multipliers);
-    visit.count(Among::points, 1000000000);  // nodes of another lattice
+    visit.count(Among::points, 1000000000);  // not checked: replaced by the discretisation
     visit.items("plates", plates);
     visit("drag_coefficient", drag_coefficient);
   }
 };
 
-// Not ready for use, and without the nodes and weights of the pressure.
-Model model_of(const Gear& gear, const Lattice& lattice, const GearModel& numbers);
+// The result is not yet prepared for use, and lacks nodes and weights of the pressure.
+Model model_of(const Gear& gear, const Mesh& mesh, const GearModel& numbers);
 
-// The part of every line of the model (Model::lines()).
-std::vector<int> line_parts(const Lattice& lattice);
+// Part of every line of the model (Model::lines()).
+std::vector<int> line_parts(const Mesh& mesh);
 
 }  // namespace codend

@@ -33,7 +33,7 @@ void add_knots(Collection& to, const GearPanel& panel, int part, int node, doubl
   const double height = surface_height(d, panel.mesh_size * std::sqrt(count));
   to.masses.push_back(
       {node, twine * panel.mass_per_length, twine * panel.volume_per_length, d, height, 0.0});
-  // Those of a screen drag with it.
+  // A screen's drag already includes its knots.
   const double drags = panel.screen() ? 0.0 : panel.knot_drag;
   to.add_sphere(node, pi / 4 * (d * d) * count * drags, d, false,
                 0.5 * pi / 6 * std::pow(d, 3.0) * count, height, part);
@@ -56,13 +56,13 @@ std::vector<DrawnPanel> add_netting(Collection& to, const Gear& gear, const Divi
 namespace {
 
 struct Cell {
-  int panel, place;       // upper left corner's place in the panel's grid
-  std::array<int, 4> at;  // corners' places in the grid
+  int panel, place;       // index of the upper left corner in the panel's grid
+  std::array<int, 4> at;  // indices of the corners in the grid
   std::array<double, 4> u, v;
   double multiplicity, bars;
   int side;
   int inner = -1;
-  double extent = 0.0;  // side of a square of its netting, stretched, m
+  double extent = 0.0;  // side of a square with the same stretched netting, m
 
   bool pointed() const { return at[2] == at[3]; }
   double wide(int p, int q) const {
@@ -72,7 +72,7 @@ struct Cell {
   static void turn(std::array<Value, 4>& x) {
     x = {x[2], x[3], x[0], x[1]};
   }
-  // Makes of corners that are one, where a panel begins or ends in a point, the last two.
+  // Makes coincident corners (tip of a panel) the last two.
   void gather() {
     const double longest = std::max({wide(0, 1), wide(1, 2), wide(2, 3), wide(3, 0)});
     if (wide(0, 1) < 1e-18 * longest) {
@@ -88,11 +88,11 @@ struct Cell {
   }
 };
 
-// The cells of a panel whose nodes lie at these shares across and deep.
+// Returns the cells of a panel with nodes at these fractions across and deep.
 std::vector<Cell> panel_cells(const GearPanel& panel, int number, const double* across, int columns,
                               const double* deep, int rows) {
   std::vector<double> u, v;
-  // The straight bars of turned hexagons run from one twine to the other the opposite way.
+  // The straight bars of turned hexagons run between the twines in the opposite direction.
   const int way = panel.orientation == MeshOrientation::hexagonal_turned ? -1 : 1;
   for (int row = 0; row < rows; ++row) {
     const double j = deep[row] * panel.deep, left = panel.left(j);
@@ -145,8 +145,8 @@ std::vector<Cell> panel_cells(const GearPanel& panel, int number, const double* 
   return out;
 }
 
-// Shares of the corners in what is spread evenly over a cell: the mean over both ways to halve it of
-// triangles that share equally (cell_shape.hpp).
+// Fractions of an evenly distributed load at the corners: mean of both diagonals, equal fractions
+// within each triangle (cell_shape.hpp).
 std::array<double, 4> corner_shares(const Cell& cell) {
   const double whole = cell_area(cell.u.data(), cell.v.data());
   std::array<double, 4> share = {0.0, 0.0, 0.0, 0.0};
@@ -203,7 +203,7 @@ void add_cell_netting(Collection& to, const Gear& gear, const Division& division
     }
   }
 
-  // Sheets that slow the water behind them: triangles, halved as hexagonal netting is.
+  // Wake sheets are triangles, divided as in hexagonal netting.
   const auto add_sheet = [&](int c, const int* corner, double weight) {
     const Cell& cell = cells[c];
     const GearPanel& panel = gear.panels[cell.panel];
@@ -218,7 +218,7 @@ void add_cell_netting(Collection& to, const Gear& gear, const Division& division
   };
   for (const int c : pointed_sheets) add_sheet(c, corner_triangles[0], 1.0);
   for (const HalfCell& half : half_cells(whole_sheets, side)) {
-    // of four corners the multiplicity is 1
+    // The multiplicity of a quadrilateral cell is 1.
     add_sheet(half.cell, half.corner, half.weight);
   }
 
@@ -232,7 +232,7 @@ void add_cell_netting(Collection& to, const Gear& gear, const Division& division
     for (int k = 0; k < 4; ++k) {
       if (!(share[k] > 0.0)) continue;
       const double bars = share[k] * cell.bars;
-      // Half of the twine of hexagonal netting, and a knot of each cell, belong to the inner node.
+      // Half the twine of hexagonal netting, and one knot per unit cell, belong to the inner node.
       const GearPanel& panel = gear.panels[cell.panel];
       add_twine(to, panel, node_of(cell, k),
                 bars * panel.cell_twine() * (1 - 0.5 * (cell.inner >= 0)), cell.extent);

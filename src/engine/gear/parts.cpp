@@ -12,7 +12,7 @@ void add_ropes(Collection& to, const Gear& gear, const Division& division) {
     for (std::size_t k = 0; k + 1 < run.node.size(); ++k) {
       const double rest = (run.at[k + 1] - run.at[k]) * rope.length;
       const int first = run.node[k], second = run.node[k + 1];
-      // Where a laced edge is gathered in one point, its rope has no length left between nodes.
+      // A rope laced to an edge gathered in one point has no length between its nodes.
       if (first == second || !(rest > 0.0)) continue;
       const double height = surface_height(rope.diameter, rest), half = rest / 2;
       to.add_bar(first, second, rest, 1.0, height, r, r);
@@ -47,13 +47,13 @@ const NodeRun* piece_run(const Gear& gear, const Division& division, int piece) 
 
 namespace {
 
-// Nodes and how many of a piece each carries.
+// Distributes a piece to nodes: returns nodes and the number of bodies on each.
 void spread(const GearPiece& piece, const NodeRun& run, std::vector<int>& node,
             std::vector<double>& number) {
   const std::size_t n = run.node.size();
   std::vector<double> share(n, 0.0);
   if (piece.end_to_end) {
-    // One piece at each end of the share; one between two nodes is shared by them.
+    // One body at each end of the interval; a body between two nodes is distributed to both.
     const int count = static_cast<int>(std::ceil(piece.number));
     for (int k = 0; k < count; ++k) {
       double at = piece.share[0];
@@ -66,14 +66,15 @@ void spread(const GearPiece& piece, const NodeRun& run, std::vector<int>& node,
       share[cell + 1] += second;
     }
     for (std::size_t k = 0; k < n; ++k) {
-      // a piece at a node leaves rounding at the next
+      // Removes rounding errors of bodies exactly at the next node.
       if (!(share[k] > 1e-9)) continue;
       node.push_back(run.node[k]);
       number.push_back(share[k]);
     }
     return;
   }
-  // Each node takes the stretch halfway to its neighbours, cut to the piece's share of the rope.
+  // Each node takes the interval to the midpoints to its neighbours, clipped to the piece's
+  // interval.
   for (std::size_t k = 0; k < n; ++k) {
     const double begin = k == 0 ? 0.0 : (run.at[k] + run.at[k - 1]) / 2;
     const double end = k + 1 == n ? 1.0 : (run.at[k + 1] + run.at[k]) / 2;
@@ -220,7 +221,7 @@ GroundContacts ground_contacts(const std::vector<Mass>& masses, int points) {
 }
 
 ImmersedVolumes immersed_volumes(const std::vector<Mass>& masses, int points, double density) {
-  // Heights that differ by less than this share are one: rounding keeps them apart.
+  // Relative tolerance: heights closer than this are equal.
   constexpr double same_height = 1e-11;
   ImmersedVolumes out;
   std::vector<int> newest(static_cast<std::size_t>(points), -1), before;

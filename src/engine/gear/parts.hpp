@@ -1,4 +1,4 @@
-// Ropes, pieces and plates as elements of a lattice, and the supports and loads of its nodes.
+// Elements of ropes, pieces and plates; supports and loads of nodes.
 #pragma once
 
 #include <vector>
@@ -13,30 +13,30 @@ namespace codend {
 
 void add_ropes(Collection& to, const Gear& gear, const Division& division);
 void add_pieces(Collection& to, const Gear& gear, const Division& division);
-// Struts between the points of every plate.
+// Adds struts between the points of every plate.
 void add_plates(Collection& to, const Gear& gear, const Division& division);
 
-// The nodes that a piece is spread over, or null where it sits at a place.
+// Nodes over which a piece is distributed; null if it is at one location.
 const NodeRun* piece_run(const Gear& gear, const Division& division, int piece);
 
-// Which nodes are held and where (m), and the loads of points (N), 3 each.
+// Fixed nodes and their positions (m), and loads of all points (N), 3 each.
 struct Supports {
   std::vector<char> held;
   std::vector<double> position, load;
 };
 Supports gear_supports(const Gear& gear, const Division& division);
 
-// Adds to loads (N, 3 per point) what ropes weigh in water more than by their masses.
+// Adds to loads (N, 3 per point) the change of the ropes' weight in water by `weight_factor`.
 void add_weights(const Gear& gear, const Division& division, std::vector<double>& load);
 
-// Of ropes that resist bending, between every two of their bars.
+// Bends between consecutive bars of ropes with bending stiffness.
 Bends rope_bends(const Gear& gear, const Division& division);
-// Ropes that rub differently along and across themselves; a node of two is the first's.
+// Anisotropic friction of ropes. A node of two ropes takes the friction of the first.
 LineFriction line_friction(const Gear& gear, const Division& division);
 
-// Per point that has an area on the ground, that and half of the greatest height there.
+// Sums contact areas per point; the clearance is half of the largest height there.
 GroundContacts ground_contacts(const std::vector<Mass>& masses, int points);
-// Volumes that leave the water over one height at one point, together.
+// Volumes at one point with equal height at the free surface are combined.
 ImmersedVolumes immersed_volumes(const std::vector<Mass>& masses, int points, double density);
 
 }  // namespace codend

@@ -1,5 +1,5 @@
-// How finely a gear is divided: elements on every piece of edge and every rope, and the grouping of
-// meshes in panels of bars, all from one element length h.
+// Mesh size of a gear: elements per edge piece and per rope, and grouping of meshes in panels of
+// bars. All follow from one element length h.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace codend {
 
-// More than any lattice has.
+// Upper limit of all counts.
 constexpr int most_nodes = 2000000;
 
-// A count as a whole number, at least one.
+// Rounds a count to a whole number, at least one.
 int at_least_one(double count);
 
-// Meshes per equivalent mesh of every panel were it of bars, and segments per equivalent bar.
+// Meshes per equivalent mesh of every panel (computed also for panels of cells), and segments per
+// equivalent bar.
 struct Grouping {
   std::vector<double> lambda;
   std::vector<int> segments;
@@ -26,7 +27,7 @@ struct Grouping {
   }
 };
 
-// Elements of every piece of an edge and of every rope with nodes of its own.
+// Elements of every edge piece, and of every rope with its own nodes.
 struct Counts {
   std::vector<int> pieces, ropes;
   Grouping grouping;
@@ -43,20 +44,20 @@ class Resolution {
  public:
   Resolution(const Gear& gear, const EdgePieces& pieces);
 
-  // Element length (m) at which the gear has about `nodes` nodes, a sixth more or less, and its counts
-  // are nearly whole.
+  // Returns the element length (m) at which the gear has about `nodes` nodes, within a sixth, and
+  // its counts are nearly whole numbers.
   double element_length(double nodes) const;
-  // The greatest element length with at most so many nodes.
+  // Returns the smallest element length (m) with at most `nodes` nodes.
   double counted_length(double nodes) const;
   Counts counts(double h) const;
-  // About how many nodes a division at h has: of every panel, then of every rope.
+  // Approximate number of nodes at h of every panel, then of every rope.
   std::vector<double> node_counts(double h) const;
-  // Whether the gear itself says how every panel and rope is divided.
+  // True if the gear defines the mesh of every panel and rope.
   bool is_divided() const;
-  // How far whole numbers of cells are from what h needs: the root mean square of the logarithm of
-  // their ratio over all edges, by the netting along them. Panels of few rows turn from cells wider
-  // than deep to deeper than wide where a count goes up, which moves a net's mouth by a percent; so
-  // lattices are chosen where counts are nearly whole.
+  // Deviation of whole cell counts from the counts required by h: root mean square of the logarithm
+  // of their ratio over all edges, weighted by the netting along them. In panels of few rows cells
+  // change from wide to deep if a count increases by one, which changes the net opening by a
+  // percent. element_length() therefore prefers nearly whole counts.
   double rounding(double h) const;
 
  private:
@@ -71,8 +72,8 @@ class Resolution {
   const Gear& gear_;
   const EdgePieces& pieces_;
   std::vector<double> width_, depth_;            // m, of panels
-  std::vector<double> reach_, weight_, twines_;  // of pieces: m, m2, twines that end there
-  std::vector<double> asked_;                    // elements that the plan gives a piece; 0: none
+  std::vector<double> reach_, weight_, twines_;  // of pieces: m, m2, number of twine ends
+  std::vector<double> asked_;                    // elements of a piece by the plan; 0: automatic
   bool any_bars_ = false;
 };
 

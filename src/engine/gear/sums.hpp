@@ -1,4 +1,4 @@
-// Sums of many numbers, carried with more digits than these have.
+// Sums in extended precision (long double), rounded to double.
 #pragma once
 
 #include <numeric>
@@ -10,7 +10,7 @@ inline double exact_sum(const std::vector<double>& x) {
   return static_cast<double>(std::accumulate(x.begin(), x.end(), 0.0L));
 }
 
-// All sums of the first numbers, each rounded.
+// Returns all partial sums, each rounded to double.
 inline std::vector<double> exact_running_sum(const std::vector<double>& x) {
   std::vector<double> out;
   out.reserve(x.size());

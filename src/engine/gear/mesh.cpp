@@ -1,4 +1,4 @@
-#include "lattice.hpp"
+#include "mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,17 +11,17 @@ namespace codend {
 
 namespace {
 
-// A cell or a sheet of netting as a whole.
+// A cell or a sheet of netting.
 struct Whole {
   int panel;
   const int* node;
   const double* twine;
-  double height, multiplicity, bars;  // bars: of one family
+  double height, multiplicity, bars;  // bars: number of one family
 };
 
-// Cells, then sheets, of panels for which `some` holds.
+// Returns the cells, then the sheets, of the panels for which `some` is true.
 template <class Some>
-std::vector<Whole> whole_elements(const Gear& gear, const Lattice& lattice, Some some) {
+std::vector<Whole> whole_elements(const Gear& gear, const Mesh& mesh, Some some) {
   std::vector<Whole> out;
   const auto add = [&](int part, const int* node, const double* twine, double height,
                        double multiplicity) {
@@ -34,11 +34,11 @@ std::vector<Whole> whole_elements(const Gear& gear, const Lattice& lattice, Some
     }
     out.push_back({panel, node, twine, height, multiplicity, cell_area(u, v) * multiplicity});
   };
-  for (std::size_t c = 0; c < lattice.cell_part.size(); ++c) {
-    add(lattice.cell_part[c], &lattice.cells.node[4 * c], &lattice.cells.twine[8 * c],
-        lattice.cells.height[c], lattice.cells.multiplicity[c]);
+  for (std::size_t c = 0; c < mesh.cell_part.size(); ++c) {
+    add(mesh.cell_part[c], &mesh.cells.node[4 * c], &mesh.cells.twine[8 * c], mesh.cells.height[c],
+        mesh.cells.multiplicity[c]);
   }
-  const Sheets& sheets = lattice.sheets;
+  const Sheets& sheets = mesh.sheets;
   for (std::size_t c = 0; c < sheets.part.size(); ++c) {
     add(sheets.part[c], &sheets.node[4 * c], &sheets.twine[8 * c], sheets.height[c], 1.0);
   }
@@ -47,10 +47,10 @@ std::vector<Whole> whole_elements(const Gear& gear, const Lattice& lattice, Some
 
 double bar_length(const GearPanel& panel) { return panel.mesh_size / 2 - panel.straight_bar; }
 
-void add_screens(const Gear& gear, Lattice& lattice) {
-  NettingScreens& to = lattice.screens;
+void add_screens(const Gear& gear, Mesh& mesh) {
+  NettingScreens& to = mesh.screens;
   for (const Whole& whole :
-       whole_elements(gear, lattice, [](const GearPanel& panel) { return panel.screen(); })) {
+       whole_elements(gear, mesh, [](const GearPanel& panel) { return panel.screen(); })) {
     const GearPanel& panel = gear.panels[whole.panel];
     const double twine = whole.bars * panel.cell_twine() * panel.width();
     const double knots = whole.bars * (1 + (panel.straight_bar > 0));
@@ -58,7 +58,7 @@ void add_screens(const Gear& gear, Lattice& lattice) {
     to.twine.insert(to.twine.end(), whole.twine, whole.twine + 8);
     to.twine_area.push_back(twine + knots * pi / 4 * (panel.knot_diameter * panel.knot_diameter));
     to.overlap.push_back(panel.crossing_overlap());
-    // The law's Reynolds number is of one cylinder, also where two run side by side.
+    // The drag model's Reynolds number refers to one cylinder, also for parallel twines.
     to.diameter.push_back(panel.twine_diameter);
     to.height.push_back(whole.height);
     to.multiplicity.push_back(whole.multiplicity);
@@ -66,10 +66,10 @@ void add_screens(const Gear& gear, Lattice& lattice) {
   }
 }
 
-void add_blended(const Gear& gear, Lattice& lattice) {
-  BlendedCells& to = lattice.blended;
+void add_blended(const Gear& gear, Mesh& mesh) {
+  BlendedCells& to = mesh.blended;
   const auto blended = [](const GearPanel& panel) { return panel.drag == NettingDrag::blended; };
-  for (const Whole& whole : whole_elements(gear, lattice, blended)) {
+  for (const Whole& whole : whole_elements(gear, mesh, blended)) {
     const GearPanel& panel = gear.panels[whole.panel];
     to.node.insert(to.node.end(), whole.node, whole.node + 4);
     to.twine.insert(to.twine.end(), whole.twine, whole.twine + 8);
@@ -81,11 +81,12 @@ void add_blended(const Gear& gear, Lattice& lattice) {
   }
 }
 
-// Twine coordinates in m. Netting of bars has the couples of its knots on the sheets between them.
-void add_openings(const Gear& gear, Lattice& lattice) {
-  MeshOpenings& to = lattice.openings;
+// Twine coordinates are in m. For netting of bars the sheets between bars carry the couples of
+// knots.
+void add_openings(const Gear& gear, Mesh& mesh) {
+  MeshOpenings& to = mesh.openings;
   const auto stiff = [](const GearPanel& panel) { return panel.stiff; };
-  for (const Whole& whole : whole_elements(gear, lattice, stiff)) {
+  for (const Whole& whole : whole_elements(gear, mesh, stiff)) {
     const GearPanel& panel = gear.panels[whole.panel];
     const double rest = bar_length(panel);
     to.node.insert(to.node.end(), whole.node, whole.node + 4);
@@ -106,40 +107,40 @@ WholeDrag whole_drag(const Gear& gear, const std::vector<int>& part) {
   return out;
 }
 
-// Twine (m) of every panel in bars and cells.
-std::vector<double> panel_twine(const Gear& gear, const Lattice& lattice) {
+// Twine length (m) of every panel in bars and cells.
+std::vector<double> panel_twine(const Gear& gear, const Mesh& mesh) {
   std::vector<double> in_bars(gear.panels.size(), 0.0), in_cells = in_bars;
-  for (std::size_t b = 0; b < lattice.bar_part.size(); ++b) {
-    const int panel = lattice.bar_part[b] - gear.rope_count;
+  for (std::size_t b = 0; b < mesh.bar_part.size(); ++b) {
+    const int panel = mesh.bar_part[b] - gear.rope_count;
     if (panel < 0 || panel >= gear.panel_count) continue;
-    in_bars[panel] += lattice.bars.rest[b] * lattice.bars.multiplicity[b];
+    in_bars[panel] += mesh.bars.rest[b] * mesh.bars.multiplicity[b];
   }
-  for (std::size_t c = 0; c < lattice.cell_part.size(); ++c) {
-    const double* twine = &lattice.cells.twine[8 * c];
+  for (std::size_t c = 0; c < mesh.cell_part.size(); ++c) {
+    const double* twine = &mesh.cells.twine[8 * c];
     const double u[4] = {twine[0], twine[2], twine[4], twine[6]};
     const double v[4] = {twine[1], twine[3], twine[5], twine[7]};
-    in_cells[lattice.cell_part[c] - gear.rope_count] +=
-        cell_area(u, v) * lattice.cells.multiplicity[c] *
-        (2 * lattice.cells.rest[c] + lattice.cells.straight[c]);
+    in_cells[mesh.cell_part[c] - gear.rope_count] +=
+        cell_area(u, v) * mesh.cells.multiplicity[c] *
+        (2 * mesh.cells.rest[c] + mesh.cells.straight[c]);
   }
   for (std::size_t p = 0; p < in_bars.size(); ++p) in_bars[p] += in_cells[p];
   return in_bars;
 }
 
-// Masses of all points, and loads with weight less buoyancy.
+// Sets masses of all points, and loads with weight minus buoyancy.
 void add_masses(const Gear& gear, const Supports& supports, const std::vector<Mass>& masses,
-                Lattice& lattice) {
-  const std::size_t points = static_cast<std::size_t>(lattice.nodes) + lattice.ties.share.size();
-  lattice.mass.assign(points, 0.0);
+                Mesh& mesh) {
+  const std::size_t points = static_cast<std::size_t>(mesh.nodes) + mesh.ties.share.size();
+  mesh.mass.assign(points, 0.0);
   std::vector<double> volume(points, 0.0);
   for (const Mass& mass : masses) {
-    lattice.mass[mass.node] += mass.mass;
+    mesh.mass[mass.node] += mass.mass;
     volume[mass.node] += mass.volume;
   }
-  lattice.load = supports.load;
-  lattice.load.resize(3 * points, 0.0);
+  mesh.load = supports.load;
+  mesh.load.resize(3 * points, 0.0);
   for (std::size_t p = 0; p < points; ++p) {
-    lattice.load[3 * p + 2] -= gravity * (lattice.mass[p] - gear.density * volume[p]);
+    mesh.load[3 * p + 2] -= gravity * (mesh.mass[p] - gear.density * volume[p]);
   }
 }
 
@@ -185,17 +186,17 @@ void place_inner_nodes(const CellList& cells, std::vector<double>& position) {
   }
 }
 
-Lattice build_lattice(const Gear& gear, const Fineness& fineness, const FromShape& from,
-                      const LayOut& lay_out) {
+Mesh build_mesh(const Gear& gear, const Fineness& fineness, const FromShape& from,
+                const LayOut& lay_out) {
   gear.check();
-  Lattice out;
+  Mesh out;
   const Edges edges = gear_edges(gear);
   if (fineness.counts) {
     out.counts = *fineness.counts;
     if (static_cast<int>(out.counts.pieces.size()) != edges.pieces.count() ||
         out.counts.ropes.size() != gear.ropes.size() ||
         out.counts.grouping.lambda.size() != gear.panels.size()) {
-      throw InputError("counts", "counts are of another gear");
+      throw InputError("counts", "counts belong to another gear");
     }
   } else {
     const Resolution resolution(gear, edges.pieces);
@@ -260,7 +261,7 @@ Lattice build_lattice(const Gear& gear, const Fineness& fineness, const FromShap
   } else if (from.alike) {
     out.start = from.position;
     if (out.start.size() < 3 * static_cast<std::size_t>(out.nodes)) {
-      throw InputError("from", "from is the shape of another lattice");
+      throw InputError("from", "from belongs to another mesh");
     }
     out.start.resize(3 * static_cast<std::size_t>(out.nodes));
   } else {

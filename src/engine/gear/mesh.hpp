@@ -1,5 +1,5 @@
-// The lattice of a gear: nodes, bars, netting cells, point pieces and supports as a model's arrays, a
-// shape to start from, and where on the gear's parts the nodes lie.
+// Discretisation of a gear: nodes, bars, netting cells, point bodies and supports as a model's
+// arrays, an initial shape, and the positions of nodes on the gear's parts.
 #pragma once
 
 #include "../elements/mesh_opening.hpp"
@@ -8,13 +8,13 @@
 
 namespace codend {
 
-// Whole cells and sheets whose drag is blended: as BlendedNetting, without its materials.
+// Cells and sheets with blended drag: arrays of BlendedNetting, without materials.
 struct BlendedCells {
   std::vector<int> node, material;
   std::vector<double> twine, rest, multiplicity, height, overlap;
 };
 
-// Which cells or sheets have their drag as a whole: as a screen or blended.
+// Indices of the cells or sheets with a screen drag model or blended drag.
 struct WholeDrag {
   std::vector<int> screens, blended;
 
@@ -27,12 +27,12 @@ struct WholeDrag {
 
 // See bag.hpp.
 struct BagTriangles {
-  std::vector<int> cell;              // that each is of; -1: of a sheet
+  std::vector<int> cell;              // cell of each triangle; -1: on a sheet
   std::vector<int> node;              // 3 each
-  std::vector<double> depth, across;  // of these, meshes from the lower edge and along it
-  std::vector<double> real;           // share of each that is real
-  std::vector<double> weight;  // the same with the circle's share; negative: it points inward
-  bool encloses = true;        // whether the panels enclose anything
+  std::vector<double> depth, across;  // of its nodes, meshes from the lower edge and along it
+  std::vector<double> real;           // fraction counted, because triangles overlap
+  std::vector<double> weight;         // the same with the circle's area; negative: inward normal
+  bool encloses = true;               // the panels enclose a volume
 };
 
 struct SlidingBars {
@@ -40,10 +40,10 @@ struct SlidingBars {
   double axial_stiffness = 0.0;
 };
 
-struct Lattice {
+struct Mesh {
   int nodes = 0;
   std::vector<char> held;          // per node
-  std::vector<double> load, mass;  // per point: N, weight less buoyancy with it, 3 each; kg
+  std::vector<double> load, mass;  // per point: N, including weight - buoyancy, 3; kg
   TieList ties;
   Bars bars;
   CellList cells;
@@ -65,11 +65,11 @@ struct Lattice {
   Division division;
   Counts counts;
   std::vector<DrawnPanel> panels;
-  std::vector<double> twine;  // m of every panel's twine, as its elements have it
+  std::vector<double> twine;  // twine length of every panel in its elements, m
   std::vector<double> start;  // m, 3 per node
-  std::vector<double> hung;   // the same of a gear that is let go, as it hangs before; else empty
+  std::vector<double> hung;   // start of a gear before it is shot; else empty
 
-  // All that hosts read beside the model.
+  // All fields that hosts read in addition to the model.
   template <class Visit>
   void fields(Visit& visit) {
     visit("nodes", nodes);
@@ -91,29 +91,30 @@ struct Lattice {
   }
 };
 
-// How a gear is divided: at about so many nodes, or by the counts of another lattice of it.
+// Mesh size: an approximate number of nodes, or the counts of another discretisation.
 struct Fineness {
   double nodes = 1500;
   const Counts* counts = nullptr;
 };
 
-// Where a lattice starts: from a crude first shape, from another lattice's shape carried over, or, where
-// both are divided alike, from that shape as it is.
+// Source of the initial shape: computed from scratch; interpolated from another discretisation; or,
+// if both have the same mesh (`alike`), that shape unchanged.
 struct FromShape {
   bool given = false, alike = false;
-  PartMap map;                   // where it is carried over
-  std::vector<double> position;  // m, 3 per point of it, tied points last
+  PartMap map;                   // of the source; used for interpolation
+  std::vector<double> position;  // m, 3 per source point, tied points last
 };
 
-// Throws InputError for what does not fit.
-Lattice build_lattice(const Gear& gear, const Fineness& fineness, const FromShape& from,
-                      const LayOut& lay_out);
+// Throws InputError if counts or shapes do not match the gear.
+Mesh build_mesh(const Gear& gear, const Fineness& fineness, const FromShape& from,
+                const LayOut& lay_out);
 
-// Puts inner nodes of hexagonal triangles where their bars would lie if all were stretched alike: from
-// the triangle's middle along the mean of its two base vectors.
+// Initial positions of the inner nodes of hexagonal triangles, for equally stretched bars: from the
+// triangle's centroid along the mean of its two base vectors.
 void place_inner_nodes(const CellList& cells, std::vector<double>& position);
 
-// How many nodes a gear would have, of every panel, then of every rope, and whether it says so itself.
+// Approximate numbers of nodes of every panel, then of every rope. divided: the gear defines its
+// own mesh.
 struct NodeCounts {
   std::vector<double> nodes;
   bool divided = false;
