@@ -1,6 +1,6 @@
-// Dual numbers a + b e with e^2 = 0: b is the exact derivative of what a computation gives by a change
-// of what it takes (forward differentiation: Griewank and Walther, Evaluating Derivatives, 2008, ch. 3).
-// Comparisons go by a: at a kink the derivative is that of the side that was computed.
+// Dual numbers a + b e with e^2 = 0. The part b is the exact derivative of the result by a change
+// of the input. Source: forward differentiation (Griewank and Walther, Evaluating Derivatives,
+// 2008, ch. 3). Comparisons use a: at a kink the derivative belongs to the computed side.
 #pragma once
 
 #include <cmath>
@@ -49,7 +49,7 @@ inline Dual atan2(Dual y, Dual x) {
 inline double value_of(double a) { return a; }
 inline double value_of(Dual a) { return a.value; }
 
-// Three numbers of a kind, such as a place.
+// Three numbers of one type, such as a position.
 template <class T>
 struct Three {
   T x{}, y{}, z{};

@@ -8,12 +8,12 @@ namespace codend {
 
 namespace {
 
-// A part of a triangle: weights of the triangle's corners at its own, whether these lie on the front.
+// A part of a triangle: barycentric coordinates of its corners; true for corners on the front.
 struct Piece {
   int triangle;
   std::array<std::array<double, 3>, 3> corner;
   std::array<bool, 3> front;
-  // Its area over the whole triangle's.
+  // Its area as a fraction of the whole triangle.
   double share() const {
     const auto& [a, b, c] = corner;
     return std::abs(triple_product(Three<double>{a[0], a[1], a[2]}, Three<double>{b[0], b[1], b[2]},
@@ -21,7 +21,7 @@ struct Piece {
   }
 };
 
-// What of the triangles lies behind the front, cut into triangles.
+// Returns the parts of the triangles behind the front, as triangles.
 std::vector<Piece> pieces_behind(const FilledBag& bag) {
   std::vector<Piece> out;
   const double most =
@@ -31,7 +31,7 @@ std::vector<Piece> pieces_behind(const FilledBag& bag) {
     double inside[3];
     for (int k = 0; k < 3; ++k) {
       inside[k] = bag.blocked - bag.depth[3 * static_cast<std::size_t>(t) + k];
-      // Rows of nodes that only rounding keeps off the front lie on it.
+      // Rows of nodes on the front, except for rounding, lie on it.
       if (std::abs(inside[k]) < 1e-9 * most) inside[k] = 0.0;
     }
     const auto add = [&](const std::array<int, 3>& from, const std::array<int, 3>& to) {
@@ -81,13 +81,13 @@ T area_of(const std::array<Three<T>, 3>& corner) {
   return length_of(cross(corner[1] - corner[0], corner[2] - corner[0])) / T(2.0);
 }
 
-// Length of the sum of normals around a node over that of all, below which they point all ways.
+// If |sum of normals| / sum of |normals| at a node is lower, the normals have no common direction.
 constexpr double least_agreement = 0.8;
 
-// By how much netting that is curved lengthwise bulges out from each triangle: its second form along
-// meshes of depth. A piece of area A under a surface with sags s at the middles of its sides has
-// A sum(s) / 3 between, and a side e has s = II(e, e) / 8, with the change of the surface's normal along
-// a triangle's sides as its second form II.
+// Second fundamental form II of each triangle's surface along meshes of depth: the outward bulge of
+// netting with longitudinal curvature. It is the change of the surface normal along the triangle's
+// sides. A side e has the sagitta s = II(e, e) / 8. The volume between a triangle of area A and the
+// curved surface is A sum(s) / 3.
 template <class T>
 std::vector<T> lengthwise_forms(const FilledBag& bag, const std::vector<T>& x) {
   struct Normal {
@@ -116,7 +116,7 @@ std::vector<T> lengthwise_forms(const FilledBag& bag, const std::vector<T>& x) {
       at[k] = three(x, node_of(t, k));
       const Normal& of = normals[node_of(t, k)];
       const T size = length_of(of.sum);
-      // Where netting is gathered it has a tip, not a normal.
+      // Gathered netting has a tip without a normal.
       tip = tip || value_of(size) < least_agreement * of.sizes;
       normal[k] = of.sum * (T(1.0) / size);
     }
@@ -179,8 +179,9 @@ T bag_volume(const FilledBag& bag, const std::vector<T>& x) {
       const double side = depth[(c + 1) % 3] - depth[c];
       sides += side * side;
     }
-    // Half of it is missing: netting keeps its length, so that its chords lie outside of the arc as far
-    // as inside, as those of a polygon with a circle's girth. Around, the circle's share counts it.
+    // Half the bulge is missing: netting keeps its length, so that its chords lie as far outside
+    // the arc as inside. The same holds for a polygon with the girth of a circle. Around the bag
+    // `weight` includes this correction.
     bulge += area_of(corner) * form[t] * T(bag.real[t] * sides / 48);
   }
   return flat + bulge;

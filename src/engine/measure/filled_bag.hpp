@@ -1,5 +1,5 @@
-// A bag of netting that is filled up to a front: which part of its netting lies behind the front, as
-// weights of the pressure on its triangles, and the volume and surface that this encloses.
+// A bag of netting filled up to a front: the netting behind the front, as weights of the pressure
+// on its triangles, and the volume and surface that it encloses.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace codend {
 
-// The triangles of gear/lattice.hpp's BagTriangles, and how far the front lies from the bag's end.
+// Triangles (BagTriangles of gear/mesh.hpp) and the distance of the front from the bag's end.
 struct FilledBag {
-  int points = 0;                     // of the lattice
-  std::vector<int> node;              // 3 each, points
-  std::vector<double> depth, across;  // of these, meshes from the lower edge and along it
-  std::vector<double> real, weight;   // shares of each, see BagTriangles
+  int points = 0;                     // of the discretisation
+  std::vector<int> node;              // 3 per triangle, points
+  std::vector<double> depth, across;  // of the nodes, meshes from the lower edge and along it
+  std::vector<double> real, weight;   // see BagTriangles
   double blocked = 0.0;               // meshes behind the front
 
   template <class Visit>
@@ -33,12 +33,12 @@ struct FilledBag {
 // Weights of the pressure at the triangles' corners, 3 each (elements/inner_pressure.hpp).
 std::vector<double> pressure_weights(const FilledBag& bag);
 
-// Volume (m3) that netting behind the front encloses with a front drawn from its edge to the edge's
-// middle; x: positions of all points, 3 each (m).
+// Volume (m3) enclosed by the netting behind the front and by the front, a surface from its edge to
+// the edge's centroid. x: positions of all points, 3 each (m).
 template <class T>
 T bag_volume(const FilledBag& bag, const std::vector<T>& x);
 
-// Area (m2) of the netting behind the front.
+// Area of the netting behind the front, m2.
 template <class T>
 T bag_surface(const FilledBag& bag, const std::vector<T>& x);
 

@@ -2,11 +2,11 @@
 
 namespace codend {
 
-MeasureFrame measure_frame(const Gear& gear, const Lattice& lattice) {
+MeasureFrame measure_frame(const Gear& gear, const Mesh& mesh) {
   MeasureFrame out;
-  const Division& division = lattice.division;
-  out.nodes = lattice.nodes;
-  out.points = static_cast<int>(lattice.mass.size());
+  const Division& division = mesh.division;
+  out.nodes = mesh.nodes;
+  out.points = static_cast<int>(mesh.mass.size());
   out.parts = gear.parts();
   out.panel_count = gear.panel_count;
   out.places = division.places;
@@ -18,22 +18,22 @@ MeasureFrame measure_frame(const Gear& gear, const Lattice& lattice) {
       out.supports.insert(out.supports.end(), edge.node.begin() + 1, edge.node.end() - 1);
     }
   }
-  out.part.bars = lattice.bar_part;
-  out.part.cells = lattice.cell_part;
-  out.part.spheres = lattice.sphere_part;
-  out.part.lifts = lattice.lift_part;
+  out.part.bars = mesh.bar_part;
+  out.part.cells = mesh.cell_part;
+  out.part.spheres = mesh.sphere_part;
+  out.part.lifts = mesh.lift_part;
   const int before = gear.rope_count + gear.panel_count + static_cast<int>(gear.pieces.size());
   for (std::size_t k = 0; k < gear.plates.size(); ++k) {
     out.part.plates.push_back(before + static_cast<int>(k));
   }
   const auto whole = [&](const std::vector<int>& on_cell, const std::vector<int>& on_sheet) {
     std::vector<int> part;
-    for (const int cell : on_cell) part.push_back(lattice.cell_part[cell]);
-    for (const int sheet : on_sheet) part.push_back(lattice.sheets.part[sheet]);
+    for (const int cell : on_cell) part.push_back(mesh.cell_part[cell]);
+    for (const int sheet : on_sheet) part.push_back(mesh.sheets.part[sheet]);
     return part;
   };
-  out.part.screens = whole(lattice.on_cell.screens, lattice.on_sheet.screens);
-  out.part.blended = whole(lattice.on_cell.blended, lattice.on_sheet.blended);
+  out.part.screens = whole(mesh.on_cell.screens, mesh.on_sheet.screens);
+  out.part.blended = whole(mesh.on_cell.blended, mesh.on_sheet.blended);
   for (int r = 0; r < gear.rope_count; ++r) {
     const GearRope& rope = gear.ropes[r];
     out.ropes.push_back(
@@ -48,7 +48,7 @@ MeasureFrame measure_frame(const Gear& gear, const Lattice& lattice) {
     out.seams.push_back(std::move(joined));
   }
   out.edges = division.edges;
-  const CellList& cells = lattice.cells;
+  const CellList& cells = mesh.cells;
   out.cells.rest = cells.rest;
   out.cells.straight = cells.straight;
   for (std::size_t c = 0; c < cells.rest.size(); ++c) {
@@ -57,7 +57,7 @@ MeasureFrame measure_frame(const Gear& gear, const Lattice& lattice) {
     const double v[4] = {twine[1], twine[3], twine[5], twine[7]};
     out.cells.bars.push_back(cell_area(u, v) * cells.multiplicity[c]);
   }
-  out.meshes = mesh_frame(gear, part_map(gear, division, lattice.nodes, lattice.panels));
+  out.meshes = mesh_frame(gear, part_map(gear, division, mesh.nodes, mesh.panels));
   return out;
 }
 

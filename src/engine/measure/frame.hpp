@@ -1,15 +1,15 @@
-// What measures take of a gear on its lattice, beside the model: which part each element is of, where
-// places, ropes and meshes of panels lie among the nodes.
+// Data of a gear and its discretisation for measures, in addition to the model: the part of each
+// element, and the nodes of locations, ropes and meshes of panels.
 #pragma once
 
 #include <vector>
 
-#include "../gear/lattice.hpp"
+#include "../gear/mesh.hpp"
 #include "meshes.hpp"
 
 namespace codend {
 
-// Nodes along a rope in order, and what it is made of.
+// Nodes along a rope in order, and its material.
 struct RopeFrame {
   std::vector<int> node;
   double mass_per_length = 0.0, volume_per_length = 0.0;  // kg/m, m2
@@ -24,7 +24,7 @@ struct RopeFrame {
   }
 };
 
-// Edges that a seam joins, and whether it gathers them in a place.
+// Edges joined by a seam. gathered: the seam gathers them in one location.
 struct SeamFrame {
   std::vector<int> edge;
   bool gathered = false;
@@ -36,8 +36,8 @@ struct SeamFrame {
   }
 };
 
-// The part of every element of the kinds that have forces of the flow (model/evaluate.hpp). Elements of
-// `pressure` are of no rope, panel, piece or plate.
+// Part of every element of the kinds with hydrodynamic forces (model/evaluate.hpp). Elements of
+// `pressure` belong to no rope, panel, piece or plate.
 struct ElementParts {
   std::vector<int> bars, cells, spheres, lifts, plates, screens, blended;
 
@@ -53,7 +53,7 @@ struct ElementParts {
   }
 };
 
-// Cells of netting as their list has them: bars of one family in each, lengths of a bar.
+// Netting cells in the order of their list: number of bars of one family, lengths of a bar (m).
 struct CellFrame {
   std::vector<double> bars, rest, straight;
 
@@ -67,8 +67,8 @@ struct CellFrame {
 
 struct MeasureFrame {
   int nodes = 0, points = 0, parts = 0, panel_count = 0;
-  std::vector<int> places;    // node of every place (gear/gear.hpp)
-  std::vector<int> supports;  // nodes whose places are given
+  std::vector<int> places;    // node of every location (gear/gear.hpp)
+  std::vector<int> supports;  // nodes with a given position
   ElementParts part;
   std::vector<RopeFrame> ropes;
   std::vector<SeamFrame> seams;
@@ -97,6 +97,6 @@ struct MeasureFrame {
     visit.group("meshes", meshes);
   }
 };
-MeasureFrame measure_frame(const Gear& gear, const Lattice& lattice);
+MeasureFrame measure_frame(const Gear& gear, const Mesh& mesh);
 
 }  // namespace codend

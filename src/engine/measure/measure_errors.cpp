@@ -12,40 +12,42 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// Orders that are weighed: netting converges with 0.5 to 2.
+// Orders of convergence considered; netting converges with 0.5 to 2.
 constexpr double orders[] = {0.75, 1, 1.5};
-// Scatter as a share of the drift, on the same lattice.
+// Scatter as a fraction of the drift, on the same mesh.
 constexpr double scatter_share = 0.25;
-// Lattices whose nodes differ by less than this factor say too little.
+// Meshes with a smaller ratio of node numbers carry too little information.
 constexpr double least_ratio = 1.5;
-// A lattice of fewer nodes counts only where there is no other: on it netting has a handful of meshes
+// Meshes with fewer nodes are used only if there are no others: their netting has only a few meshes
 // across a panel.
 constexpr double fair_nodes = 400;
-// Measures whose usual share is known: fewer of a class take that of all.
+// Minimum number of measures to estimate the usual relative error of a class; smaller classes use
+// the value of all measures.
 constexpr std::size_t least_class = 3;
-// How far places and lengths change is a tenth of how far openings do, as a share of themselves.
+// Relative error of positions and lengths compared with openings.
 constexpr double place_share = 0.1;
-// What is left at least, as a share of a measure, on lattices of netting with so many nodes: of 6 gears
-// drawn at random 2 changed by 1 to 2 % beyond 4,000 nodes and hardly before. It falls with the
-// length of elements.
+// Minimum error as a fraction of a measure, for meshes of netting with `floor_nodes` nodes. In 2 of
+// 6 random gears measures changed by 1 to 2 % above 4,000 nodes, and hardly below. The minimum is
+// proportional to element length.
 constexpr double error_floor = 2e-3, floor_nodes = 1500;
-// Of slack netting the floor is larger, and it is uncertain by this share of a row of elements also where
-// none is slack.
+// Larger minimum for `slack_netting`: this fraction of its value plus this fraction of a row of
+// elements, which applies even if no netting is slack.
 constexpr double slack_floor = 0.1;
-// Of a measure itself, at least; and what is no difference.
+// Minimum relative error of a measure, and relative difference regarded as zero.
 constexpr double least_share = 1e-5, no_share = 1e-9;
 
-// Coarser lattices of netting share what all coarse ones have: of so many nodes and less they report a
-// fifth of what is left. The extra one has so many times as many; one of more than `most_made_finer` is
-// compared with a coarser one, which takes less time, and of more than `most_compared` with none.
+// Meshes of netting with fewer than `enough_nodes` nodes share the errors of all coarse meshes and
+// show only a fifth of the actual error. The extra mesh has `extra_ratio` times as many nodes.
+// Above `most_made_finer` nodes it is coarser instead, which takes less time; above `most_compared`
+// there is none.
 constexpr double enough_nodes = 1200, extra_ratio = 2.6, most_made_finer = 2500,
                  most_compared = 1e5;
 
-// By how much a step of a march may be off, as a standard error of a measure: of the places that it
-// follows from one and a half times the accuracy that steps are held to (on gears that were tried positions
-// stay within three), of forces 2.5 % at 0.01 m and as its root: with 0.01 and with 0.3 m nine tenths of
-// the forces of a net that sinks slack are off by 4 and 9 % at most, of one whose lines are paid out
-// by 0.03 and 0.15 %. An opening has two sides, an area two lengths, a volume three.
+// Standard error of measures due to time steps, from the accuracy of positions. Positions: 1.5
+// times the accuracy (within three times on tested gears); an area has two lengths, a volume three.
+// Forces: 2.5 % at 0.01 m, proportional to its square root. For a net that sinks slack, 90 % of the
+// forces have errors below 4 % (0.01 m) and 9 % (0.3 m). For a net with lines paid out the values
+// are 0.03 % and 0.15 %.
 constexpr double step_places = 1.5, step_forces = 0.25;
 
 double median(std::vector<double> values) {
@@ -55,7 +57,7 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-// What is usual of a class of measures, as a share of each: the median of its shares.
+// Usual relative error of each measure's class: median of the relative errors.
 std::vector<double> usual_shares(const std::vector<double>& shares,
                                  const std::vector<MeasureClass>& classes) {
   std::vector<double> every;
@@ -77,8 +79,8 @@ std::vector<double> usual_shares(const std::vector<double>& shares,
   return out;
 }
 
-// The root mean squares of what measures are off by the fit to all lattices. differences: of every other
-// lattice from the one told of, which comes last among the nodes; size: of the measures.
+// Root mean square errors by a fit to all meshes. differences: measures on each other mesh minus
+// measures on the present one, whose node number is last in `nodes`. size: |measures|.
 std::vector<double> fitted_errors(const Eigen::MatrixXd& differences,
                                   const std::vector<double>& size, const std::vector<double>& nodes,
                                   const std::vector<MeasureClass>& classes) {
@@ -95,7 +97,7 @@ std::vector<double> fitted_errors(const Eigen::MatrixXd& differences,
     const Eigen::MatrixXd weight = covariance.inverse();
     const Eigen::VectorXd sums = weight.rowwise().sum();
     const double sum = sums.sum();
-    // A constant, which is part of every lattice, leaves nothing of this.
+    // Projects out the constant common to all meshes.
     const Eigen::MatrixXd rest = weight - sums * sums.transpose() / sum;
     const double spread = std::log(covariance.determinant()) + std::log(sum);
     std::vector<double> squares, shares;
@@ -111,7 +113,7 @@ std::vector<double> fitted_errors(const Eigen::MatrixXd& differences,
       const double off = differences.row(static_cast<Eigen::Index>(k)).dot(sums.head(others)) / sum;
       const double likelihood =
           -(1 + freedom) / 2 * std::log(variance + std::numeric_limits<double>::min()) - spread / 2;
-      // Relative to the largest so far, so that none overflows.
+      // Relative to the maximum so far, to avoid overflow.
       const double larger = std::max(most[k], likelihood);
       const double before = std::exp(most[k] - larger), now = std::exp(likelihood - larger);
       total[k] = before * total[k] + now;
@@ -124,34 +126,33 @@ std::vector<double> fitted_errors(const Eigen::MatrixXd& differences,
   return out;
 }
 
-// Those of other lattices that count for one of so many nodes.
-std::vector<MeasuredLattice> fair(std::vector<MeasuredLattice> all, double nodes) {
+// Returns the other meshes that are suitable for comparison with `nodes` nodes.
+std::vector<MeasuredMesh> fair(std::vector<MeasuredMesh> all, double nodes) {
   const auto drop = [&](auto which) {
     all.erase(std::remove_if(all.begin(), all.end(), which), all.end());
   };
-  drop([&](const MeasuredLattice& one) { return !tell_apart(nodes, one.nodes); });
-  const auto is_fair = [](const MeasuredLattice& one) { return one.nodes >= fair_nodes; };
+  drop([&](const MeasuredMesh& one) { return !differ_enough(nodes, one.nodes); });
+  const auto is_fair = [](const MeasuredMesh& one) { return one.nodes >= fair_nodes; };
   if (std::any_of(all.begin(), all.end(), is_fair)) {
-    drop([&](const MeasuredLattice& one) { return !is_fair(one); });
+    drop([&](const MeasuredMesh& one) { return !is_fair(one); });
   }
   return all;
 }
 
-// By the measures that the same lattices have.
-std::vector<double> lattice_errors(const std::vector<MeasureNature>& natures,
-                                   const MeasuredLattice& here,
-                                   const std::vector<MeasuredLattice>& others) {
+// Fits measures together if they are available on the same meshes.
+std::vector<double> mesh_errors(const std::vector<MeasureNature>& natures, const MeasuredMesh& here,
+                                const std::vector<MeasuredMesh>& others) {
   std::vector<double> out(here.measures.size(), unknown);
   if (others.empty()) return out;
   std::map<std::vector<bool>, std::vector<std::size_t>> groups;
   for (std::size_t k = 0; k < out.size(); ++k) {
     if (!std::isfinite(here.measures[k])) continue;
     std::vector<bool> known;
-    for (const MeasuredLattice& one : others) known.push_back(std::isfinite(one.measures[k]));
+    for (const MeasuredMesh& one : others) known.push_back(std::isfinite(one.measures[k]));
     groups[known].push_back(k);
   }
   for (const auto& [known, which] : groups) {
-    std::vector<const MeasuredLattice*> use;
+    std::vector<const MeasuredMesh*> use;
     std::vector<double> nodes, size;
     for (std::size_t l = 0; l < others.size(); ++l) {
       if (!known[l]) continue;
@@ -170,7 +171,7 @@ std::vector<double> lattice_errors(const std::vector<MeasureNature>& natures,
             use[l]->measures[which[k]] - value;
       }
     }
-    // A measure that other lattices do not have is uncertain by itself.
+    // A measure missing on all other meshes has an error equal to its size.
     const std::vector<double> found =
         use.empty() ? size : fitted_errors(differences, size, nodes, classes);
     for (std::size_t k = 0; k < which.size(); ++k) out[which[k]] = found[k];
@@ -178,7 +179,7 @@ std::vector<double> lattice_errors(const std::vector<MeasureNature>& natures,
   return out;
 }
 
-// What lattices of netting leave at least.
+// Minimum error of a measure on meshes of netting.
 double floor_of(const MeasureNature& of, MeasureKind kind, double size, double nodes) {
   const double at_size = std::sqrt(floor_nodes / nodes);
   if (kind == MeasureKind::slack_netting) {
@@ -187,8 +188,8 @@ double floor_of(const MeasureNature& of, MeasureKind kind, double size, double n
   return of.of == MeasureClass::place ? 0.0 : error_floor * at_size * size;
 }
 
-// What a balance leaves in measures that vanish: in forces its share of the largest one, in lengths that
-// of the longest, and what follows from these in areas and volumes. largest: by quantity.
+// Scale of the equilibrium error of measures that vanish: the largest force for forces, the largest
+// length for lengths, and its powers for areas and volumes. largest: by quantity.
 double left_by_balance(MeasureQuantity of, std::map<MeasureQuantity, double>& largest) {
   const double length = largest[MeasureQuantity::length];
   switch (of) {
@@ -226,18 +227,18 @@ double left_by_steps(MeasureQuantity of, double size, double accuracy) {
 
 }  // namespace
 
-std::vector<double> measure_errors(const std::vector<MeasureKind>& kinds,
-                                   const MeasuredLattice& here, std::vector<MeasuredLattice> others,
-                                   double tolerance, double step_accuracy) {
-  const auto check = [&](const MeasuredLattice& one) {
+std::vector<double> measure_errors(const std::vector<MeasureKind>& kinds, const MeasuredMesh& here,
+                                   std::vector<MeasuredMesh> others, double tolerance,
+                                   double step_accuracy) {
+  const auto check = [&](const MeasuredMesh& one) {
     if (one.measures.size() == kinds.size()) return;
-    throw InputError("measures", "measures must be one of every kind, on every lattice");
+    throw InputError("measures", "measures must have one value per kind and mesh");
   };
   check(here);
-  for (const MeasuredLattice& one : others) check(one);
+  for (const MeasuredMesh& one : others) check(one);
   std::vector<MeasureNature> natures;
   for (const MeasureKind kind : kinds) natures.push_back(nature_of(kind));
-  std::vector<double> out = lattice_errors(natures, here, fair(std::move(others), here.nodes));
+  std::vector<double> out = mesh_errors(natures, here, fair(std::move(others), here.nodes));
   std::map<MeasureQuantity, double> largest;
   bool netting = false;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
@@ -259,14 +260,14 @@ std::vector<double> measure_errors(const std::vector<MeasureKind>& kinds,
   return out;
 }
 
-bool tell_apart(double nodes, double others) {
+bool differ_enough(double nodes, double others) {
   return std::max(nodes / others, others / nodes) >= least_ratio;
 }
 
 std::vector<double> extra_nodes(double nodes, std::vector<double> levels, bool netting) {
   const double enough = netting ? std::min(enough_nodes, nodes) : 0.0;
   for (const double level : levels) {
-    if (tell_apart(nodes, level) && level >= enough) return {};
+    if (differ_enough(nodes, level) && level >= enough) return {};
   }
   if (nodes > most_compared) return {};
   const double finer = nodes * extra_ratio, coarser = nodes / extra_ratio;

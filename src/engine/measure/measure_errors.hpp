@@ -1,15 +1,18 @@
-// The error that a lattice leaves in measures, from other lattices of the same gear.
+// Discretisation error of measures, from other meshes of the same gear.
 //
-// A measure y on a lattice with elements of length h is taken as Y + a h^p + e: the drift a h^p falls with
-// a power p, and e, different on every lattice, is what depends on how rows of elements happen to lie; its
-// standard deviation is a share of the drift's. Y, which is not known, is fitted to all lattices by
-// generalised least squares (Aitken 1936), and the error told is the root mean square of y - Y given them.
-// Orders p are weighed by their likelihood: three lattices that drift one way show theirs. The size of
-// drift and scatter together is estimated from the measure's own differences and, as one lattice's
-// difference may vanish by chance, from what is usual in measures of its class.
+// A measure y on a mesh with element length h is modelled as Y + a h^p + e. The drift a h^p
+// decreases with a power p. The scatter e differs between meshes, because it depends on the
+// positions of element rows. Its standard deviation is a fraction of the drift. The unknown Y is
+// fitted to all meshes by generalised least squares (Aitken 1936). The reported error is the root
+// mean square of y - Y given the measures.
 //
-// The numbers (measure_errors.cpp) are for all gears and measures. They are from the shipped gears and 20
-// drawn at random, on 11 lattices of 250 to 12,000 nodes each, and were checked on others.
+// Orders p are weighted by their likelihood; three meshes with a monotonic drift show the order.
+// The size of drift and scatter is estimated from the measure's own differences. A single
+// difference may vanish by chance, so that the usual size in the measure's class is included.
+//
+// The constants (measure_errors.cpp) are the same for all gears and measures. They were fitted to
+// the shipped gears and 20 random gears, on 11 meshes of 250 to 12,000 nodes each, and validated on
+// others.
 #pragma once
 
 #include <vector>
@@ -18,24 +21,24 @@
 
 namespace codend {
 
-// Measures on a lattice of so many nodes, SI; not a number where it has none.
-struct MeasuredLattice {
+// Measures (SI) on a mesh with `nodes` nodes; NaN if not available.
+struct MeasuredMesh {
   double nodes = 0.0;
   std::vector<double> measures;
 };
 
-// Standard errors of measures of these kinds, SI; not a number where no other lattice says more. tolerance:
-// the share of the largest force that the balance leaves; step_accuracy: m, that the steps of a march to
-// there were held to, 0 where it is settled.
-std::vector<double> measure_errors(const std::vector<MeasureKind>& kinds,
-                                   const MeasuredLattice& here, std::vector<MeasuredLattice> others,
-                                   double tolerance, double step_accuracy = 0.0);
+// Returns standard errors (SI) of measures; NaN if no other mesh provides information. tolerance:
+// residual of the equilibrium over the largest force. The accuracy of positions in the preceding
+// time integration is `step_accuracy`, m; 0 for an equilibrium.
+std::vector<double> measure_errors(const std::vector<MeasureKind>& kinds, const MeasuredMesh& here,
+                                   std::vector<MeasuredMesh> others, double tolerance,
+                                   double step_accuracy = 0.0);
 
-// Nodes of the lattice that is to be settled to know the errors on one of so many, in the order in which
-// they are to be tried; none where those of so many nodes that there are do.
+// Returns node numbers of the additional mesh needed to estimate errors on a mesh with `nodes`
+// nodes, in the order of trial. Empty if the meshes in `levels` suffice.
 std::vector<double> extra_nodes(double nodes, std::vector<double> levels, bool netting);
 
-// Whether two lattices differ enough to say something of each other.
-bool tell_apart(double nodes, double others);
+// True if two meshes differ enough to estimate errors.
+bool differ_enough(double nodes, double others);
 
 }  // namespace codend

@@ -15,18 +15,18 @@ MeasuredGear measured_gear(const GearNumbers& numbers, const Gear& gear, const F
         });
   };
   MeasuredGear out = unprepared_gear(
-      gear, numbers.model, build_lattice(gear, fineness, from, lay_out_strings), numbers.blocked);
+      gear, numbers.model, build_mesh(gear, fineness, from, lay_out_strings), numbers.blocked);
   out.model.prepare();
   return out;
 }
 
-MeasuredGear unprepared_gear(const Gear& gear, const GearModel& numbers, Lattice&& lattice,
+MeasuredGear unprepared_gear(const Gear& gear, const GearModel& numbers, Mesh&& mesh,
                              double blocked) {
   MeasuredGear out;
-  out.model = model_of(gear, lattice, numbers);
+  out.model = model_of(gear, mesh, numbers);
   if (gear.has_bag) {
-    const BagTriangles& bag = lattice.bag;
-    out.bag = {static_cast<int>(lattice.mass.size()),
+    const BagTriangles& bag = mesh.bag;
+    out.bag = {static_cast<int>(mesh.mass.size()),
                bag.node,
                bag.depth,
                bag.across,
@@ -35,7 +35,7 @@ MeasuredGear unprepared_gear(const Gear& gear, const GearModel& numbers, Lattice
                blocked};
     press(out.bag, out.model);
   }
-  out.lattice = std::move(lattice);
+  out.mesh = std::move(mesh);
   return out;
 }
 
@@ -49,7 +49,7 @@ std::vector<double> measures_at(const GearNumbers& numbers, const Gear& gear,
                                 const std::vector<double>& x) {
   const std::vector<double> still(x.size(), 0.0);
   const Evaluation found = evaluate(assembly, x.data(), still.data());
-  return measure(measure_frame(gear, of.lattice), of.model, numbers.questions,
+  return measure(measure_frame(gear, of.mesh), of.model, numbers.questions,
                  gear.has_bag ? &of.bag : nullptr, measured_shape(found, x, still));
 }
 

@@ -1,4 +1,4 @@
-// A gear from all of its numbers: on a lattice, as a model, and measured at a shape.
+// A gear from all of its numbers: discretisation, model, and measures at a shape.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,9 @@
 
 namespace codend {
 
-// All numbers of a gear. blocked: meshes of its bag behind the front of what fills it; 0: it has none.
-// volume: of what fills it, m3, where the front is sought, from `blocked` on; 0: it is given.
+// Complete input of a gear. `blocked` is the number of meshes of its bag behind the front of the
+// catch; 0: no catch. `volume` is the volume of the catch, m3. The front is then computed, starting
+// at `blocked`; 0: the front is given.
 struct GearNumbers {
   Gear gear;
   GearModel model;
@@ -27,24 +28,27 @@ struct GearNumbers {
 };
 
 struct MeasuredGear {
-  Lattice lattice;
-  Model model;  // ready for use
+  Mesh mesh;
+  Model model;  // prepared for use
   FilledBag bag;
 };
 
-// gear: that of the numbers, or the same divided otherwise; pause: called now and then where there is one,
-// what it throws ends it. Throws InputError for what does not fit.
+// Creates discretisation and model. gear: the gear of `numbers`, or the same with another mesh.
+// pause: called repeatedly if given; an exception from it ends the computation. Throws InputError
+// for inconsistent input.
 MeasuredGear measured_gear(const GearNumbers& numbers, const Gear& gear, const Fineness& fineness,
                            const FromShape& from, const std::function<void()>& pause = {});
 
-// A gear on its lattice, whose model is not ready for use. blocked: meshes of its bag behind the front.
-MeasuredGear unprepared_gear(const Gear& gear, const GearModel& numbers, Lattice&& lattice,
+// The same from an existing discretisation, with an unprepared model. blocked: meshes of the bag
+// behind the front.
+MeasuredGear unprepared_gear(const Gear& gear, const GearModel& numbers, Mesh&& mesh,
                              double blocked);
 
-// Puts the pressure within a filled bag into a model.
+// Sets the pressure in a filled bag in a model.
 void press(const FilledBag& bag, Model& model);
 
-// Measures of the questions, SI, at positions x (m, 3 per node) at rest. assembly: of its model.
+// Measures (SI) of `numbers.questions` at positions x (m, 3 per node) at rest. assembly: of the
+// model.
 std::vector<double> measures_at(const GearNumbers& numbers, const Gear& gear,
                                 const MeasuredGear& of, Assembly& assembly,
                                 const std::vector<double>& x);

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// Share of the netting's twine that counts as loaded most.
+// Fraction of the netting's twine with the highest tension.
 constexpr double loaded_most = 0.1;
 
-// Straight between points; beyond the ends their values hold.
+// Piecewise linear interpolation; constant beyond the ends.
 template <class T>
 T between(const std::vector<double>& at, const std::vector<double>& values, T x) {
   const double here = value_of(x);
@@ -31,7 +31,7 @@ bool has(const std::vector<int>& all, int one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-// The integral of z n_z over a triangle: its mean height times its area seen from above.
+// Integral of z n_z over a triangle: mean height times the horizontally projected area.
 template <class T>
 T upward_moment(const Three<T>& a, const Three<T>& b, const Three<T>& c) {
   const T area = ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)) / T(2.0);
@@ -98,7 +98,7 @@ class Measuring {
         return mean_of_meshes(of.panels, &MeshPlace<T>::angle);
       case MeasureKind::volume:
         return volume_within(of.panels);
-      case MeasureKind::volume_share:
+      case MeasureKind::volume_fraction:
         return volume_within(of.panels) / T(of.of);
       case MeasureKind::enclosed_volume:
         return enclosed_volume(of.ropes[0]);
@@ -155,7 +155,7 @@ class Measuring {
       case MeasureKind::ground_load:
         return model_.ground.present ? along(ground_force(), normal()) : T(none);
       case MeasureKind::ground_friction:
-        // a gear at rest in still water has no drag
+        // A gear at rest in still water has no drag.
         if (!model_.ground.present || value_of(drag_) == 0.0) return T(none);
         return along(ground_force(), flow_) / drag_;
       case MeasureKind::least_depth:
@@ -165,7 +165,7 @@ class Measuring {
           const T here = -shape_.position[k];
           if (kind == MeasureKind::least_depth ? here < depth : here > depth) depth = here;
         }
-        // of a node at the surface 0, not -0
+        // Avoids -0 for a node at the surface.
         return depth + T(0.0);
       }
       default:
@@ -189,7 +189,7 @@ class Measuring {
     return meshes_;
   }
 
-  // ---- places -------------------------------------------------------------------------------------
+  // ---- positions ------------------------------------------------------------------------------
 
   Three<T> first_pair(const AskedMeasure& of) const {
     return place(of.places[1]) - place(of.places[0]);
@@ -208,8 +208,8 @@ class Measuring {
     return -(sum / T(static_cast<double>(places.size())));
   }
 
-  // Nodes along ropes put end to end: each rope continues from the end that was reached, by its own
-  // nearer end, whatever its direction; gaps are closed by straight lines.
+  // Nodes along ropes joined end to end. Each rope continues from the end of the previous one,
+  // starting at its nearer end. Straight lines close gaps.
   std::vector<int> outline(const std::vector<int>& of) const {
     std::vector<std::vector<int>> left;
     for (const int rope : of) left.push_back(frame_.ropes[rope].node);
@@ -250,7 +250,7 @@ class Measuring {
     return out;
   }
 
-  // Areas within ropes as seen along x and along y, m2, signed: the horizontal part of the vector area.
+  // Vector area of ropes: components along x and y, m2, signed.
   std::array<T, 2> mouth_area(const std::vector<int>& of) const {
     const std::vector<int> nodes = outline(of);
     T ahead{}, side{};
@@ -266,7 +266,7 @@ class Measuring {
     return length_of(Three<T>{level[0], level[1], T(0.0)});
   }
 
-  // Area within ropes seen from above, m2.
+  // Area within ropes projected on the horizontal plane, m2.
   T area_from_above(const std::vector<int>& of) const {
     using std::abs;
     const std::vector<int> nodes = outline(of);
@@ -279,7 +279,7 @@ class Measuring {
     return abs(twice) / T(2.0);
   }
 
-  // Water (m3/s) that flows horizontally through the ropes around a towed gear's mouth, as they move.
+  // Horizontal volume flow (m3/s) through the moving ropes around a towed gear's mouth.
   T filtered_volume() const {
     using std::abs;
     if (asked_.speed == 0 || asked_.mouth.empty()) return T(none);
@@ -304,7 +304,7 @@ class Measuring {
     return abs(area[0] * past_x + area[1] * past_y);
   }
 
-  // Ground (m2/s) that the lines between pairs of places pass over, the mean.
+  // Mean area per time (m2/s) swept by the lines between pairs of locations.
   T swept_area() const {
     using std::abs;
     if (asked_.speed == 0 || asked_.wings.empty()) return T(none);
@@ -320,7 +320,7 @@ class Measuring {
     return sum / T(static_cast<double>(places.size() / 2));
   }
 
-  // ---- propulsion ---------------------------------------------------------------------------------
+  // ---- propulsion -----------------------------------------------------------------------------
 
   T pull_share() const {
     const Propulsion& p = asked_.propulsion;
@@ -346,9 +346,9 @@ class Measuring {
   }
   T fuel_per(T what) const { return value_of(what) == 0.0 ? T(none) : fuel() / what; }
 
-  // ---- ropes --------------------------------------------------------------------------------------
+  // ---- ropes ----------------------------------------------------------------------------------
 
-  // The bar of a rope at its start, middle or end.
+  // Returns the bar of a rope at its start, middle or end.
   int bar_at(int rope, MeasureAt at) const {
     int first = -1, last = -1;
     double whole = 0.0;
@@ -397,7 +397,7 @@ class Measuring {
     return most;
   }
 
-  // ---- forces -------------------------------------------------------------------------------------
+  // ---- forces ---------------------------------------------------------------------------------
 
   T force_on(const std::vector<int>& parts, const Three<double>& axis) {
     if (forces_.empty()) forces_ = part_forces(frame_, shape_);
@@ -425,7 +425,7 @@ class Measuring {
     }
     return total;
   }
-  // Length of ropes, poles left out, whose nodes touch the ground (m).
+  // Length of ropes with nodes in contact with the ground (m), without poles.
   double rope_on_ground() const {
     const std::vector<T>& contact = reported("contact_force");
     std::vector<char> touches(points_.size() / 3, 0);
@@ -442,9 +442,9 @@ class Measuring {
     return length;
   }
 
-  // ---- netting ------------------------------------------------------------------------------------
+  // ---- netting --------------------------------------------------------------------------------
 
-  // Calls with the tension of one line, the length of all and the part, for every line of netting.
+  // Calls visit(tension of one line, length of all lines, part) for every line of netting.
   template <class Visit>
   void each_twine(Visit visit) const {
     for (std::size_t b = 0; b < frame_.part.bars.size(); ++b) {
@@ -477,7 +477,7 @@ class Measuring {
     }
     return most;
   }
-  // Mean over the share of the length that is loaded most.
+  // Mean tension over the fraction of twine with the highest tension.
   T most_loaded_tension() const {
     std::vector<std::pair<T, double>> lines;
     double whole = 0.0;
@@ -520,10 +520,10 @@ class Measuring {
     return sum / T(all);
   }
 
-  // ---- volumes ------------------------------------------------------------------------------------
+  // ---- volumes --------------------------------------------------------------------------------
 
-  // Two nodes of a lid's rim each, and which opening it is over. Openings are bounded by edges that no
-  // seam joins to another of these panels or gathers.
+  // Two nodes on the rim of a lid, and the opening that it closes. Edges that are neither joined to
+  // another panel of the set nor gathered bound the openings.
   struct Rim {
     int from, to, opening;
   };
@@ -549,7 +549,8 @@ class Measuring {
         if (joined.count(edge) != 0) continue;
         const int* node = &frame_.edges.edge_node[frame_.edges.before[edge]];
         for (int k = 0; k + 1 < frame_.edges.count[edge]; ++k) {
-          // A lid's facets meet each edge of a panel against that panel's facets.
+          // The facets of a lid and of the adjacent panel traverse the common edge in opposite
+          // directions.
           const bool turned = side == 1 || side == 2;
           out.push_back({node[k + turned], node[k + !turned], 0});
           group[root(node[k])] = root(node[k + 1]);
@@ -560,7 +561,7 @@ class Measuring {
     return out;
   }
 
-  // Triangles between places of the meshes of a panel, all turned the same way.
+  // Triangles between positions on a panel's meshes, all with the same orientation.
   std::vector<std::array<int, 3>> panel_facets(int panel) const {
     std::vector<int> mine, row;
     std::vector<double> s;
@@ -577,7 +578,8 @@ class Measuring {
     return out;
   }
 
-  // All panels must be seen from the same side, from within or from without, with their upper edge up.
+  // Requires that all panels are seen from the same side, inside or outside, with the upper edge
+  // up.
   T volume_within(const std::vector<int>& panels) const {
     using std::abs;
     const std::vector<Three<T>> places = frame_.meshes.places(points_);
@@ -612,9 +614,9 @@ class Measuring {
     return abs(sum / T(6.0));
   }
 
-  // By Gauss's theorem, the integral of z n_z over what bounds the water: the netting, and under it a
-  // surface from the rope to its middle. What closes the rest, the surface of the water (z = 0) and
-  // upright walls from there to the netting and between its two ends, adds nothing.
+  // Gauss's theorem: integral of z n_z over the netting and over a surface below it from the rope
+  // to its centroid. The remaining boundary contributes nothing: the water surface (z = 0), and
+  // vertical walls from there to the netting and between its ends.
   T enclosed_volume(int rope) const {
     using std::abs;
     std::vector<int> run = frame_.ropes[rope].node;
@@ -628,7 +630,7 @@ class Measuring {
     for (int panel = 0; panel < frame_.panel_count; ++panel) {
       for (const auto& facet : panel_facets(panel)) {
         netting += upward_moment(places[facet[0]], places[facet[1]], places[facet[2]]);
-        // places on the upper and the lower edge of a panel are nodes
+        // Positions on the upper and lower edge of a panel are nodes.
         int node[3];
         for (int k = 0; k < 3; ++k) node[k] = frame_.meshes.from[facet[k]];
         if (way == 0) way = way_along(node, place_in_run);
@@ -642,11 +644,12 @@ class Measuring {
       under +=
           upward_moment(three(points_, run[k]), three(points_, run[(k + 1) % run.size()]), middle);
     }
-    // Both wind the same way where the rope runs against the triangles that it borders.
+    // Orients both surfaces the same: the rope must traverse common edges against the netting's
+    // triangles.
     return abs(netting + T(way > 0 ? -1.0 : 1.0) * under);
   }
-  // Whether a triangle that has two corners next to each other in a run has them in its direction (1) or
-  // against it (-1); 0 of another triangle.
+  // Direction of a triangle with two neighbouring nodes of a run: 1 if it traverses them in the
+  // direction of the run, -1 if against it. 0 for other triangles.
   static int way_along(const int* node, const std::vector<int>& place_in_run) {
     int inside = 0, way = 0;
     for (int k = 0; k < 3; ++k) {
@@ -662,14 +665,14 @@ class Measuring {
   const Questions& asked_;
   const FilledBag* bag_;
   const MeasuredShape<T>& shape_;
-  std::vector<T> points_;  // positions of nodes and of points tied between them
+  std::vector<T> points_;  // positions of nodes and tied points
   Three<double> flow_, across_;
   T drag_;
   std::vector<T> forces_;
   std::vector<MeshPlace<T>> meshes_;
 };
 
-// The parts of elements of a kind that the flow's forces are reported of; null: of none.
+// Parts of elements of a kind with reported hydrodynamic forces; null if the kind has no parts.
 const std::vector<int>* parts_of(const ElementParts& part, const std::string& kind) {
   if (kind == "bars") return &part.bars;
   if (kind == "cells") return &part.cells;
@@ -734,7 +737,7 @@ std::vector<T> part_forces(const MeasureFrame& frame, const MeasuredShape<T>& sh
     if (all[k].cause != Cause::flow) continue;
     const std::vector<int>* part = parts_of(frame.part, all[k].kind);
     for (std::size_t e = 0; e < shape.forces[k].size(); ++e) {
-      // what fills a bag is the last part
+      // The contents of a bag are the last part.
       const int of = part ? (*part)[e / 3] : frame.parts - 1;
       out[3 * static_cast<std::size_t>(of) + e % 3] += shape.forces[k][e];
     }
@@ -763,14 +766,14 @@ std::array<T, 2> end_tensions(const MeasureFrame& frame, const Model& model,
   for (int end = 0; end < 2; ++end) {
     double wet = 1.0;
     if (model.water.free_surface) {
-      // half of what lies in the surface is wet
+      // A node exactly at the surface counts half as immersed.
       const double z = value_of(three(shape.position, node[end]).z);
       wet = z > 0 ? 0.0 : z < 0 ? 1.0 : 0.5;
     }
     Three<T> force = drag;
     force.z -=
         T(half * (rope.mass_per_length - wet * model.water.density * rope.volume_per_length));
-    // the bar pulls its start along itself, its end the other way
+    // The bar pulls its start node along its direction, and its end node in the opposite direction.
     out[end] = length_of(end == 0 ? pull + force : pull - force);
   }
   return out;

@@ -1,9 +1,9 @@
-// Measures of a gear: numbers that people ask of a shape and of what acts in it. Each is a function of
-// positions and velocities of nodes, tensions of lines and forces on elements, computed with numbers of
-// any type: with dual numbers (dual.hpp) it has its exact derivative along any change of these.
+// Measures of a gear: numbers derived from its shape and forces. Each is a function of positions
+// and velocities of nodes, tensions of lines and forces on elements. The number type is a template
+// parameter: dual numbers (dual.hpp) give exact derivatives along any change of the input.
 //
-// Names, units and definitions are the asker's. SI units. A measure that a gear does not have is not a
-// number.
+// The caller defines names, units and definitions. Results are in SI units, NaN if the gear lacks
+// the measure.
 #pragma once
 
 #include <string>
@@ -16,7 +16,8 @@
 
 namespace codend {
 
-// Where on a rope, or which angle: of a rope's bar below the horizontal or out of the x axis, of a plate.
+// Location on a rope. Angle: of a rope's bar below the horizontal (declination) or from the x axis
+// (divergence), or of a plate.
 enum class MeasureAt { none, start, middle, end, max };
 constexpr std::array<const char*, 5> names_of(MeasureAt) {
   return {"none", "start", "middle", "end", "max"};
@@ -26,13 +27,14 @@ constexpr std::array<const char*, 6> names_of(MeasureAngle) {
   return {"none", "declination", "divergence", "attack", "heel", "trim"};
 }
 
-// One measure. Places, ropes, panels, parts and plates by their numbers (gear/gear.hpp).
+// One requested measure. Locations, ropes, panels, parts and plates are numbered as in
+// gear/gear.hpp.
 struct AskedMeasure {
   MeasureKind kind = MeasureKind::total_drag;
-  std::vector<int> places, ropes, panels, parts, plates;  // places of pairs one after the other
+  std::vector<int> places, ropes, panels, parts, plates;  // pairs of locations are consecutive
   MeasureAt at = MeasureAt::none;
   MeasureAngle angle = MeasureAngle::none;
-  double of = 1.0;  // m3, of a share of a volume
+  double of = 1.0;  // reference volume of a fraction, m3
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -48,14 +50,14 @@ struct AskedMeasure {
   }
 };
 
-// What pulls the gear: what it can pull by its speed, between points that rise in speed, straight on
-// beyond the last; its power, and consumption by the share of it.
+// Propulsion. Maximum pull by speed: piecewise linear in increasing speed,
+// extrapolated beyond the last. Power, and fuel consumption by load (fraction of the power).
 struct Propulsion {
   std::vector<double> speed, pull;        // m/s, N
   double power = 0.0;                     // W
-  std::vector<double> load, consumption;  // share of the power, kg/J; empty: not known
+  std::vector<double> load, consumption;  // fraction of the power, kg/J; empty: unknown
   double fuel_density = 1.0;              // kg/m3
-  double yield = 0.0;                     // kg/s that is gained meanwhile; 0: not known
+  double yield = 0.0;                     // catch rate, kg/s; 0: unknown
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -69,12 +71,12 @@ struct Propulsion {
   }
 };
 
-// All that is asked of a gear.
+// All measures requested of a gear.
 struct Questions {
   int place_count = 0, rope_count = 0, panel_count = 0, part_count = 0, plate_count = 0;
   double speed = 0.0;      // of the gear over the ground, towards -x, m/s
   std::vector<int> mouth;  // ropes around its mouth; empty: unknown
-  std::vector<int> wings;  // places of pairs whose lines pass over the ground; empty: unknown
+  std::vector<int> wings;  // pairs of locations that sweep the ground; empty: unknown
   bool has_propulsion = false;
   Propulsion propulsion;
   std::vector<AskedMeasure> measures;
@@ -99,8 +101,9 @@ struct Questions {
   }
 };
 
-// A shape and what acts in it, as an Evaluation has it: positions (m), velocities (m/s) and net forces
-// (N) of nodes, 3 each; tensions (N); forces by the table of reported_forces(); angles of plates (rad).
+// A shape and its forces, as in Evaluation: positions (m), velocities (m/s) and net forces (N) of
+// nodes, 3 each; tensions (N); forces in the order of reported_forces() (N); angles of plates
+// (rad).
 template <class T>
 struct MeasuredShape {
   std::vector<T> position, velocity, force;
@@ -111,26 +114,26 @@ struct MeasuredShape {
 MeasuredShape<double> measured_shape(const Evaluation& found, const std::vector<double>& position,
                                      const std::vector<double>& velocity);
 
-// Positions of nodes, then of points tied between two of them, 3 each, from those of the nodes.
+// Returns positions of nodes, then of tied points, 3 each, from positions of nodes.
 template <class T>
 std::vector<T> all_points(const Model& model, const std::vector<T>& position);
 
-// The flow past a gear: along x where it is towed, else along the fastest current of its profile, and
-// along x where the water is still.
+// Direction of the flow past a gear: x for a towed gear, else the fastest current of the profile,
+// and x in still water.
 Three<double> flow_axis(const Model& model, const Questions& questions);
 
-// The measures that are asked for, in their order. bag: null where there is none. T: double or Dual.
+// Returns the requested measures in order. bag: null if there is none. T: double or Dual.
 template <class T>
 std::vector<T> measure(const MeasureFrame& frame, const Model& model, const Questions& questions,
                        const FilledBag* bag, const MeasuredShape<T>& shape);
 
-// Force of the flow on every part, 3 each, N.
+// Hydrodynamic force on every part, 3 each, N.
 template <class T>
 std::vector<T> part_forces(const MeasureFrame& frame, const MeasuredShape<T>& shape);
 
-// Tension at both ends of a bar of a rope (N). A bar's own tension is that of its middle; at an end it
-// carries what water and weight pull at the half between, which the lattice gathers in the node. Where
-// they push a bar together its own is kept.
+// Tension at both ends of a bar of a rope, N. A bar's own tension refers to its middle; each end
+// adds drag and weight of half the bar, which the model lumps in the node. A bar without tension,
+// or in compression, returns its own value.
 template <class T>
 std::array<T, 2> end_tensions(const MeasureFrame& frame, const Model& model,
                               const MeasuredShape<T>& shape, int bar);

@@ -8,24 +8,24 @@ namespace codend {
 
 namespace {
 
-// Of the twine's shadow: no smaller cells (m), no more along one side, no less light than this share.
+// Shadow grid: minimum cell size (m), maximum cells per side, minimum transmitted fraction.
 constexpr double least_size = 1e-6;
 constexpr double most_cells = 400.0;
 constexpr double least_light = 0.01;
 
-// A piece of netting seen along the flow, by the ways across it and up.
+// A piece of netting projected along the flow; index 0: across, 1: up.
 template <class T>
 struct Seen {
   T at[2], by_i[2], by_j[2];
   double reach[4];
-  T thick;  // -log of the share that it lets through, times its area, m2
+  T thick;  // -log(transmitted fraction) times its area, m2
 };
 
 template <class T>
 T hidden_area(const std::vector<Seen<T>>& pieces, int across, int down, T size) {
   using std::exp;
   const std::size_t parts = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
-  // Which cell a part lies in goes by its middle; how that moves matters at the ends alone.
+  // The centre of a part determines its cell. Its motion only matters at the ends of the grid.
   const auto right = [&](const Seen<T>& piece, std::size_t part) {
     const double* r = piece.reach;
     return r[0] + (part / static_cast<std::size_t>(down) + 0.5) / across * (r[1] - r[0]);
@@ -115,7 +115,7 @@ MeshFrame mesh_frame(const Gear& gear, const PartMap& map) {
     out.per_row.push_back(1 / std::max((rows.t[below] - rows.t[above]) * panel.deep, 1e-12));
     out.slant.push_back(panel.left(1) +
                         s * (panel.right(1) - panel.left(1) - (panel.right(0) - panel.left(0))));
-    // Each place stands for half the way to its neighbours.
+    // Each position represents half the distance to its neighbours.
     out.fore.push_back((rows.t[above] - t) / 2 * panel.deep);
     out.aft.push_back((rows.t[below] - t) / 2 * panel.deep);
     out.port.push_back((before - s) / 2 * across);
@@ -148,14 +148,14 @@ std::vector<MeshPlace<T>> mesh_places(const MeshFrame& frame, const std::vector<
     const int after = k < last && frame.row[k + 1] == frame.row[k] ? k + 1 : k;
     MeshPlace<T> place;
     place.at = at[k];
-    // Along a row: to the neighbours on both sides.
+    // Along a row: mean over both neighbours.
     place.opening =
         (length_of(at[k] - at[before]) + length_of(at[after] - at[k])) * T(frame.per_mesh[k]);
     Three<T> i = (at[after] - at[before]) * T(frame.per_mesh[k]);
-    // Where the row bends the bars follow it.
+    // If the row bends, the bars follow it.
     const T straight = length_of(i);
     if (value_of(straight) > 0) i = i * (place.opening / straight);
-    // Down a column i changes with j where the panel tapers.
+    // If the panel tapers, i changes with j down a column.
     const Three<T> up = at[frame.above[k]] +
                         (at[frame.above_next[k]] - at[frame.above[k]]) * T(frame.above_share[k]);
     const Three<T> down = at[frame.below[k]] +
@@ -163,7 +163,7 @@ std::vector<MeshPlace<T>> mesh_places(const MeshFrame& frame, const std::vector<
     const Three<T> j = (down - up) * T(frame.per_row[k]) - i * T(frame.slant[k]);
     place.depth = length_of(j);
     const int panel = frame.panel(k);
-    // Of diamonds u leans one way and v the other; of squares they are across and down.
+    // Diamond meshes: u and v are oblique; square meshes: across and down.
     place.u = frame.square[panel] ? i : (j + i) * T(0.5);
     place.v = frame.square[panel] ? j : (j - i) * T(0.5);
     const T cosine = dot(place.u, place.v) / (length_of(place.u) * length_of(place.v));
@@ -202,7 +202,7 @@ T twine_shadow(const MeshFrame& frame, const std::vector<MeshPlace<T>>& found,
       piece.by_j[way] = u[way] * T(both) + v[way];
     }
     const auto long_of = [](const T* x) { return sqrt(x[0] * x[0] + x[1] * x[1]); };
-    // A mesh of diamonds is the parallelogram of two bars of each family, one of squares of one.
+    // A diamond mesh is the parallelogram of two bars of each family, a square mesh of one.
     const T bars(frame.meshes[k] * (1 + both));
     const T area = bars * abs(u[0] * v[1] - u[1] * v[0]);
     const auto through = [&](const T* bar) {
@@ -220,7 +220,7 @@ T twine_shadow(const MeshFrame& frame, const std::vector<MeshPlace<T>>& found,
     pieces.push_back(piece);
   }
   if (pieces.empty()) return T(0.0);
-  // Parts as long across as they are deep, on the mean.
+  // Parts with equal size across and down, on average.
   const double n = static_cast<double>(pieces.size());
   const double ways = std::clamp(
       std::nearbyint(4 * std::sqrt(value_of(wide) / n / std::max(value_of(deep) / n, 1e-9))), 1.0,

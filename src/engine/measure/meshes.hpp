@@ -1,7 +1,8 @@
-// How the meshes of netting stand in a shape, and what its twine hides of the flow.
+// Opening of netting meshes in a shape, and the area that the twine hides from the flow.
 //
-// With x_i and x_j the derivatives of position by meshes across and by meshes down a panel, a mesh of
-// diamonds has the bars (x_j + x_i) / 2 and (x_j - x_i) / 2, one of squares the bars x_i and x_j.
+// With x_i and x_j the derivatives of position by meshes across and by meshes down a panel, a
+// diamond mesh has the bars (x_j + x_i) / 2 and (x_j - x_i) / 2. A square mesh has the bars x_i and
+// x_j.
 #pragma once
 
 #include <vector>
@@ -11,22 +12,23 @@
 
 namespace codend {
 
-// Panels as rows of places with what of their meshes does not move. Places and rows follow each other.
+// Panels as rows of positions, with constants of their meshes. Positions and rows are consecutive.
 struct MeshFrame {
-  std::vector<double> width, unit;  // per panel: of its twine across the flow, length of a mesh, m
+  std::vector<double> width, unit;  // per panel: total twine width, length of a mesh, m
   std::vector<char> square, turned;
   std::vector<int> row_panel;  // per row
   std::vector<double> row_t;
-  // Per place: its row and share across; the points between which it lies and the share of the way.
+  // Per position: row and fraction across; the two points between which it lies and the fraction.
   std::vector<int> row;
   std::vector<double> s;
   std::vector<int> from, to;
   std::vector<double> share;
-  // At the same share across in the rows above and below: the places on both sides, the share between.
+  // Neighbours in the rows above and below at the same fraction across: two positions and a
+  // fraction.
   std::vector<int> above, above_next, below, below_next;
   std::vector<double> above_share, below_share;
-  std::vector<double> per_mesh, per_row, slant;  // 1/meshes across, down; how columns lean
-  // Meshes that a place stands for, and how far these reach from it to all sides.
+  std::vector<double> per_mesh, per_row, slant;  // 1/meshes across, down; slope of columns
+  // Number of meshes represented by a position, and their extent to all sides (meshes).
   std::vector<double> meshes, port, starboard, fore, aft;
 
   template <class Visit>
@@ -61,15 +63,15 @@ struct MeshFrame {
 
   int count() const { return static_cast<int>(row.size()); }
   int panel(int place) const { return row_panel[row[place]]; }
-  // The places themselves (m) where all points of the lattice are at x, 3 each.
+  // Positions (m) for points of the discretisation at x, 3 each.
   template <class T>
   std::vector<Three<T>> places(const std::vector<T>& x) const;
 };
 MeshFrame mesh_frame(const Gear& gear, const PartMap& map);
 
-// The meshes at a place: the place and one bar of each family (m), how wide a mesh stands across its
-// panel (of squares the distance of the bars) and its depth (m), and the angle between its bars (rad, 0
-// where it is closed across the panel; not a number where a bar has no length).
+// Meshes at a position: position and one bar of each family (m); mesh opening across the panel (for
+// square meshes the distance of bars, m) and mesh depth (m); angle between bars (rad). The angle is
+// 0 for meshes closed across the panel, NaN if a bar has no length.
 template <class T>
 struct MeshPlace {
   Three<T> at, u, v;
@@ -78,15 +80,15 @@ struct MeshPlace {
 template <class T>
 std::vector<MeshPlace<T>> mesh_places(const MeshFrame& frame, const std::vector<T>& x);
 
-// Area (m2) across the flow that all twine hides; twine behind other twine counts once. across, up: unit
+// Area (m2) normal to the flow that twine hides; overlapping twine counts once. across, up: unit
 // vectors.
 //
-// A piece of netting that casts a shadow of the area A lets the share (1 - a_u / A) (1 - a_v / A) of it
-// through, a_u and a_v the areas that its two families of bars show, and never less than a hundredth.
-// Pieces one behind another let through the product of their shares: seen along the flow, twines of
-// different pieces lie anyhow to each other. That is summed up over a grid across the flow whose cells
-// are as large as the shadow of a place on the mean; each place is cut into 16 parts or so. Its
-// derivative leaves out that parts move from cell to cell.
+// A piece of netting with the projected area A transmits the fraction (1 - a_u / A) (1 - a_v / A),
+// at least 0.01. Here a_u and a_v are the projected areas of its two families of bars. Pieces one
+// behind the other transmit the product of their fractions, because twines of different pieces have
+// random relative positions. The sum uses a grid normal to the flow; the cell area is the mean
+// projected area of a position. Each position is divided into about 16 parts. The derivative
+// neglects that parts move between cells.
 template <class T>
 T twine_shadow(const MeshFrame& frame, const std::vector<MeshPlace<T>>& found,
                const Three<double>& across, const Three<double>& up);

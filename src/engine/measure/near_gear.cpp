@@ -23,7 +23,7 @@ bool all_finite(const std::vector<double>& x) {
 
 using Values = std::vector<double>;
 
-// All numbers of a shape and of another of the same lattice, put together one by one.
+// Combines all numbers of two shapes of the same discretisation one by one.
 template <class T, class Together>
 MeasuredShape<T> joined(const MeasuredShape<double>& from, const MeasuredShape<double>& to,
                         Together together) {
@@ -50,8 +50,8 @@ MeasuredShape<T> joined(const MeasuredShape<double>& from, const MeasuredShape<d
   return out;
 }
 
-// A shape `by` times as far away as another is. Tensions and forces that would turn on the way have
-// come to nothing.
+// Extrapolates from `from` towards `to` by the factor `by`. Tensions and forces that would reverse
+// are set to 0.
 MeasuredShape<double> beyond(const MeasuredShape<double>& from, const MeasuredShape<double>& to,
                              double by) {
   MeasuredShape<double> out =
@@ -78,7 +78,7 @@ Jumps jumps(MeasureKind kind) {
   return counts ? Jumps::by_elements : Jumps::none;
 }
 
-// The questions that jump so, and their places among all.
+// The measures with this kind of jump, and their indices among all.
 struct SomeQuestions {
   Questions asked;
   std::vector<std::size_t> place;
@@ -107,45 +107,44 @@ NearGear::NearGear(const GearNumbers& numbers, const Counts& counts,
   Fineness fineness;
   fineness.counts = &counts_;
   own_ = measured_gear(numbers_, numbers_.gear, fineness, as_it_is(position_));
-  frame_ = measure_frame(numbers_.gear, own_.lattice);
+  frame_ = measure_frame(numbers_.gear, own_.mesh);
   own_.model.wake = wake_;
   assembly_ = std::make_unique<Assembly>(own_.model);
-  tangent_ = std::make_unique<Tangent>(*assembly_, own_.lattice.start.data());
+  tangent_ = std::make_unique<Tangent>(*assembly_, own_.mesh.start.data());
   assembly_->strain(strain_);
   if (assembly_->has_wake()) assembly_->keep_wake();
   if (!tangent_->regular()) return;
   NearControl control;
   control.renewals = 0;
   int factorisations = 0;
-  std::vector<double> place = own_.lattice.start;
+  std::vector<double> place = own_.mesh.start;
   if (!balanced(own_, control, false, place, shape_, factorisations)) return;
   std::copy(place.begin(), place.end(), position_.begin());
   measures_ = measured(numbers_, numbers_.questions, frame_, own_, shape_);
   regular_ = true;
 }
 
-bool NearGear::divided_alike(const GearNumbers& numbers, MeasuredGear& out) const {
+bool NearGear::divided_equally(const GearNumbers& numbers, MeasuredGear& out) const {
   Fineness fineness;
   fineness.counts = &counts_;
   try {
     out = measured_gear(numbers, numbers.gear, fineness, as_it_is(position_));
   } catch (const InputError& wrong) {
-    // of another number of parts
+    // Thrown for a different number of parts.
     if (wrong.field() != "counts") throw;
     return false;
   }
   if (out.model.points() == static_cast<int>(wake_.size())) out.model.wake = wake_;
-  return out.lattice.bars.node == own_.lattice.bars.node &&
-         out.lattice.cells.node == own_.lattice.cells.node;
+  return out.mesh.bars.node == own_.mesh.bars.node && out.mesh.cells.node == own_.mesh.cells.node;
 }
 
 NearMeasures NearGear::settled(const GearNumbers& numbers, SettleControl control) const {
   NearMeasures out;
   MeasuredGear other;
-  if (!divided_alike(numbers, other)) return out;
+  if (!divided_equally(numbers, other)) return out;
   control.start = Start::settled;
-  control.part = line_parts(other.lattice);
-  // Most lines pull against drag.
+  control.part = line_parts(other.mesh);
+  // Initial guess: tensions scale with speed squared.
   const double speed = numbers.questions.speed, own = numbers_.questions.speed;
   control.strain = strain_;
   if (speed > 0 && own > 0) {
@@ -153,7 +152,7 @@ NearMeasures NearGear::settled(const GearNumbers& numbers, SettleControl control
   }
   Assembly assembly(other.model);
   assembly.keep_wake_of(*assembly_);
-  std::vector<double> x = other.lattice.start;
+  std::vector<double> x = other.mesh.start;
   const std::vector<double> still(x.size(), 0.0);
   const SettleReport report = settle(assembly, control, still.data(), x.data());
   out.factorisations = report.factorisations;
@@ -170,13 +169,13 @@ std::array<NearMeasures, 2> NearGear::towards(const GearNumbers& to, double shar
   for (int side = 0; side < 2; ++side) {
     const std::optional<GearNumbers> numbers = between(numbers_, to, side == 0 ? share : -share);
     MeasuredGear other;
-    if (!numbers || !divided_alike(*numbers, other)) break;
-    std::vector<double>& x = other.lattice.start;
-    // Where nothing jumps, nodes go as far the other way. What is to end by itself takes no start that
-    // would hide a jump.
+    if (!numbers || !divided_equally(*numbers, other)) break;
+    std::vector<double>& x = other.mesh.start;
+    // Without jumps, nodes move by the same distance in the opposite direction. With `closes_in`
+    // this initial guess is not used, because it would hide jumps.
     if (control.closes_in) first.clear();
     for (std::size_t k = 0; k < first.size(); ++k) {
-      if (!other.lattice.held[k / 3]) x[k] = 2 * x[k] - first[k];
+      if (!other.mesh.held[k / 3]) x[k] = 2 * x[k] - first[k];
     }
     MeasuredShape<double> shape;
     if (!balanced(other, control, side == 1, x, shape, out[side].factorisations)) break;
@@ -189,7 +188,7 @@ std::array<NearMeasures, 2> NearGear::towards(const GearNumbers& to, double shar
 std::vector<double> NearGear::change(const GearNumbers& numbers, const MeasuredGear& other,
                                      const MeasuredShape<double>& shape, double reach) const {
   std::vector<double> out(measures_.size());
-  const MeasureFrame frame = measure_frame(numbers.gear, other.lattice);
+  const MeasureFrame frame = measure_frame(numbers.gear, other.mesh);
   const SomeQuestions plain(numbers.questions, Jumps::none);
   const auto there = measured(numbers, plain.asked, frame, other, shape);
   for (std::size_t k = 0; k < there.size(); ++k) {
@@ -223,7 +222,7 @@ bool NearGear::balanced(const MeasuredGear& gear, const NearControl& control, bo
   const int enough = control.closes_in ? std::numeric_limits<int>::max() : stepped ? 0 : 1;
   ChordReport report =
       tangent_->balance(assembly, control.tolerance, control.steps, x.data(), enough);
-  // Lines that are all but slack turn the matrix with every step: it is made again.
+  // Almost slack lines change the matrix with every step: factorise again.
   for (int again = 0; again < control.renewals && !report.converged && all_finite(x); ++again) {
     if (renewed_) {
       renewed_->renew(assembly, x.data());

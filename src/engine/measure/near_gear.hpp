@@ -1,5 +1,5 @@
-// Measures of gears that differ from one that is settled, on its lattice: of those that differ a little
-// with the factors of its matrix (solve/tangent.hpp), of others settled from it.
+// Measures of gears near a solved one, on its mesh. Small differences use the factorised matrix
+// (solve/tangent.hpp), others a new equilibrium that starts from the solved one.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@
 
 namespace codend {
 
-// How steps of one matrix end, and how often the matrix is made again where they do not close in.
+// Termination of steps with one matrix, and number of new factorisations if they do not converge.
 struct NearControl {
-  double tolerance = 1e-10;  // net force over the largest tension
+  double tolerance = 1e-10;  // largest residual over the largest tension
   int steps = 20, renewals = 3;
-  bool closes_in = true;  // whether steps must end by themselves; else the tolerance ends them
-  double reach = 1.0;     // of counts, see NearMeasures
+  bool closes_in = true;  // steps must converge; else they end at the tolerance
+  double reach = 1.0;     // for counting measures, see NearGear::towards()
 };
 
-// How much measures of another gear (SI, of its questions) are more than those of the gear itself; empty
-// where no balance is found, or where its lattice has other nodes.
+// Measures of another gear minus measures of the gear itself (SI). Empty if there is no convergence
+// or if the other gear has different nodes.
 struct NearMeasures {
   int factorisations = 0;
   std::vector<double> change;
@@ -28,50 +28,54 @@ struct NearMeasures {
 
 class NearGear {
  public:
-  // counts: of the settled lattice; position, m: of its points, 3 each; wake: of these, or none.
-  // Throws InputError where they are not of this gear.
+  // counts: of the solved discretisation; position: of its points, 3 each, m; wake: of the points,
+  // or empty. Throws InputError if these do not match the gear.
   NearGear(const GearNumbers& numbers, const Counts& counts, const std::vector<double>& position,
            const std::vector<double>& wake);
   NearGear(const NearGear&) = delete;
 
-  // False where the matrix is singular or the gear itself is not brought to balance; nothing below
-  // may be called then.
+  // False if the matrix is singular or the gear itself does not converge. Then no other function
+  // may be called.
   bool regular() const { return regular_; }
-  // Of the gear itself, in balance to rounding.
+  // Measures of the gear itself, in equilibrium to rounding.
   const std::vector<double>& measures() const { return measures_; }
 
-  // Of the gears with numbers `share` of the way to others', a little, and as much the other way, without
-  // jumps; the second where there is the first. Nothing where these differ in more than numbers.
+  // Changes of measures for two gears: with numbers at the small fraction `share` of the way to
+  // `numbers`, and at the opposite distance. Jumps are removed. The second is computed only if the
+  // first converges. Both are empty if the gears differ in more than numbers.
   //
-  // What is seen in cells of a picture changes by its exact derivative. What counts elements (slack
-  // twines, rope on the ground) changes by those that `reach` times the change takes to zero, less
-  // those that as much the other way does: as many are taken for just beyond zero as before it.
+  // Measures from a grid (mouth blockage) change by their exact derivative. Counting measures
+  // (slack netting, rope on ground) change by a difference quotient: the count at `reach` times the
+  // change minus the count at -`reach` times, divided by `reach`. It assumes equal density of
+  // elements on both sides of zero.
   std::array<NearMeasures, 2> towards(const GearNumbers& numbers, double share,
                                       const NearControl& control) const;
 
-  // Of a gear with other numbers, settled from the gear itself. control: its tolerances and bounds.
+  // Changes for another gear in a new equilibrium, starting from this gear. control: tolerances and
+  // limits.
   NearMeasures settled(const GearNumbers& numbers, SettleControl control) const;
 
  private:
-  // The gear with other numbers on the same lattice; false where that has other nodes.
-  bool divided_alike(const GearNumbers& numbers, MeasuredGear& out) const;
-  // Takes nodes at x (m, 3 each) to balance; false where steps do not. stepped: whether x is more than
-  // where the gear itself is, which small forces alone do not tell from balance.
+  // Creates a gear with other numbers on the same mesh; false if its nodes differ.
+  bool divided_equally(const GearNumbers& numbers, MeasuredGear& out) const;
+  // Moves nodes at x (m, 3 each) to equilibrium; false without convergence. stepped: x is already
+  // extrapolated. Otherwise at least one step is required, because small forces do not prove
+  // equilibrium.
   bool balanced(const MeasuredGear& gear, const NearControl& control, bool stepped,
                 std::vector<double>& x, MeasuredShape<double>& shape, int& factorisations) const;
-  // Measures without jumps of such a gear in balance, less the gear's own.
+  // Measures of another gear in equilibrium minus this gear's, without jumps.
   std::vector<double> change(const GearNumbers& numbers, const MeasuredGear& other,
                              const MeasuredShape<double>& shape, double reach) const;
 
   const GearNumbers numbers_;
   const Counts counts_;
   const std::vector<double> wake_;
-  std::vector<double> position_;  // of points; nodes in balance
+  std::vector<double> position_;  // of points; nodes in equilibrium
   std::vector<double> strain_;    // of every line
   MeasuredGear own_;
-  std::unique_ptr<Assembly> assembly_;  // of it, with the netting upstream that all others keep to
+  std::unique_ptr<Assembly> assembly_;  // of own_; all other gears use its upstream netting
   std::unique_ptr<Tangent> tangent_;
-  mutable std::unique_ptr<Tangent> renewed_;  // where steps of the first do not close in
+  mutable std::unique_ptr<Tangent> renewed_;  // if tangent_ does not converge
   bool regular_ = false;
   MeasureFrame frame_;
   MeasuredShape<double> shape_;

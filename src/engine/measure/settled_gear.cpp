@@ -13,17 +13,17 @@ namespace codend {
 
 namespace {
 
-// Nodes of the coarsest level, and how many times as many the next finer one has.
+// Nodes of the coarsest mesh level, and ratio of nodes between levels.
 constexpr double coarsest_nodes = 250, level_ratio = 7;
 
-// Share of a catch's volume within which it is met, and fronts that are tried.
+// Relative tolerance of the catch volume, and maximum number of fronts.
 constexpr double catch_tolerance = 1e-6;
 constexpr int most_fronts = 40;
-// A front within this of one that is settled, in the logarithm of meshes, is settled from there.
+// A front within this distance (logarithm of meshes) of a solved one starts from its shape.
 constexpr double near_front = 0.2;
 
-// The gear with nothing said of how finely it is divided. Poles keep their segments: divided otherwise
-// they would kink.
+// The gear without prescribed mesh sizes. Poles keep their segments, because others would introduce
+// kinks.
 Gear undivided(Gear gear) {
   for (GearRope& rope : gear.ropes) {
     if (!rope.strut) rope.segments = 0;
@@ -43,19 +43,19 @@ std::vector<char> bars_of(const Gear& gear) {
   return out;
 }
 
-// The same sheets in the place of a shape slow the water as they did.
+// Identical sheets at the initial shape have the same wake.
 bool same_sheets(const WakeSheets& a, const WakeSheets& b) {
   return a.node == b.node && a.twine_area == b.twine_area && a.overlap == b.overlap &&
          a.law == b.law;
 }
 
 struct Front {
-  double front, off;  // in the logarithms of meshes and of volume
+  double front, off;  // logarithms of meshes; of volume over required volume
 };
 
-// The volume grows with a power of the meshes behind the front that changes slowly: a secant through the
-// last two fronts, or that of a power of 1 from the first, kept between those known to enclose too little
-// and too much.
+// The volume grows with a slowly varying power of the meshes behind the front. The next front is a
+// secant step through the last two (at first: power 1), bounded by fronts with too small and too
+// large volume.
 double next_front(const Front& here, const std::optional<Front>& before,
                   const std::optional<Front>& low, const std::optional<Front>& high, double end) {
   double slope = 1.0;
@@ -70,15 +70,15 @@ double next_front(const Front& here, const std::optional<Front>& before,
 class LevelSettler {
  public:
   LevelSettler(const GearNumbers& numbers, const Gear& gear, const GearSettling& how, double nodes,
-               const BegunShape* from)
+               const InitialShape* from)
       : numbers_(numbers), gear_(gear), how_(how), from_(from) {
     {
-      const Stopwatch watch(out_.seconds_lattice);
+      const Stopwatch watch(out_.seconds_mesh);
       build(nodes);
     }
     if (from_ && !from_->strain.empty()) {
       const PartMap map = part_map_of();
-      strain_ = carry_strains(gear_, map, line_map(gear_, lattice()), from_->map, from_->lines,
+      strain_ = carry_strains(gear_, map, line_map(gear_, mesh()), from_->map, from_->lines,
                               from_->strain);
       for (double& strain : strain_) strain *= from_->drag_growth;
     }
@@ -95,9 +95,9 @@ class LevelSettler {
   }
 
  private:
-  const Lattice& lattice() const { return out_.gear.lattice; }
+  const Mesh& mesh() const { return out_.gear.mesh; }
   PartMap part_map_of() const {
-    return part_map(gear_, lattice().division, lattice().nodes, lattice().panels);
+    return part_map(gear_, mesh().division, mesh().nodes, mesh().panels);
   }
 
   void build(double nodes) {
@@ -115,13 +115,13 @@ class LevelSettler {
       }
     }
     out_.gear = measured_gear(numbers_, gear_, fineness, shape, how_.pause);
-    if (how_.built) how_.built(lattice());
+    if (how_.built) how_.built(mesh());
     if (shape.alike && same_sheets(out_.gear.model.wake_sheets, from_->wake_sheets)) {
       out_.gear.model.wake = from_->wake;
     }
     start_ = !from_ ? Start::crude : Start::near;
-    if (from_ && from_->settled && lattice().nodes == from_->map.nodes &&
-        line_map(gear_, lattice()).alike(from_->lines)) {
+    if (from_ && from_->settled && mesh().nodes == from_->map.nodes &&
+        line_map(gear_, mesh()).alike(from_->lines)) {
       start_ = Start::settled;
     }
   }
@@ -130,18 +130,18 @@ class LevelSettler {
     std::vector<double> position, strain;
   };
 
-  // From its own start, or from a shape of it that is settled.
+  // Solves from the initial shape, or from a solved shape of this gear.
   void settle_once(const Shape* shape) {
     Assembly assembly(out_.gear.model);
     SettleControl control;
     control.start = shape ? Start::settled : start_;
     control.strain = shape ? shape->strain : strain_;
-    control.part = line_parts(lattice());
+    control.part = line_parts(mesh());
     control.tolerance = how_.tolerance;
     control.iterations = how_.iterations;
     control.watch = how_.watch;
     control.pause = how_.pause;
-    out_.position = shape ? shape->position : lattice().start;
+    out_.position = shape ? shape->position : mesh().start;
     const std::vector<double> still(out_.position.size(), 0.0);
     out_.report = settle_from(assembly, control, still.data(), out_.position.data());
     assembly.strain(out_.strain);
@@ -163,8 +163,9 @@ class LevelSettler {
     SettleCost cost;
     for (int tried = 0; tried < most_fronts; ++tried) {
       set_front(std::exp(front));
-      // From the first start: a shape settled far off leads the path astray. From near by: slack netting
-      // before the front may balance in several ways, and the volume is to follow one of them.
+      // Distant fronts start from the initial shape, because a distant solution misleads the
+      // iteration. Near fronts start from the last solution: slack netting ahead of the front may
+      // have several equilibria, and the volume must follow one equilibrium.
       const bool near = before && std::abs(front - before->front) < near_front;
       const Shape* const nothing = nullptr;
       for (const Shape* from : {near ? &std::as_const(shape) : nothing, nothing}) {
@@ -194,22 +195,22 @@ class LevelSettler {
   const GearNumbers& numbers_;
   const Gear& gear_;
   const GearSettling& how_;
-  const BegunShape* from_;
+  const InitialShape* from_;
   Start start_ = Start::crude;
   std::vector<double> strain_, wake_;
   SettledGear out_;
 };
 
-// A settled level as the next one's start.
-BegunShape shape_of(const SettledGear& found, const Gear& gear, double nodes) {
-  const Lattice& lattice = found.gear.lattice;
-  BegunShape out;
+// Returns a solved level as the initial shape of the next.
+InitialShape shape_of(const SettledGear& found, const Gear& gear, double nodes) {
+  const Mesh& mesh = found.gear.mesh;
+  InitialShape out;
   out.position = all_points(found.gear.model, found.position);
   out.strain = found.strain;
-  out.map = part_map(gear, lattice.division, lattice.nodes, lattice.panels);
-  out.lines = line_map(gear, lattice);
+  out.map = part_map(gear, mesh.division, mesh.nodes, mesh.panels);
+  out.lines = line_map(gear, mesh);
   out.nodes = nodes;
-  out.counts = lattice.counts;
+  out.counts = mesh.counts;
   out.bars = bars_of(gear);
   out.wake_sheets = found.gear.model.wake_sheets;
   out.wake = found.gear.model.wake;
@@ -237,7 +238,7 @@ std::vector<double> coarse_levels(double nodes) {
 
 SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how) {
   const Gear& gear = numbers.gear;
-  const auto settle_level = [&](const Gear& of, double nodes, const BegunShape* from) {
+  const auto settle_level = [&](const Gear& of, double nodes, const InitialShape* from) {
     return LevelSettler(numbers, of, how, nodes, from).settled();
   };
   if (gear.has_bag && !(numbers.blocked > 0)) {
@@ -247,9 +248,9 @@ SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how) {
     how.from->map.check(gear, how.from->position.size() / 3);
     how.from->lines.check(gear);
   }
-  const BegunShape* from = how.from;
+  const InitialShape* from = how.from;
   std::vector<SettledLevel> levels;
-  BegunShape shape;
+  InitialShape shape;
   if (how.through_levels) {
     const Gear free = undivided(gear), cells = of_cells(free);
     const bool shot = gear.shot_along >= 0;
@@ -258,7 +259,7 @@ SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how) {
       SettledGear first = settle_level(cells, nodes, from);
       if (!first.report.converged) return first;
       shape = shape_of(first, cells, nodes);
-      // The coarsest lattice's are of no use.
+      // Strains on the coarsest mesh are useless.
       shape.strain.clear();
       from = &shape;
     }
@@ -275,8 +276,8 @@ SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how) {
       const SettledGear found = settle_level(of, level, from);
       if (found.full_bag > 0) return found;
       if (!found.report.converged) continue;
-      levels.push_back({found.gear.lattice.nodes, measures_of(numbers, of, found), found.report,
-                        found.seconds_lattice});
+      levels.push_back({found.gear.mesh.nodes, measures_of(numbers, of, found), found.report,
+                        found.seconds_mesh});
       shape = shape_of(found, of, level);
       if (level <= coarsest_nodes) shape.strain.clear();
       from = &shape;
@@ -290,17 +291,17 @@ SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how) {
   return out;
 }
 
-std::optional<SettledGear> extra_lattice(const GearNumbers& numbers, const GearSettling& how,
-                                         const BegunShape& from, double nodes,
-                                         const std::vector<double>& levels, double& asked) {
+std::optional<SettledGear> extra_mesh(const GearNumbers& numbers, const GearSettling& how,
+                                      const InitialShape& from, double nodes,
+                                      const std::vector<double>& levels, double& asked) {
   const Gear free = undivided(numbers.gear);
   for (const double wanted : extra_nodes(nodes, levels, !free.panels.empty())) {
     asked = wanted;
     try {
       SettledGear found = LevelSettler(numbers, free, how, wanted, &from).settled();
-      if (found.report.converged && tell_apart(nodes, found.gear.lattice.nodes)) return found;
+      if (found.report.converged && differ_enough(nodes, found.gear.mesh.nodes)) return found;
     } catch (const InputError&) {
-      // What a finer or coarser division does not have, the next may.
+      // The next node number may give a valid mesh.
     }
   }
   return std::nullopt;
@@ -309,7 +310,7 @@ std::optional<SettledGear> extra_lattice(const GearNumbers& numbers, const GearS
 std::vector<double> errors_of(const GearNumbers& numbers, const GearSettling& how,
                               const SettledGear& found) {
   std::vector<double> levels;
-  std::vector<MeasuredLattice> others;
+  std::vector<MeasuredMesh> others;
   const auto add = [&](double nodes, std::vector<double> measures) {
     others.push_back({nodes, std::move(measures)});
   };
@@ -317,12 +318,12 @@ std::vector<double> errors_of(const GearNumbers& numbers, const GearSettling& ho
     levels.push_back(level.nodes);
     add(level.nodes, level.measures);
   }
-  BegunShape shape = shape_of(found, numbers.gear, how.nodes);
+  InitialShape shape = shape_of(found, numbers.gear, how.nodes);
   shape.settled = true;
   double asked = 0.0;
-  const double nodes = found.gear.lattice.nodes;
-  if (const auto extra = extra_lattice(numbers, how, shape, nodes, levels, asked)) {
-    add(extra->gear.lattice.nodes, measures_of(numbers, undivided(numbers.gear), *extra));
+  const double nodes = found.gear.mesh.nodes;
+  if (const auto extra = extra_mesh(numbers, how, shape, nodes, levels, asked)) {
+    add(extra->gear.mesh.nodes, measures_of(numbers, undivided(numbers.gear), *extra));
   }
   std::stable_sort(others.begin(), others.end(),
                    [](const auto& a, const auto& b) { return a.nodes < b.nodes; });

@@ -1,7 +1,8 @@
-// A gear settled from its numbers: coarsely first, from a crude layout of its own, each shape carried to
-// the next finer lattice as its start. A gear that is let go along a rope hangs slack nearly everywhere:
-// only coarsely divided does it settle from a crude layout, whatever it is settled with in the end. Where a
-// catch is given by its volume the front moves by rows of meshes until the netting behind it encloses that.
+// Solves for the equilibrium of a gear from its numbers. The solution starts on a coarse mesh from
+// an approximate initial shape. Each shape is interpolated to the next finer mesh as its initial
+// shape. A gear that is shot along a rope hangs almost entirely slack: it converges from an
+// approximate shape only on a coarse mesh. If the catch is given by its volume, the front moves
+// until the netting behind it encloses that volume.
 #pragma once
 
 #include <optional>
@@ -13,23 +14,24 @@
 
 namespace codend {
 
-// A shape that a gear begins from: of itself or of one with the same parts, on any lattice.
-struct BegunShape {
-  std::vector<double> position;  // m, 3 per point, tied ones last
-  std::vector<double> strain;    // of every line (Model::lines()); empty: not known
+// Initial shape of a gear: of itself or of a gear with the same parts, on any mesh.
+struct InitialShape {
+  std::vector<double> position;  // m, 3 per point, tied points last
+  std::vector<double> strain;    // of every line (Model::lines()); empty: unknown
   PartMap map;
   LineMap lines;
-  // How it was divided: for so many nodes, into these counts, which panels are of bars; and whether its
-  // panels have the meshes of the gear's. As many nodes of the same panels are divided as here.
+  // Its mesh: requested nodes, counts, panels of bars. same_meshes: its panels have the netting
+  // meshes of the gear. Equal nodes and panels then give an identical mesh.
   double nodes = 0.0;
   Counts counts;
   std::vector<char> bars;
   bool same_meshes = true;
-  // What slows the water there, and by how much every point's is; empty: nothing.
+  // Sheets that slow the water, and the speed fraction at every point; empty: none.
   WakeSheets wake_sheets;
   std::vector<double> wake;
-  double blocked = 0.0;  // meshes of its bag behind the front; 0: it has none
-  // Whether it is a balance, not of a gear in motion, and by how much the gear's drag is larger.
+  double blocked = 0.0;  // meshes of its bag behind the front; 0: no bag
+  // settled: it is an equilibrium, not a state of motion. drag_growth: ratio of the gear's drag to
+  // the drag at this shape.
   bool settled = false;
   double drag_growth = 1.0;
 
@@ -53,57 +55,59 @@ struct BegunShape {
 };
 
 struct GearSettling {
-  double nodes = 1500;               // about how many, where the gear leaves that open
-  const BegunShape* from = nullptr;  // null: a crude layout
-  // Through coarser levels; else the gear itself from `from`.
+  double nodes = 1500;                 // approximate number, unless the gear prescribes its mesh
+  const InitialShape* from = nullptr;  // null: approximate initial shape
+  // Solve on coarser mesh levels first; else solve the gear itself from `from`.
   bool through_levels = true;
-  double tolerance = 1e-8;  // largest net force over the largest tension
-  int iterations = 300;     // steps of a level at most
-  // Called with every lattice before it is settled; what it throws ends the settling.
-  std::function<void(const Lattice&)> built;
-  std::function<bool(const SettleProgress&)> watch;  // and
-  std::function<void()> pause;                       // as in SettleControl
+  double tolerance = 1e-8;  // largest residual over the largest tension
+  int iterations = 300;     // maximum iterations per level
+  // Called with every discretisation before it is solved; an exception from it ends the
+  // computation.
+  std::function<void(const Mesh&)> built;
+  std::function<bool(const SettleProgress&)> watch;  // see SettleControl
+  std::function<void()> pause;                       // see SettleControl
 };
 
-// A coarser lattice that was settled on the way.
+// A coarser mesh level that was solved on the way.
 struct SettledLevel {
   int nodes = 0;
   std::vector<double> measures;  // of the questions, SI
   SettleReport report;
-  double seconds_lattice = 0.0;  // CPU
+  double seconds_mesh = 0.0;  // CPU
 };
 
 struct SettledGear {
   MeasuredGear gear;
   std::vector<double> position;      // m, 3 per node
   std::vector<double> strain;        // of every line
-  std::vector<double> measures;      // of the questions, SI; none where there is no balance
+  std::vector<double> measures;      // of the questions, SI; empty without equilibrium
   std::vector<SettledLevel> levels;  // from coarse to fine
-  SettleReport report;               // steps of all fronts of a catch
-  double seconds_lattice = 0.0;      // CPU
-  // Where netting holds less than the catch, how much it holds when full (m3), and there is no balance.
+  SettleReport report;               // iterations of all fronts of a catch
+  double seconds_mesh = 0.0;         // CPU
+  // If the bag cannot hold the catch: its volume when full, m3; there is no equilibrium then.
   double full_bag = 0.0;
 };
 
-// Throws InputError where the numbers make no sense.
+// Throws InputError for inconsistent input.
 SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how);
 
-// One more lattice of a gear that is settled with so many nodes, with nothing said of how finely it is
-// divided, where those of the levels' nodes say too little of its errors (extra_nodes()); none where they do
-// or where none settles. from: its settled shape; how: as it was settled. asked: nodes that it was asked
-// for.
-std::optional<SettledGear> extra_lattice(const GearNumbers& numbers, const GearSettling& how,
-                                         const BegunShape& from, double nodes,
-                                         const std::vector<double>& levels, double& asked);
+// Solves one more mesh of a gear solved with `nodes` nodes, without prescribed mesh sizes, if the
+// node numbers in `levels` do not suffice for its errors (extra_nodes()). Empty if they do, or if
+// none converges. from: its solved shape; how: the settings of its solution; `asked` returns the
+// requested number of nodes.
+std::optional<SettledGear> extra_mesh(const GearNumbers& numbers, const GearSettling& how,
+                                      const InitialShape& from, double nodes,
+                                      const std::vector<double>& levels, double& asked);
 
-// Standard errors that its lattice leaves in a settled gear's measures, SI, by its levels and, where these
-// say too little, one more lattice that is settled here. how: as it was settled.
+// Standard errors of a solved gear's measures due to its mesh, SI, from its mesh levels. If these
+// do not suffice, one more mesh is solved here. how: the settings of its solution.
 std::vector<double> errors_of(const GearNumbers& numbers, const GearSettling& how,
                               const SettledGear& found);
 
-// Nodes of the levels below so many of a gear with netting, rising. Where the coarsest would be the only
-// one and far off a second stands between: from the coarsest alone errors are told two to ten times too
-// large, or, of what hardly changes by chance, too small.
+// Returns node numbers of the coarser mesh levels of a gear with netting, increasing. A second
+// level is inserted if the coarsest would be the only one and far away. From the coarsest alone,
+// errors are overestimated by factors of two to ten, or underestimated for measures that hardly
+// change by chance.
 std::vector<double> coarse_levels(double nodes);
 
 }  // namespace codend
