@@ -133,7 +133,7 @@ Vector Assembly::flow_past_wake_sheets() const {
 
 double Assembly::renew_wake(bool search, double tolerance) {
   const Vector flow = flow_past_wake_sheets();
-  // Where they stand still in still water there is no wake.
+  // Netting at rest in still water has no wake.
   if (flow.norm() == 0.0) return 0.0;
   flow_known_ = false;
   return wake_.renew(position_.data(), flow, search, tolerance);
@@ -172,7 +172,7 @@ void Assembly::residual(double* force, const DualTension* dual) {
 }
 
 void Assembly::pull_of(const DualTension& dual, double* force) {
-  // Lines add their drag with their pull: it is taken off before.
+  // Lines::add_force() also adds drag, which is subtracted first.
   std::fill(force_.begin(), force_.end(), 0.0);
   lines_.add_force(no_tension_.data(), force_.data());
   model_.contacts.add_force(field(), no_tension_.data() + lines_.count(), force_.data());
@@ -191,7 +191,7 @@ void Assembly::add_pull(const double* tension, const double* normal_force, doubl
 }
 
 void Assembly::balance(double share, double* allowed) {
-  // What no node can do without, over the gear's largest tension.
+  // Minimum allowance of every node, as a fraction of the largest tension.
   constexpr double least = 1e-3;
   constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
   double far = 0.0;

@@ -1,4 +1,4 @@
-// Residual and Jacobian of a model in its free nodes: what a solver sees.
+// Assembles the residual and the Jacobian of a model over its free nodes.
 #pragma once
 
 #include <optional>
@@ -10,30 +10,30 @@
 
 namespace codend {
 
-// The dual unknowns of a solver: tension (N) and its change per strain (N) of one twine of every line; then normal force (N) and its
-// change per penetration (N/m) of every contact with the ground.
+// Dual unknowns of a solver: tension (N) of one twine per line, then normal force (N) per ground
+// contact. The moduli are their derivatives by strain (N) and by penetration (N/m).
 struct DualTension {
   std::vector<double> tension, modulus;
 };
 
-// How lines change, to first order, when nodes move.
+// First-order changes of lines when nodes move.
 struct LineChange {
-  double rotation = 0.0;    // largest change of any line's vector over its rest length
-  double plate_turn = 0.0;  // and of any plate's sides
-  double surfacing = 0.0;   // share of a body's buoyancy by which its slope at the surface misleads
-  std::vector<double> strain;  // change of strain, per line; of penetration (m), per contact
+  double rotation = 0.0;    // largest change of a line's vector, per rest length
+  double plate_turn = 0.0;  // largest change of a plate's side, per side length
+  double surfacing = 0.0;   // largest error of a linearised buoyancy at the surface, per buoyancy
+  std::vector<double> strain;  // change of strain per line, of penetration (m) per contact
 };
 
 class Assembly {
  public:
-  // The model must outlive the assembly. Loads, masses, weights of pressure, the
-  // current, its rates and the waves' time may change, rest lengths and multiplicities of bars too:
-  // update() and update_bar() tell of it. Nothing else may.
+  // The model must outlive the assembly. Loads, masses, pressure weights, the current, its rates
+  // and the time of the waves may change; then call update(). Rest lengths and multiplicities of
+  // bars may change; then call update_bar(). Everything else must stay constant.
   explicit Assembly(const Model& model);
   Assembly(const Assembly&) = delete;
 
   const Model& model() const { return model_; }
-  // Free nodes, in the order of the unknowns.
+  // Free nodes in the order of the unknowns.
   const std::vector<int>& free_nodes() const { return free_.nodes(); }
   int unknowns() const { return static_cast<int>(free_nodes().size()); }
   const BlockPattern& pattern() const { return blocks().pattern; }
@@ -42,113 +42,110 @@ class Assembly {
   // rest_rate: dL0/dt over L0, 1/s.
   void update_bar(int bar, double rest_rate) { lines_.update_bar(bar, rest_rate); }
 
-  // Free nodes that stay where they are, 1 each, until this is called again: no net force shows on
-  // them and they do not move in a step of Newton's method whose right side is zero for them. Empty:
-  // none. What acts on such nodes alone is not computed anew while they stay.
+  // Fixes free nodes (1 per fixed node) until the next call; an empty vector fixes none. The
+  // residual of a fixed node is zero. A Newton step with a zero right side for it does not move it.
+  // Elements with only fixed nodes are not updated meanwhile.
   void hold(const std::vector<char>& held);
-  // The next move_to() computes all there is to be known of lines, for readers.
+  // Makes the next move_to() update all lines, including lines between fixed nodes.
   void renew_still() {
     lines_.renew_still();
     flow_known_ = false;
   }
-  // Whether a free node is held so.
+  // True if hold() fixes this free node.
   bool held_back(int node) const {
     return !held_back_.empty() && held_back_[static_cast<std::size_t>(node)];
   }
 
-  // Takes positions x (m) and velocities v (m/s), 3 per node in the frame of the gear, and computes
-  // what all the following share, which speak of them.
+  // Sets positions x (m) and velocities v (m/s), 3 per node in the frame of the gear, and updates
+  // the forces. All functions below refer to this state.
   void move_to(const double* x, const double* v);
 
-  // Whether netting slows the water behind it.
   bool has_wake() const { return wake_.present(); }
-  // Renews the wake at the gear's last positions, to be used from the next move_to() on (search and
-  // tolerance: see Wake). Returns the largest change of any point's share of the free flow's speed.
-  // Derivatives take the shares as given: the caller repeats until they no longer change.
+  // Updates the wake at the present positions (search and tolerance: see Wake); the next move_to()
+  // uses it. Returns the largest change of a point's speed fraction. Derivatives treat the
+  // fractions as constant, so the caller iterates until they converge.
   double renew_wake(bool search, double tolerance);
-  // Keeps the wake to the sheets upstream of the gear's last positions, or to those and from where
-  // another assembly of like sheets does (Wake::keep()).
+  // Fixes the set of wake sheets upstream of each point: at the present positions, or as in another
+  // assembly with equal sheets (Wake::keep()).
   void keep_wake();
   void keep_wake_of(const Assembly& other);
-  // Renews it while the gear moves: over a time (s) the shares go towards those of a new search as
-  // fast as water takes to pass half of the wake sheets.
+  // Updates the wake of a moving gear after a time (s). The fractions relax towards a new search;
+  // the time constant is the transit time through half of the wake sheets.
   void renew_wake_over(double time);
   const std::vector<double>& wake() const { return wake_.share(); }
 
-  // Bows of cells' twines by the tensions of a solver (Lines), until the next move_to(): strains and
-  // derivatives are then those that the solver needs.
-  void bow_to(const DualTension& dual) { lines_.bow_to(dual.tension.data()); }
-  // Adds to `strain` (per line) what bows change of strains (Lines::share_bows()).
-  void share_bows(const DualTension& dual, const double* mismatch, const double* change,
-                  double* strain) const {
-    lines_.share_bows(dual.tension.data(), dual.modulus.data(), mismatch, change, strain);
+  // Sets the sag of cell twines from a solver's tensions (Lines), until the next move_to(). Strains
+  // and derivatives then belong to this sag.
+  void sag_to(const DualTension& dual) { lines_.sag_to(dual.tension.data()); }
+  // Adds the strain changes due to sag to `strain`, per line (Lines::distribute_sag()).
+  void distribute_sag(const DualTension& dual, const double* mismatch, const double* change,
+                      double* strain) const {
+    lines_.distribute_sag(dual.tension.data(), dual.modulus.data(), mismatch, change, strain);
   }
-  // Adds to `sum` (N, per line) what these make of tensions.
-  void add_bow_tensions(const DualTension& dual, const double* bow, double* sum) const {
-    lines_.add_bow_tensions(dual.tension.data(), dual.modulus.data(), bow, sum);
+  // Adds the tension changes due to sag to `sum` (N, per line).
+  void add_sag_tensions(const DualTension& dual, const double* sag, double* sum) const {
+    lines_.add_sag_tensions(dual.tension.data(), dual.modulus.data(), sag, sum);
   }
-  // Adds to changes of strain what bows add that follow the law (Lines::change_bows()).
-  void change_bows(double* strain) const { lines_.change_bows(strain); }
+  // Adds the strain changes due to sag in equilibrium to `strain` (Lines::change_sag()).
+  void change_sag(double* strain) const { lines_.change_sag(strain); }
 
-  // Net force (N) on every node, tied points' forces handed on; 3 per node.
-  // dual: tensions that are unknowns of a solver, instead of the law's.
+  // Computes the net force (N, 3 per node); forces on tied points are distributed to their nodes.
+  // dual: a solver's tensions; null selects the constitutive law.
   void residual(double* force, const DualTension* dual = nullptr);
-  // Number of times that move_to() has computed the forces.
   long long force_evaluations() const { return force_evaluations_; }
 
-  // The pull (N) of tensions alone on every node; 3 per node.
+  // Computes the nodal forces of tensions alone (N, 3 per node).
   void pull_of(const DualTension& dual, double* force);
 
-  // Net force (N) that may be left on every node of a motion: `share` of the sizes of the pulls, drags
-  // and loads on it, and of a little of the gear's largest tension, and no less than what rounding of
-  // the positions makes.
+  // Computes the allowed residual (N) of every node. It is `share` times the sum of the tensions,
+  // drags and loads on the node, plus a small fraction of the gear's largest tension. Rounding
+  // errors of the positions, as forces, are added.
   void balance(double share, double* allowed);
 
-  // stiffness * (-dF/dx) + damping * (-dF/dv) on the free nodes, 9 per block of the pattern.
+  // Computes stiffness * (-dF/dx) + damping * (-dF/dv) over the free nodes, 9 per block.
   void jacobian(const JacobianRequest& request, double* values,
                 const DualTension* dual = nullptr) const;
 
-  // Adds a number per free node to the diagonal of its block.
+  // Adds one number per free node to the diagonal of its block.
   void add_diagonal(const double* numbers, double* values) const;
 
-  // Mass and added mass at nodes, 9 each (row-major): all but that of bodies, which joins nodes.
+  // Computes mass and added mass (kg, 9 per node), without bodies, whose mass couples nodes.
   void mass(double* mass);
-  // Mass, the nodes' as mass() gives it and that of bodies, times accelerations (m/s2, 3 per node):
-  // N, 3 per node.
+  // Computes mass times acceleration (N, 3 per node). mass: from mass(); the mass of bodies is
+  // added. acceleration: m/s2, 3 per node.
   void inertia(const double* mass, const double* acceleration, double* force);
-  // Whether a node, or a point tied to it, is of a body; mass and added mass (kg) of the heaviest body.
+  // True if a node, or a point tied to it, belongs to a body.
   bool in_body(int node) const { return in_body_[static_cast<std::size_t>(node)]; }
   double heaviest_body() const;
-  // Adds factor times all mass to a matrix, 9 per block of the pattern; mass: as mass() gives it.
+  // Adds factor * (mass and mass of bodies), 9 per block. mass: from mass().
   void add_mass(const double* mass, double factor, double* values) const;
 
-  // Pseudo-time damping per free node, N s/m: drag at the present speed, or mass per second.
+  // Computes damping per free node (N s/m) for pseudo time: drag damping plus mass over 1 s.
   void pseudo_damping(double* damping);
-  // Of every line the drag (N) that one across the flow would have, with a coefficient of 1.2, by the flow
-  // past its first point.
+  // Computes the drag (N) of every line, as if normal to the flow with a coefficient of 1.2. The
+  // flow speed is taken at the line's first point.
   void drag_across(std::vector<double>& drag) const;
 
-  // Largest tension (N) of a rope or an equivalent bar; of one twine where there are only
-  // cells (a cell may hold a fraction of a twine, whose tension says little).
+  // Returns the largest tension (N) of a bar (all lines) or sliding rope. In a model without bars
+  // it is the largest tension of one twine, because a cell can represent a fraction of a twine.
   double largest_tension() const;
 
-  // Tension of a bar, all its lines together, or of the rope that slides along it, N.
+  // Returns the tension (N) of a bar, all lines together, plus ropes that slide along it.
   double bar_pull(int bar) const;
-  // At the bar's first point, where nothing else pulls: with the drag of its half there, and a load of
-  // that half (N), beside the pull of its middle. A slack bar has none.
+  // Returns the tension (N) at the free first point of a bar: the sum of the pull at its middle,
+  // the drag of its first half, and a load (N). A slack bar returns its pull.
   double end_pull(int bar, const Vector& load) const;
 
-  // Strain of every line, then penetration (m) of every contact.
+  // Computes the strain of every line, then the penetration (m) of every contact.
   void strain(std::vector<double>& values) const;
 
-  // Places of all that may lie on the ground: the points of contacts, then the shoes of plates; m.
+  // Returns all points that can touch the ground (m): contacts, then shoes of plates.
   std::vector<Vector> ground_places() const;
 
-  // How lines change when nodes move by dx (m, 3 per node); valid until the next call.
+  // Returns the changes of lines when nodes move by dx (m, 3 per node). Valid until the next call.
   const LineChange& line_change(const double* dx);
 
-  // For readers: what is known of every line, and of all points, tied ones included; valid until
-  // the next move_to().
+  // State of all lines, and of all points with tied points. Valid until the next move_to().
   const LineArrays& lines() const { return lines_.arrays(); }
   Field field() const {
     return {position_.data(),
@@ -162,14 +159,12 @@ class Assembly {
   }
 
  private:
-  // The flow past the wake sheets, at their mean height, m/s.
+  // Returns the mean flow relative to the wake sheets, at their mean height, m/s.
   Vector flow_past_wake_sheets() const;
-  // Adds the added mass of all elements to masses_.
   void gather_added_mass();
-  // Adds what water that accelerates does to added mass to the loads.
   void add_push_of_water();
   const BlockLayout& blocks() const;
-  // Adds the pull of tensions to what force_ has, and gives the sum, N.
+  // Adds tensions and normal forces to force_, and copies the nodal sum (N) to `force`.
   void add_pull(const double* tension, const double* normal_force, double* force);
   void spread(const double* nodes, std::vector<double>& points) const;
   void hand_on(double* values, int width) const;
@@ -178,18 +173,18 @@ class Assembly {
   const FreePoints free_;
   Lines lines_;
   Wake wake_;
-  // Of bars, of cells, of hexagonal triangles, of contacts, then one per kind. Made when a matrix is
-  // first asked for: who only reads forces needs none.
+  // Order: bars, cells, hexagonal triangles, contacts, then one per kind. Built on first use,
+  // because force computations do not need it.
   mutable std::optional<BlockLayout> blocks_;
   bool flow_known_ = false;
   long long force_evaluations_ = 0;
   std::vector<char> held_back_;
-  std::vector<char> still_;  // per point: whether it is held back, or tied to such nodes alone
+  std::vector<char> still_;  // per point: 1 if fixed by hold(), or tied only to such nodes
   LineChange change_;
-  std::vector<WavePoint> waves_;  // per point, where the water moves in waves
+  std::vector<WavePoint> waves_;  // per point; empty without waves
   bool has_bodies_ = false;
   std::vector<char> in_body_;  // per node
-  // Per point; load_: the model's and the forces of all kinds; masses_: none until they are asked for.
+  // Per point. load_ includes the forces of all kinds of elements.
   std::vector<double> position_, velocity_, load_, force_, no_tension_, moved_, masses_, scale_;
 };
 

@@ -34,7 +34,7 @@ BlockPattern pattern_of(const FreePoints& free, const std::vector<ElementPoints>
       }
     }
   };
-  // Columns with repeats, sorted into rows by counting, behind each row's diagonal.
+  // Counting sort of the columns into rows, with repeats, after each row's diagonal.
   BlockPattern pattern;
   pattern.n = static_cast<int>(free.nodes().size());
   const std::size_t n = static_cast<std::size_t>(pattern.n);

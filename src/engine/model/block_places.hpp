@@ -1,4 +1,4 @@
-// Which blocks of a matrix over the free nodes each element touches.
+// Maps elements to the blocks of a matrix over the free nodes.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace codend {
 
-// A point as weighted unknowns: itself, or the free ones among the two nodes that it is tied to;
-// none where those are held.
+// Expresses a point by weighted unknowns. A node is its own unknown; a tied point uses its two
+// nodes. Fixed nodes are omitted.
 class FreePoints {
  public:
   explicit FreePoints(const Model& model);
@@ -45,21 +45,20 @@ class FreePoints {
   std::vector<int> unknown_;  // node -> unknown, or -1
 };
 
-// Elements of one kind: `width` points each.
+// Elements of one kind with `width` points each.
 struct ElementPoints {
   int width;
   const std::vector<int>& points;
 };
 
-// Blocks (i, j) of all unknowns i, j that meet in an element, and the diagonal.
+// Returns the pattern of all pairs of unknowns that share an element, with the diagonal.
 BlockPattern pattern_of(const FreePoints& free, const std::vector<ElementPoints>& kinds);
 
-// Where the blocks of one kind of element go.
 class BlockPlaces {
  public:
   BlockPlaces(const FreePoints& free, const BlockPattern& pattern, const ElementPoints& kind);
 
-  // Valid as long as this is. values: 9 per block of the pattern.
+  // Returns a sink for `values` (9 per block of the pattern). This object must outlive the sink.
   BlockSink into(double* values) const {
     return {width_, slot_.data(), list_start_.data(), list_block_.data(), list_weight_.data(),
             values};
@@ -71,12 +70,11 @@ class BlockPlaces {
   std::vector<double> list_weight_;
 };
 
-// Where the blocks of all elements of a matrix over the free nodes lie.
 struct BlockLayout {
   BlockLayout(const FreePoints& free, const std::vector<ElementPoints>& kinds);
 
   BlockPattern pattern;
-  std::vector<std::int64_t> diagonal;  // place of every diagonal block in the pattern
+  std::vector<std::int64_t> diagonal;  // index of each diagonal block in the pattern
   std::vector<BlockPlaces> places;     // one per kind
 };
 

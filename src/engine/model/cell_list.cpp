@@ -7,7 +7,6 @@
 namespace codend {
 namespace {
 
-// Appends the numbers of one element.
 template <class Value>
 void copy(const std::vector<Value>& from, std::size_t width, std::size_t element,
           std::vector<Value>& to) {

@@ -1,5 +1,5 @@
-// Cells of netting as they are given: plain and hexagonal ones in one list. Those of three corners have
-// the last one twice; hexagonal ones have three.
+// Netting cells as given in the input: plain and hexagonal cells in one list. Plain triangles
+// repeat their last corner. Hexagonal cells have three corners.
 #pragma once
 
 #include <vector>
@@ -13,10 +13,10 @@ namespace codend {
 struct CellList {
   std::vector<int> node;      // 4 per cell
   std::vector<double> twine;  // u0 v0 ... u3 v3 per cell
-  std::vector<double> rest;   // length of the bars, of hexagonal ones the oblique bars, m
+  std::vector<double> rest;   // length of the bars, or of the oblique bars of a hexagonal cell, m
   std::vector<double>
-      straight;            // length of the straight bars of a hexagonal one, m; 0: it is plain
-  std::vector<int> inner;  // inner point of a hexagonal one; -1: it is plain
+      straight;            // length of the straight bars of a hexagonal cell, m; 0: plain cell
+  std::vector<int> inner;  // inner point of a hexagonal cell; -1: plain cell
   std::vector<double> multiplicity, height;
   std::vector<int> material;
 
@@ -32,17 +32,17 @@ struct CellList {
     visit("material", material, {1, Among::materials});
   }
 
-  // Adds each to the kind that it is of; hexagonal: which of the list are. Throws InputError where a
-  // hexagonal one has no inner point.
+  // Appends each cell to the list of its kind. `hexagonal` gets one flag per cell. Throws
+  // InputError for a hexagonal cell without an inner point.
   void divide(NettingCells& plain, HexagonalTriangles& hexagons,
               std::vector<char>& hexagonal) const;
 };
 
-// The list that was divided into these.
+// Inverse of CellList::divide().
 CellList join_cells(const NettingCells& plain, const HexagonalTriangles& hexagons,
                     const std::vector<char>& hexagonal);
 
-// Cells that are divided, by the fields of their list.
+// Adapter that reads divided cells by the fields of their list.
 struct DividedCells {
   NettingCells& plain;
   HexagonalTriangles& hexagons;
@@ -58,7 +58,8 @@ struct DividedCells {
   }
 };
 
-// Numbers of cells (`width` each) in the order of their list.
+// Returns cell values (`width` each) in the order of the list. of_hexagons: values of the
+// `hexagons` hexagonal cells.
 std::vector<double> in_list_order(const std::vector<char>& hexagonal, std::size_t width,
                                   const std::vector<double>& plain, const double* of_hexagons,
                                   std::size_t hexagons);

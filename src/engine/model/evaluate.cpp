@@ -6,7 +6,7 @@
 namespace codend {
 namespace {
 
-// Drag of lines [first, first + count), 3 each; each is shared by `points` equal points, or whole.
+// points: number of points that each carry the stored drag.
 void add_line_drag(const LineArrays& lines, int points, int first, int count,
                    std::vector<double>& drag) {
   for (int k = 0; k < count; ++k) {
@@ -62,7 +62,6 @@ std::vector<double> of_plates(const Assembly& assembly) {
   return out;
 }
 
-// Tensions and lengths of one line of each element.
 void read_lines(const LineArrays& lines, int first, int count, std::vector<double>& tension,
                 std::vector<double>& length) {
   tension.assign(lines.tension + first, lines.tension + first + count);
@@ -82,7 +81,6 @@ void read_lines(const LineArrays& lines, int first, int count, std::vector<doubl
 void read_cells(const Model& model, const LineArrays& lines, Evaluation& out) {
   const int cells = model.cells.count(), hexagons = model.hexagons.count();
   std::vector<double> tension, length, hexagon_tension, hexagon_length;
-  // Plain cells have no straight bars.
   auto family = [&](int plain, int hexagonal, std::vector<double>& tensions,
                     std::vector<double>& lengths) {
     if (plain < 0) {

@@ -1,4 +1,4 @@
-// What a reader of a state wants to know of every element, at given positions and velocities.
+// Evaluates all elements at given positions and velocities, for reports.
 #pragma once
 
 #include <vector>
@@ -7,40 +7,39 @@
 
 namespace codend {
 
-// What a force on an element comes from: the flow of the water, the sea bed, or the water's surface
-// (buoyancy that is lost above it).
+// Cause of a force; `surface` is the loss of buoyancy above the water surface.
 enum class Cause { flow, ground, surface };
 constexpr std::array<const char*, 3> names_of(Cause) { return {"flow", "ground", "surface"}; }
 
-// A force that readers are told of, of every element of a kind. Tables of drag, balances and exports go
-// by the list of these, so that a force of a new kind of element is one row more (evaluate.cpp).
+// A force per element that is reported. Tables of drag, force sums and exports use this list. A new
+// force needs one more row in evaluate.cpp.
 struct ReportedForce {
   const char* name;
-  const char* kind;  // whose elements, by their name in the model (Model::fields)
+  const char* kind;  // kind of element, by its name in Model::fields
   Cause cause;
-  // N, 3 per element, where the assembly was last moved to.
+  // Returns the force (N, 3 per element) at the present state of the assembly.
   std::vector<double> (*of)(const Assembly& assembly);
 };
 const std::vector<ReportedForce>& reported_forces();
 
 struct Evaluation {
-  std::vector<double> force;  // net force per node, N, 3 each
-  std::vector<double> mass;   // mass and added mass per node, kg, 9 each; without bodies'
-  // One line of each element: tension N, length m. Cells in the order of their list; the straight
-  // bars of plain ones, which have none, are 0.
+  std::vector<double> force;  // net force, N, 3 per node
+  std::vector<double> mass;   // mass and added mass without bodies, kg, 9 per node
+  // Tension (N) and length (m) of one line per element. Cells are in list order. Straight bars of
+  // plain cells, which do not exist, are 0.
   std::vector<double> bar_tension, bar_length;
   std::vector<double> u_tension, u_length, v_tension, v_length, straight_tension, straight_length;
-  std::vector<std::vector<double>> forces;  // as reported_forces(), N, 3 per element
+  std::vector<std::vector<double>> forces;  // in the order of reported_forces(), N, 3 per element
   std::vector<PlateAttitude> plates;
-  std::vector<double> ground_places;  // as Assembly::ground_places(), m, 3 each
+  std::vector<double> ground_places;  // see Assembly::ground_places(), m, 3 each
 
-  // One of `forces` by its name; throws std::out_of_range for another.
+  // Returns the force with this name. Throws std::out_of_range for an unknown name.
   const std::vector<double>& reported(const std::string& name) const;
 };
 
 // x (m), v (m/s): 3 per node.
 Evaluation evaluate(Assembly& assembly, const double* x, const double* v);
-// Where the assembly was last moved to, while it holds no nodes back.
+// Evaluates the present state of the assembly. No nodes may be fixed by Assembly::hold().
 Evaluation evaluate_here(Assembly& assembly);
 
 }  // namespace codend

@@ -1,5 +1,5 @@
-// The mass of nodes that bodies join: a small full matrix per group of them, where all other nodes have
-// a 3x3 block each.
+// Mass matrix of nodes that bodies couple: one small dense matrix per group of coupled nodes. All
+// other nodes have a 3x3 block each.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -12,22 +12,21 @@ namespace codend {
 
 class JoinedMass {
  public:
-  // The assembly must outlive this.
+  // The assembly must outlive this object.
   explicit JoinedMass(const Assembly& assembly);
 
   struct Group {
-    std::vector<int> unknown;  // free nodes by their number among the free ones
-    Eigen::MatrixXd mass;      // kg, 3 rows per node
-    std::optional<Eigen::LLT<Eigen::MatrixXd>> factors;  // once updated
-    bool has_mass = false;                               // in every direction
+    std::vector<int> unknown;                            // indices of unknowns
+    Eigen::MatrixXd mass;                                // kg, 3 rows per node
+    std::optional<Eigen::LLT<Eigen::MatrixXd>> factors;  // set by update()
+    bool has_mass = false;                               // true if the matrix is positive definite
   };
 
-  // Takes the assembly where it was last moved to; mass: what Assembly::mass() gives there.
+  // Updates the matrices at the assembly's present state. mass: from Assembly::mass() there.
   void update(const double* mass);
   const std::vector<Group>& groups() const { return groups_; }
-  // Whether a free node is in a group.
   bool joins(int unknown) const { return joins_[static_cast<std::size_t>(unknown)]; }
-  // Accelerations (m/s2) of the nodes of all groups by net forces (N), both 3 per node of the model.
+  // Computes the accelerations (m/s2) of all grouped nodes from net forces (N), both 3 per node.
   void solve(const double* force, double* acceleration) const;
 
  private:

@@ -1,8 +1,8 @@
-// A lattice as the engine sees it: points, what holds them, and flat arrays of elements.
+// Mesh of the engine: points, their constraints, and flat arrays of elements.
 //
-// Points 0..nodes-1 are nodes; the following ones are tied: each lies on the straight line between
-// two nodes, x = (1 - share) x_first + share x_second, and hands its forces to them in the same
-// shares (the twine ends of one panel on a seam that owns other nodes).
+// Points 0..nodes-1 are nodes. The following points are tied: each lies on the straight line
+// between two nodes, x = (1 - share) x_first + share x_second. Its forces are distributed to these
+// nodes with the same weights. Example: twine ends of one panel on a seam with other nodes.
 #pragma once
 
 #include <algorithm>
@@ -44,43 +44,40 @@ struct Tie {
   }
 };
 
-// Holds no pointer into itself: copies are whole. What hosts fill and read is not ready for use, see
-// prepare().
+// Contains no pointer into itself, so copies are independent. Call prepare() after filling.
 struct Model {
   int nodes = 0;
-  std::vector<char> held;  // per node: 1 where its position is given
+  std::vector<char> held;  // per node: 1 for a prescribed position
   std::vector<Tie> ties;
   Water water;
   Ground ground;
   SlackDrag slack = SlackDrag::curved;
-  std::vector<double> load;  // N, 3 per point: weight less buoyancy, and loads of the plan
+  std::vector<double> load;  // weight less buoyancy and loads of the plan, N, 3 per point
   std::vector<double> mass;  // kg per point, without added mass
   std::vector<TwineMaterial> materials;
-  LoadTable load_table;  // of materials whose loads are given by strain
+  LoadTable load_table;  // load-strain points of materials with a measured load curve
   Bars bars;
   NettingCells cells;
   HexagonalTriangles hexagons;
-  // Of every cell of a list in which both kinds stand mixed, whether it is hexagonal; empty: the
-  // plain ones come first.
+  // Per cell of a mixed list: 1 for a hexagonal cell. Empty if plain cells come first.
   std::vector<char> hexagonal;
   Spheres spheres;
   LiftingSurfaces lifts;
   InnerPressure pressure;
-  NettingScreens screens;  // netting whose drag is a screen's
+  NettingScreens screens;  // netting with a screen drag model
   BlendedNetting blended;
   MeshOpenings openings;
-  Bends bends;  // of ropes that resist bending
+  Bends bends;  // bending stiffness of ropes
   LiftingPlates plates;
-  std::vector<SlidingRope> sliding;  // none of them empty
+  std::vector<SlidingRope> sliding;  // all non-empty
   GroundContacts contacts;
-  ImmersedVolumes volumes;  // what displaces water but plates
+  ImmersedVolumes volumes;  // volumes that displace water, except plates
   ForceMultipliers multipliers;
   WakeSheets wake_sheets;  // netting that slows the water behind it
-  // Speed of the flow past each point as a share of the free flow's, to begin with; empty: 1.
+  // Initial flow speed per point, as a fraction of the free flow; empty: 1.
   std::vector<double> wake;
 
-  // All that is read of a model, by name (fields.hpp). A new kind of element has a line here and one in
-  // kinds().
+  // A new kind of element needs one line here and one in kinds().
   template <class Visit>
   void fields(Visit& visit) {
     visit("nodes", nodes);
@@ -118,14 +115,14 @@ struct Model {
   }
 
   int points() const { return nodes + static_cast<int>(ties.size()); }
-  // All elements but lines and contacts.
+  // All elements except lines and contacts.
   std::vector<const ElementKind*> kinds() const {
     std::vector<const ElementKind*> all = {&spheres, &lifts,   &plates,   &volumes, &pressure,
                                            &screens, &blended, &openings, &bends};
     for (const SlidingRope& rope : sliding) all.push_back(&rope);
     return all;
   }
-  // Call once after filling.
+  // Must be called once after the fields are filled.
   void prepare() {
     for (std::size_t k = 0; k < load_table.load.size(); ++k) {
       TwineMaterial& material = materials[static_cast<std::size_t>(load_table.material[k])];
@@ -157,21 +154,20 @@ struct Model {
     blended.prepare();
     openings.prepare();
     for (SlidingRope& rope : sliding) rope.prepare(bars);
-    // Bodies of unknown height: only asked for at a free surface.
+    // Defaults for bodies without a height, which only a free surface uses.
     spheres.height.resize(spheres.node.size(), 1.0);
     spheres.smooth.resize(spheres.node.size(), 0);
     lifts.height.resize(lifts.node.size(), 1.0);
   }
-  // One family of parallel twines each: the bars, then the u lines of all cells, then their v
-  // lines, then the three families of hexagonal triangles. each_line() visits them in another
-  // order; they know their number.
+  // Number of lines, each a family of parallel twines. Order: bars, u lines of all cells, v lines
+  // of all cells, then the three families of hexagonal triangles. each_line() uses another order;
+  // each line stores its number.
   int lines() const { return bars.count() + 2 * cells.count() + 3 * hexagons.count(); }
   template <int N>
   const TwineMaterial& material(const Line<N>& line) const {
     return materials[static_cast<std::size_t>(line.material)];
   }
-  // What acts one way only, and whose force may be a dual unknown of a solver: lines, then contacts
-  // with the ground.
+  // Number of unilateral elements, whose force can be a dual unknown: lines, then contacts.
   int constraints() const { return lines() + contacts.count(); }
   template <class Visit>
   void each_line(Visit visit) const {

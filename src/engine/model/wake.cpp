@@ -11,13 +11,13 @@ namespace {
 // Cosines of 80 and 70 deg.
 constexpr double along = 0.174, aslant = 0.342;
 
-// A point nearer to a sheet than this share of the sheet's side is one of the sheet, at a seam.
+// A sheet is upstream of a point from this distance on, as a fraction of the sheet's side.
 constexpr double nearest = 0.1;
 
-// How far inside the sheets around a point its line of sight begins, of the way to their middle.
+// Offset of a line of sight from its point towards the adjacent sheets, as a fraction.
 constexpr double inside = 0.1;
 
-// The plane across the flow, divided into cells that list the sheets over them.
+// Grid over the plane normal to the flow. Each cell lists the sheets that cover it.
 struct Cells {
   double a0, b0, size;
   int columns, rows;
@@ -54,8 +54,8 @@ void Wake::search(const double* position, const Vector& flow) {
     b[n] = q.dot(x);
     along_flow[n] = f.dot(x);
   }
-  // Lines of sight begin a little inside the sheets around a point, or the border of a sheet would
-  // count as beside another that covers it.
+  // A line of sight starts slightly inside the adjacent sheets. Otherwise the edge of a sheet could
+  // miss another sheet that covers it.
   std::vector<Vector> around(points, Vector::Zero());
   std::vector<int> sheets(points, 0);
   for (int e = 0; e < sheets_in_all; ++e) {
@@ -102,8 +102,8 @@ void Wake::search(const double* position, const Vector& flow) {
 
   start_.assign(1, 0);
   crossed_.clear();
-  // Points of regular nets lie exactly behind each other, where sheets meet: a little aside each
-  // line crosses one of them.
+  // Points of regular nets are exactly behind edges of other sheets. A small offset makes each line
+  // of sight cross one sheet only.
   const double aside_a = 1e-5 * cells.size, aside_b = 0.618e-5 * cells.size;
   for (int n = 0; n < points; ++n) {
     double x = a[n] + aside_a, y = b[n] + aside_b;
@@ -119,7 +119,7 @@ void Wake::search(const double* position, const Vector& flow) {
         const int e = cells.sheet[k];
         const int* corner = &sheets_.node[3 * static_cast<std::size_t>(e)];
         if (corner[0] == n || corner[1] == n || corner[2] == n) continue;
-        // Shares of the corners at (x, y).
+        // Barycentric coordinates at (x, y).
         double w[3], whole = 0.0;
         for (int i = 0; i < 3; ++i) {
           const int j = corner[(i + 1) % 3], l = corner[(i + 2) % 3];
@@ -138,9 +138,9 @@ void Wake::search(const double* position, const Vector& flow) {
   }
 }
 
-double Wake::renew(const double* position, const Vector& flow, bool search_anew, double tolerance,
+double Wake::renew(const double* position, const Vector& flow, bool search_again, double tolerance,
                    double follow) {
-  if (start_.empty() || (search_anew && apart_.empty())) search(position, flow);
+  if (start_.empty() || (search_again && apart_.empty())) search(position, flow);
   const Vector f = flow.normalized();
   std::vector<double> r(static_cast<std::size_t>(sheets_.count()));
   for (int e = 0; e < sheets_.count(); ++e) {
