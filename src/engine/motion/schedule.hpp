@@ -1,18 +1,18 @@
-// What is prescribed for a model with time, as data: motion of held nodes, lengths and sizes that
-// change, currents, nodes that are released, ropes that break.
+// Prescribed changes of a model over time, as data. They are motions of fixed nodes, lengths and
+// sizes, currents, releases of nodes and ruptures of ropes.
 //
-// A rope that is lengthened keeps its bars: all of them grow by one factor, with their mass, weight
-// and drag. Material passes the nodes at (1 - s) w, w the speed of lengthening and s the share of
-// the rope from its controlled end. Left out is what that does to the water's friction along the
-// rope (its tangential coefficient, at w beside the speed of the flow) and to momentum (mass per
-// length times w^2, 16 N for 4 kg/m at 2 m/s).
+// A rope that is paid out keeps its bars. All its bars grow by one factor, with their mass, weight
+// and drag. The rope therefore moves past the nodes at (1 - s) w, with w the payout speed and s the
+// fraction of the length from the controlled end. The changes of tangential drag
+// and of momentum (mass per length times w^2, 16 N for 4 kg/m at 2 m/s) by w are neglected.
 //
-// Each struct names its fields, once, as those of a model do (base/fields.hpp); what they must be
-// is check_schedule.hpp's. Visit offers:
-//   visit(name, value)             numbers, marks, vectors
-//   visit.place(name, place)       places among nodes, points or elements of the model, -1 for none
+// Each struct lists its fields once, like a model (base/fields.hpp). check_schedule.hpp defines
+// valid values. Visit provides:
+//
+//   visit(name, value)             numbers, flags, vectors
+//   visit.place(name, place)       indices of nodes, points or elements of the model, or -1
 //   visit.group(name, struct)      the fields of a struct under its name
-//   visit.optional(name, struct, given)   the same where it is given, and whether it is
+//   visit.optional(name, struct, given)   an optional group, and a flag for its presence
 //   visit.items(name, vector)      one group per element
 #pragma once
 
@@ -25,14 +25,13 @@
 
 namespace codend {
 
-// How a body swings about its way: surge (forwards), sway (to starboard), heave (up), m, and roll
-// (starboard down), pitch (bow up), yaw (bow to starboard), rad, in this order. Turns are made in the
-// order yaw, pitch, roll about a place of the body.
+// Oscillation of a body about its path. The six components are surge (forwards), sway (to
+// starboard) and heave (up), m; roll (starboard down), pitch (sag up) and yaw (sag to starboard),
+// rad. Rotations are applied in the order yaw, pitch, roll about `centre`.
 struct Swing {
   Vector centre = Vector::Zero();  // m from the body's origin
-  std::vector<Curve> by_time;      // six, or none
-  // Answers to the elevation of the model's waves at the body's origin (Waves::respond()), six per
-  // wave, m/m and rad/m; or none.
+  std::vector<Curve> by_time;      // six or empty
+  // Responses to the wave elevation at the body's origin (Waves::respond()), m/m and rad/m.
   std::vector<double> even, odd;
 
   template <class Visit>
@@ -45,12 +44,12 @@ struct Swing {
   bool present() const { return !by_time.empty() || !even.empty(); }
 };
 
-// Held nodes that move as one rigid body, which stays upright but for its swing.
+// Fixed nodes that move as one rigid body, upright except for its oscillation.
 struct PrescribedMotion {
   std::vector<int> node;
   std::vector<Vector> place;  // m from the body's origin, at heading 0
   Curve x, y, z;              // m, of the body's origin
-  Curve heading;              // rad, clockwise as seen from above
+  Curve heading;              // rad, clockwise from above
   Swing swing;
 
   template <class Visit>
@@ -65,9 +64,9 @@ struct PrescribedMotion {
   }
 };
 
-// Elements that grow or shrink together by a factor. All numbers are those at factor 1.
+// Elements that grow or shrink together by a factor. All numbers apply at factor 1.
 struct GrowingGroup {
-  Curve factor;  // where its length is not controlled
+  Curve factor;  // if not `controlled`
   bool controlled = false;
   LengthControl control;
   std::vector<int> bars;
@@ -76,8 +75,8 @@ struct GrowingGroup {
   std::vector<double> mass, load;  // kg; N, upwards
   std::vector<int> spheres;
   std::vector<double> drag_area, added_mass;  // m2, m3
-  std::vector<int> volumes;                   // of the model's immersed volumes
-  std::vector<double> buoyancy;               // N, the group's own in each of them
+  std::vector<int> volumes;                   // indices of immersed volumes
+  std::vector<double> buoyancy;               // N, part of the group in each of them
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -96,13 +95,13 @@ struct GrowingGroup {
   }
 };
 
-// A rope that breaks at a time, or where a bar's tension exceeds its strength.
+// A rope that breaks at a time, or when a bar's tension exceeds its strength.
 struct Rupture {
   std::vector<int> bars;
-  int at = 0;                                                 // the bar that goes at the time
+  int at = 0;                                                 // bar that breaks at `time`
   double time = std::numeric_limits<double>::infinity();      // s
   double strength = std::numeric_limits<double>::infinity();  // N
-  int broken = -1;                                            // the bar that went
+  int broken = -1;                                            // index of the broken bar, or -1
   double broken_at = 0.0;                                     // s
 
   template <class Visit>
@@ -116,7 +115,7 @@ struct Rupture {
   }
 };
 
-// Free nodes that stay where they are until they are released.
+// Free nodes that are fixed until their release time.
 struct Release {
   std::vector<int> node;
   std::vector<double> time;  // s
@@ -128,8 +127,8 @@ struct Release {
   }
 };
 
-// What lies on the ground sticks (base/ground.hpp), from where it is at the start, or at anchors that
-// another march has left, m: 3 for each of Assembly::ground_places(), or of its contacts alone.
+// Static friction on the ground (base/ground.hpp). `anchor` continues another integration: 3 for
+// each of Assembly::ground_places(), or for its contacts only, m; empty: the initial positions.
 struct Sticking {
   bool present = false;
   std::vector<double> anchor;
@@ -145,7 +144,7 @@ struct Schedule {
   PrescribedMotion motion;
   Release release;
   std::vector<GrowingGroup> growing;
-  std::vector<Curve> current_x, current_y;  // m/s, per depth of the model's water; none: constant
+  std::vector<Curve> current_x, current_y;  // m/s, per depth of the water; empty: constant
   std::vector<Rupture> ruptures;
   Sticking sticking;
 
@@ -161,12 +160,12 @@ struct Schedule {
   }
 };
 
-// What a schedule says of one time.
+// Values of a schedule at one time.
 struct ScheduledValues {
   Vector origin = Vector::Zero(),
-         velocity = Vector::Zero();           // m, m/s, of the body that moves nodes
+         velocity = Vector::Zero();           // of the moving body, m, m/s
   double heading = 0.0, turning = 0.0;        // rad, rad/s
-  std::vector<double> factor, rate;           // of the groups; 1/s
+  std::vector<double> factor, rate;           // of the growing groups; 1/s
   std::vector<Vector> current, current_rate;  // m/s, m/s2, per depth
 };
 ScheduledValues values_at(const Schedule& schedule, double time, Side side);

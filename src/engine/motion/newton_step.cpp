@@ -8,23 +8,24 @@ namespace codend {
 namespace {
 
 constexpr int most_iterations = 12;
-// A node that a single iteration throws this far (m) will not come back.
+// An iteration with a larger node displacement (m) is rejected as divergent.
 constexpr double most_move = 50.0;
-// Net force that may be left on a node, over the sizes of all forces on it.
+// Allowed residual of a node, as a fraction of all forces on it.
 constexpr double balance_share = 1e-3;
-// What solves of linear equations may leave, over what nodes allow: of steps of Newton's method, and of
-// the error of a step, where one per cent of the forces on a node moves it by next to nothing.
-constexpr KeptFactors::Tolerance newton_tolerance{1e-2, 0.0}, error_tolerance{0.0, 10.0};
+// Tolerances of the linear solves in Newton steps and in the error estimate. In the latter, a
+// residual of one per cent of the forces on a node is negligible.
+constexpr StoredFactorisation::Tolerance newton_tolerance{1e-2, 0.0}, error_tolerance{0.0, 10.0};
 constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
-// Spectral radius of generalised alpha at infinite frequency, and its numbers. With 0.6 what is left of stiff
-// swings turns slack lines of large nets on and off for ever (40 x 40 knots: half of the tension).
+// Spectral radius of generalised alpha at infinite frequency, and its coefficients. With 0.6,
+// remaining stiff oscillations switch slack lines of large nets on and off permanently (40 x 40
+// knots: half of the tension).
 constexpr double radius = 0.4;
 constexpr double alpha_force = radius / (radius + 1.0);
 constexpr double alpha_mass = (2.0 * radius - 1.0) / (radius + 1.0);
 constexpr double gamma = 0.5 + alpha_force - alpha_mass;
 constexpr double beta = 0.25 * (1.0 + alpha_force - alpha_mass) * (1.0 + alpha_force - alpha_mass);
 
-// Of the unknowns.
+// Returns the positions of the free nodes, 3 per node.
 std::vector<double> places(const Assembly& assembly, const Values& nodes) {
   const std::vector<int>& free = assembly.free_nodes();
   std::vector<double> out(3 * free.size());
@@ -109,7 +110,7 @@ double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
     const double heavy = mass.norm() + (assembly_.in_body(node) ? heaviest_body : 0.0);
     const Vector inertia = at(inertia_.data(), node);
     const double left = (at(force_.data(), node) - inertia).norm();
-    // What rounding of places and velocities makes of accelerations.
+    // Effect of rounding errors in positions and velocities on accelerations.
     const double rounded = rounding * (rule.m * at(next.x.data(), node).norm() +
                                        rule.p * at(next.v.data(), node).norm());
     tolerated_[i] =
@@ -123,8 +124,8 @@ double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
   return most;
 }
 
-// One step of Newton's method into dx_, and the share of it that turns lines no further than by
-// their own lengths; false where the matrix is singular.
+// Computes one Newton step into dx_. `share` is the fraction that rotates lines by at most their
+// own length. Returns false for a singular matrix.
 bool NewtonStep::correct(const Rule& rule, bool first, double& share) {
   const std::vector<int>& free = assembly_.free_nodes();
   tensions_.prepare();
@@ -174,7 +175,7 @@ StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions,
   for (;; ++out.iterations) {
     const bool balanced = imbalance(rule, next, out.worst_node) <= 1.0;
     if (out.iterations > 0 && balanced) {
-      // What is left after an iteration that shrinks moves by a factor r is r/(1 - r) of its own.
+      // Geometric series: r/(1 - r) times the last correction remains, with contraction rate r.
       const double ratio = out.iterations > 1 ? moved / moved_before : 1.0;
       if (moved <= accuracy_.found ||
           (ratio < 0.5 && ratio / (1.0 - ratio) * moved <= accuracy_.found)) {
@@ -207,7 +208,7 @@ StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions,
   }
 }
 
-// Over what is allowed.
+// Returns the error of the step over the allowance.
 double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next, int& worst) {
   if (!std::isfinite(accuracy_.position) && !std::isfinite(accuracy_.tension)) return 0.0;
   const double h = next.time - past.now.time, h_before = past.last_step();
@@ -221,7 +222,7 @@ double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next,
       at(dx_.data(), node) = rule.error * (change / h - before / h_before);
     }
   }
-  const std::vector<double>& change = tensions_.with_bows(assembly_.line_change(dx_.data()).strain);
+  const std::vector<double>& change = tensions_.with_sag(assembly_.line_change(dx_.data()).strain);
   const std::size_t lines = static_cast<std::size_t>(assembly_.model().lines());
   const std::vector<double>& modulus = tensions_.current().modulus;
   std::fill(pull_.tension.begin(), pull_.tension.end(), 0.0);
@@ -243,8 +244,8 @@ double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next,
     }
   }
   if (!std::isfinite(accuracy_.tension)) return most;
-  // Of bars against the largest pull of a bar, of netting against the largest of one twine.
-  const std::vector<double>& left = tensions_.with_bows(assembly_.line_change(dx_.data()).strain);
+  // Errors of bars are relative to the largest pull of a bar, of netting to the largest of a twine.
+  const std::vector<double>& left = tensions_.with_sag(assembly_.line_change(dx_.data()).strain);
   const LineArrays& arrays = assembly_.lines();
   const std::size_t bars = static_cast<std::size_t>(assembly_.model().bars.count());
   double bar_error = 0.0, twine_error = 0.0, bar_pull = 0.0, twine_pull = 0.0;

@@ -56,9 +56,9 @@ StepOutcome SubstitutionStep::step(const Past& past, double h, Conditions& condi
   return out;
 }
 
-SubstitutionReport march_by_substitution(Assembly& assembly, double step, int steps,
-                                         double tolerance, int substitutions, double* x, double* v,
-                                         const std::function<bool()>& watch) {
+SubstitutionReport integrate_by_substitution(Assembly& assembly, double step, int steps,
+                                             double tolerance, int substitutions, double* x,
+                                             double* v, const std::function<bool()>& watch) {
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(assembly.model().nodes);
   Past past;
   past.now.x = Eigen::Map<const Values>(x, size);

@@ -1,4 +1,3 @@
-// The time schemes by name.
 #pragma once
 
 #include <memory>
@@ -11,15 +10,15 @@ namespace codend {
 
 struct Scheme {
   const char* name;
-  bool adaptive;  // knows the error of its steps, so that an accuracy says how long they are
-  // start: where the motion begins; ordering: as NewtonStep's.
+  bool adaptive;  // estimates the error of its steps, so that an accuracy sets the step length
+  // start: initial state; ordering: see NewtonStep.
   std::unique_ptr<Stepper> (*make)(Assembly& assembly, const StepAccuracy& accuracy,
                                    const Motion& start, const Values& ordering);
 };
 
 const std::vector<Scheme>& schemes();
 
-// The scheme of that name. Throws std::invalid_argument, which lists the names, where there is none.
+// Returns the scheme with this name. Throws std::invalid_argument with all names if it is unknown.
 const Scheme& scheme_named(const std::string& name);
 
 }  // namespace codend

@@ -1,4 +1,4 @@
-// What changes with time from outside: where held nodes are, and all of the model that may change.
+// External conditions of a motion over time: positions of fixed nodes and changes of the model.
 #pragma once
 
 #include <limits>
@@ -12,17 +12,15 @@ namespace codend {
 class Conditions {
  public:
   virtual ~Conditions() = default;
-  // Puts the model, and the assembly over it, into the conditions of a time (s), and sets positions
-  // and velocities of the held nodes in `motion`.
+  // Sets the model, its assembly, and the fixed nodes in `motion` to the conditions at a time (s).
   virtual void to_time(double time, Side side, Motion& motion) = 0;
-  // Called after every step taken: what answers to the motion may do so here. Returns whether
-  // something broke, so that the motion begins anew.
+  // Called after every accepted step, to respond to the motion. Returns true after a rupture.
   virtual bool broken_at(const Motion&) { return false; }
-  // The longest step (s) after which what answers to the motion must be asked again.
+  // Longest step (s) before broken_at() must be called again.
   virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
 };
 
-// Nothing changes but that held nodes go on as they move.
+// Constant conditions: fixed nodes continue at their initial velocity.
 class SteadyConditions : public Conditions {
  public:
   SteadyConditions(const std::vector<char>& held, const Motion& start)

@@ -8,7 +8,7 @@
 namespace codend {
 namespace {
 
-// Steps are no longer (s) while nodes are released, so that each begins in its turn.
+// Longest step (s) during releases, so that nodes start one after the other.
 constexpr double releasing_step = 0.5;
 
 template <class Values>
@@ -52,7 +52,7 @@ ScheduledConditions::ScheduledConditions(Model& model, Assembly& assembly, Sched
   if (schedule_.sticking.present && model.ground.present) stick();
 }
 
-// From here on the schedule's anchors are the model's, so that another march may go on from them.
+// Writes the anchors to the schedule, so that another integration can continue from them.
 void ScheduledConditions::stick() {
   std::vector<double>& anchor = schedule_.sticking.anchor;
   assembly_.move_to(start_.x.data(), start_.v.data());
@@ -83,7 +83,7 @@ void ScheduledConditions::to_time(double time, Side side, Motion& motion) {
   const ScheduledValues values = values_at(schedule_, time, side);
   const PrescribedMotion& body = schedule_.motion;
   const double c = std::cos(values.heading), s = std::sin(values.heading);
-  const Vector forth(c, -s, 0.0), aside(s, c, 0.0);  // the body's own x and y
+  const Vector forth(c, -s, 0.0), aside(s, c, 0.0);  // body axes x and y
   for (std::size_t k = 0; k < body.node.size(); ++k) {
     const Vector& p = body.place[k];
     at(motion.x.data(), body.node[k]) =
@@ -119,7 +119,7 @@ void ScheduledConditions::swing_body(double time, Side side, const ScheduledValu
     value[j] += more;
     rate[j] += more_rate;
   }
-  // The body's x is aft, its y to starboard.
+  // The body's x axis points aft, its y axis to starboard.
   const Vector shift(-value[0], value[1], value[2]), shift_rate(-rate[0], rate[1], rate[2]);
   auto turn = [](double angle, const Vector& axis, Matrix& out, Matrix& slope) {
     out = Eigen::AngleAxisd(angle, axis).toRotationMatrix();

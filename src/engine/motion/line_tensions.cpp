@@ -33,7 +33,7 @@ void LineTensions::tighten() {
 }
 
 void LineTensions::prepare() {
-  assembly_.bow_to(current_);
+  assembly_.sag_to(current_);
   const LineArrays& lines = assembly_.lines();
   for (std::size_t k = 0; k < lines_; ++k) {
     double tension = lines.stiffness[k] * lines.strain[k];
@@ -55,8 +55,8 @@ void LineTensions::prepare() {
     mismatch_[k] = taut_[k] ? (tension - current_.tension[k]) / lines.stiffness[k] : 0.0;
   }
   std::fill(strain_change_.begin(), strain_change_.end(), 0.0);
-  assembly_.share_bows(current_, mismatch_.data(), nullptr, strain_change_.data());
-  assembly_.add_bow_tensions(current_, strain_change_.data(), right_.tension.data());
+  assembly_.distribute_sag(current_, mismatch_.data(), nullptr, strain_change_.data());
+  assembly_.add_sag_tensions(current_, strain_change_.data(), right_.tension.data());
   const GroundContacts& contacts = assembly_.model().contacts;
   for (int e = 0; e < contacts.count(); ++e) {
     const std::size_t k = lines_ + static_cast<std::size_t>(e);
@@ -66,9 +66,9 @@ void LineTensions::prepare() {
   }
 }
 
-const std::vector<double>& LineTensions::with_bows(const std::vector<double>& strain_change) {
+const std::vector<double>& LineTensions::with_sag(const std::vector<double>& strain_change) {
   strain_change_ = strain_change;
-  assembly_.share_bows(current_, nullptr, strain_change.data(), strain_change_.data());
+  assembly_.distribute_sag(current_, nullptr, strain_change.data(), strain_change_.data());
   return strain_change_;
 }
 
@@ -80,7 +80,7 @@ double LineTensions::change(std::size_t k, double strain_change, double p) const
 
 void LineTensions::advance(const std::vector<double>& strain_change, double p, double share) {
   strain_change_ = strain_change;
-  assembly_.change_bows(strain_change_.data());
+  assembly_.change_sag(strain_change_.data());
   const LineArrays& lines = assembly_.lines();
   for (std::size_t k = 0; k < lines_; ++k) {
     const double tension = linear_[k] + change(k, strain_change_[k], p);

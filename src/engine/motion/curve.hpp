@@ -1,5 +1,5 @@
-// A number that changes with time: pieces of cubic polynomials, jumps between them, constant before
-// the first and after the last.
+// A function of time in pieces of cubic polynomials. Jumps between pieces are allowed. The value is
+// constant before the first and after the last piece.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 
 namespace codend {
 
-// Which side of a jump counts at its very time.
+// Selects the value before or after a jump, at the exact time of the jump.
 enum class Side { before, after };
 
 struct Curve {
-  std::vector<double> time;  // growing, s: where pieces begin, and where the last ends
-  // Per piece: values at its two ends and their rates of change by time.
+  std::vector<double> time;  // s, increasing: start of each piece, and end of the last
+  // Per piece: values at both ends and their time derivatives.
   std::vector<double> begin, end, begin_rate, end_rate;
 
   template <class Visit>
@@ -41,7 +41,7 @@ struct Curve {
     const std::size_t k = static_cast<std::size_t>(next - time.begin()) - 1;
     const double h = time[k + 1] - time[k], s = (t - time[k]) / h;
     const double rise = end[k] - begin[k], a = h * begin_rate[k] - rise, b = rise - h * end_rate[k];
-    // begin + s rise + s (1 - s) (a (1 - s) + b s)
+    // Cubic Hermite polynomial: begin + s rise + s (1 - s) (a (1 - s) + b s)
     value = begin[k] + s * rise + s * (1.0 - s) * (a * (1.0 - s) + b * s);
     rate = (rise + (1.0 - 2.0 * s) * (a * (1.0 - s) + b * s) + s * (1.0 - s) * (b - a)) / h;
   }

@@ -25,7 +25,7 @@ double largest_row(const Assembly& assembly, const std::vector<double>& mass,
     largest = std::max(largest, sum);
   }
   for (const JoinedMass::Group& group : joined.groups()) {
-    // Rows of the group against all columns that any of them has.
+    // Rows of the group and all columns in which they have blocks.
     const Eigen::Index size = group.mass.rows();
     std::map<int, Eigen::MatrixXd> columns;
     for (Eigen::Index i = 0; i < size / 3; ++i) {

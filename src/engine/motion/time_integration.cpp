@@ -1,4 +1,4 @@
-#include "march.hpp"
+#include "time_integration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,43 +6,42 @@
 namespace codend {
 namespace {
 
-// Explicit steps are held against the gear's present rates this often.
+// Number of steps between comparisons of explicit steps with the present stability limit.
 constexpr int steps_between_limits = 200;
 constexpr double share_of_limit = 0.9;
-// BDF2 is stable while steps grow by less than 2.4 (Grigorieff 1983).
-// Less than that, since errors grow faster than their order says where slack lines come taut.
+// BDF2 is stable if steps grow by less than 2.4 (Grigorieff 1983). The limit is lower, because
+// errors exceed their order when slack lines become taut.
 constexpr double most_growth = 1.5;
-// After the first step, whose length is that of no motion: its error tells how long the next may be.
+// The error of the first step, whose length is arbitrary, allows larger growth.
 constexpr double first_growth = 30.0;
 constexpr double most_shrinking = 0.2;
-// Steps that could grow by less keep their length: a change costs accuracy of its own.
+// Steps with less possible growth are not changed, because each change costs accuracy.
 constexpr double least_growth = 1.2;
-// Where Newton's method was slow, or did not end at all, or a step was too long, steps do not grow for a
-// while.
+// Steps do not grow for a while after slow or failed convergence, or after a rejected step.
 constexpr int many_iterations = 6;
 constexpr int steps_of_caution = 4;
 constexpr int steps_of_caution_after_error = 3;
-// A step that was too long is repeated at these shares of its length.
+// Length of a repeated step, as a fraction of the rejected one.
 constexpr double least_repeated = 0.1, most_repeated = 0.9;
-// Of the length at which a repeated step's error would be what it may be: it is not to be tried thrice.
+// Safety factor for the length of a repeated step, to avoid a third attempt.
 constexpr double aimed_again = 0.8;
-// Exponents of the error by the length of a step: assumed, and what a second try may find.
+// Exponent of the error in the step length: assumed, and limits of the estimate from two attempts.
 constexpr double assumed_exponent = 2.0, least_exponent = 1.0, most_exponent = 3.0;
-// Halvings of one step for the sake of its energy, and the share of what is allowed that a step must
-// add to be worth one.
+// Limit of halvings of one step because of its energy, and the smallest imbalance of a step that
+// causes one, as a fraction of the allowance.
 constexpr int most_halvings = 10;
 constexpr double least_drift = 0.01;
-// Longest adaptive step as a ratio of the interval between two requested times. Errors of single
-// steps over the interval would add up, because such a step does not resolve the curve within it.
+// Longest adaptive step, as a fraction of the interval between two output times. One step per
+// interval would not resolve the motion, and its errors would accumulate.
 constexpr double most_of_interval = 0.5;
-// Share of the last step with which a motion begins anew.
-constexpr double share_anew = 0.1;
+// Fraction of the last step length used after a restart.
+constexpr double distribute_again = 0.1;
 
-// The last try of a step that was too long.
+// Length and error of the last rejected attempt.
 struct Rejected {
   double h = 0.0, error = 0.0;
 
-  // The share of its length with which the step is tried next.
+  // Returns the next length as a fraction of `tried`. found: error of `tried` over the allowance.
   double shorter(double tried, double found) {
     double exponent = assumed_exponent;
     if (h > 0.0 && found < error) {
@@ -60,8 +59,8 @@ struct Rejected {
 
 }  // namespace
 
-March::March(Assembly& assembly, Stepper& stepper, Conditions& conditions,
-             const MarchControl& control, Past past)
+TimeIntegration::TimeIntegration(Assembly& assembly, Stepper& stepper, Conditions& conditions,
+                                 const IntegrationControl& control, Past past)
     : assembly_(assembly),
       stepper_(stepper),
       conditions_(conditions),
@@ -77,16 +76,16 @@ March::March(Assembly& assembly, Stepper& stepper, Conditions& conditions,
   if (control_.account) account_ = std::make_unique<EnergyAccount>(assembly_);
 }
 
-// Anew at every time that is asked for, so that a march that is taken up there books the same.
-void March::begin_account() {
+// Restarts at every output time, so that a continued integration gives the same balance.
+void TimeIntegration::begin_account() {
   if (!account_) return;
   next_ = past_.now;
   conditions_.to_time(next_.time, Side::after, next_);
   account_->begin(next_);
 }
 
-// Whether a step makes a balance worse that is out of bounds.
-bool March::too_unbalanced(const EnergyTotals& totals) const {
+// True if the imbalance exceeds its allowance and this step increases it.
+bool TimeIntegration::too_unbalanced(const EnergyTotals& totals) const {
   const double now = totals.imbalance(), change = now - energy_.imbalance();
   const double through = totals.put_through - energy_.put_through;
   const double allowed = control_.energy_share * totals.put_through + control_.energy_floor;
@@ -94,15 +93,15 @@ bool March::too_unbalanced(const EnergyTotals& totals) const {
          std::abs(change) > std::max(control_.energy_share * through, least_drift * allowed);
 }
 
-void March::begin_anew() {
+void TimeIntegration::restart_iteration() {
   past_.steps = 0;
   conditions_.to_time(past_.now.time, Side::after, past_.now);
   stepper_.begin(past_.now);
-  if (control_.adaptive) step_ = std::max(share_anew * step_, control_.least_step);
+  if (control_.adaptive) step_ = std::max(distribute_again * step_, control_.least_step);
   begin_account();
 }
 
-void March::limit_step() {
+void TimeIntegration::limit_step() {
   if (since_limited_-- > 0) return;
   since_limited_ = steps_between_limits;
   const double longest = stepper_.longest_step({1.0, 1.0});
@@ -111,12 +110,12 @@ void March::limit_step() {
       std::min(step_, share_of_limit * stepper_.longest_step(fastest_rates(assembly_, past_.now)));
 }
 
-MarchReport::End March::to(double time) {
+IntegrationReport::End TimeIntegration::to(double time) {
   const bool adaptive = control_.adaptive;
   Rejected rejected;
   int halvings = 0;
   begin_account();
-  // A march that is taken up again at such a time then goes the same way.
+  // An integration that is continued from this time then takes the same steps.
   since_limited_ = 0;
   stepper_.forget();
   const double most = (adaptive ? most_of_interval : 1.0) * (time - past_.now.time);
@@ -124,7 +123,7 @@ MarchReport::End March::to(double time) {
     limit_step();
     const double left = time - past_.now.time;
     double h = std::min({step_, conditions_.longest_step(), most, left});
-    // The last two steps before a time are of one length.
+    // The last two steps before an output time have equal length.
     if (adaptive && h < left && 2.0 * h > left) h = 0.5 * left;
     if (!adaptive && left < (1.0 + 1e-6) * h) h = left;
     const StepOutcome outcome = stepper_.step(past_, h, conditions_, next_);
@@ -141,7 +140,7 @@ MarchReport::End March::to(double time) {
         past_.caution = steps_of_caution;
         rejected = {};
       }
-      if (step_ < control_.least_step) return report_.end = MarchReport::End::stuck;
+      if (step_ < control_.least_step) return report_.end = IntegrationReport::End::stuck;
       continue;
     }
     if (account_) {
@@ -152,7 +151,7 @@ MarchReport::End March::to(double time) {
         step_ = 0.5 * h;
         past_.caution = steps_of_caution;
         if (++halvings > most_halvings || step_ < control_.least_step) {
-          return report_.end = MarchReport::End::unbalanced;
+          return report_.end = IntegrationReport::End::unbalanced;
         }
         continue;
       }
@@ -174,7 +173,7 @@ MarchReport::End March::to(double time) {
     report_.shortest_step = report_.steps == 1 ? h : std::min(report_.shortest_step, h);
     report_.longest_step = std::max(report_.longest_step, h);
     if (adaptive) {
-      // A step cut short to end at a time says little of those that may follow.
+      // The error of a step shortened for an output time does not predict the next error.
       if (past_.caution > 0 || outcome.iterations > many_iterations) factor = std::min(factor, 1.0);
       past_.caution = std::max(past_.caution - 1, 0);
       if (factor >= least_growth || factor < 1.0) {
@@ -182,12 +181,12 @@ MarchReport::End March::to(double time) {
                            control_.least_step, control_.most_step);
       }
     }
-    if (conditions_.broken_at(past_.now)) begin_anew();
+    if (conditions_.broken_at(past_.now)) restart_iteration();
     if (control_.watch && !control_.watch(past_.now)) {
-      return report_.end = MarchReport::End::stopped;
+      return report_.end = IntegrationReport::End::stopped;
     }
   }
-  return report_.end = MarchReport::End::reached;
+  return report_.end = IntegrationReport::End::reached;
 }
 
 }  // namespace codend

@@ -31,7 +31,6 @@ void check_count(std::size_t count, std::size_t wanted, const std::string& field
   fail(field, "has " + std::to_string(count) + " values, must have " + std::to_string(wanted));
 }
 
-// As many finite numbers as there are of what they belong to.
 void check_numbers(const Numbers& values, std::size_t wanted, const std::string& field) {
   check_count(values.size(), wanted, field);
   check_finite(values, field);
@@ -49,7 +48,7 @@ void check_curve(const Curve& curve, const std::string& field) {
   if (pieces == 0) fail(field, "must have a piece");
   check_numbers(curve.time, pieces + 1, field + ".time");
   for (std::size_t k = 0; k < pieces; ++k) {
-    if (!(curve.time[k] < curve.time[k + 1])) fail(field + ".time", "must grow");
+    if (!(curve.time[k] < curve.time[k + 1])) fail(field + ".time", "must increase");
   }
   check_finite(curve.begin, field + ".begin");
   check_numbers(curve.end, pieces, field + ".end");
@@ -115,7 +114,7 @@ void check_group(const GrowingGroup& group, const std::string& field) {
 
 void check_place(int place, int count, const std::string& field, const char* among) {
   if (place >= 0 && place < count) return;
-  fail(field, "is none of the model's " + std::to_string(count) + " " + among);
+  fail(field, "must be one of the " + std::to_string(count) + " " + among + " of the model");
 }
 
 void check_places(const std::vector<int>& places, int count, const std::string& field,
@@ -169,7 +168,7 @@ void check_schedule(const Schedule& schedule, const Model& model) {
     }
   }
   if (!schedule.sticking.anchor.empty()) {
-    // files of before the shoes of plates stuck hold those of contacts alone
+    // Old files contain no anchors for the shoes of plates.
     const std::size_t contacts = 3 * model.contacts.node.size(),
                       shoes = 6 * model.plates.plate.size();
     const bool alone = schedule.sticking.anchor.size() == contacts;

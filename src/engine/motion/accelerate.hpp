@@ -1,5 +1,5 @@
-// Accelerations of free nodes, M a = F with mass and added mass as a 3x3 block per node, and a full
-// matrix over the nodes of a body.
+// Accelerations of free nodes from M a = F. M is mass and added mass: a 3x3 block per node, and a
+// dense matrix over the nodes of a body.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@ namespace codend {
 
 class Acceleration {
  public:
-  // Throws std::invalid_argument where a free node has no mass at x, v.
+  // Throws std::invalid_argument if a free node has no mass at x, v.
   Acceleration(Assembly& assembly, const double* x, const double* v);
 
-  // a (3 per node, m/s2) at x, v; zero on held nodes.
+  // Computes a (m/s2, 3 per node) at x, v. Fixed nodes get zero.
   void at_motion(const Values& x, const Values& v, Values& a);
 
  private:

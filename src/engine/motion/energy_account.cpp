@@ -5,7 +5,7 @@
 namespace codend {
 namespace {
 
-// Energy of a contact, J: of what Ground::press() says.
+// Elastic energy of a ground contact (J), the integral of Ground::press().
 double pressed(const Ground& ground, double penetration, double area) {
   if (penetration <= 0.0) return 0.0;
   const double h = ground.onset, k = ground.stiffness * area;
@@ -14,7 +14,7 @@ double pressed(const Ground& ground, double penetration, double area) {
   return k * (h * h / 6.0 + 0.5 * h * beyond + 0.5 * beyond * beyond);
 }
 
-// What a line's strain energy loses per length that it is given, N: -dW/dL0.
+// Decrease of a line's strain energy per unit of added rest length, -dW/dL0, N.
 double give(const TwineMaterial& material, double length, double rest) {
   if (length <= rest && !material.strut) return 0.0;
   const TwinePull pull = twine_pull(material, length / rest - 1.0);
@@ -78,7 +78,7 @@ void EnergyAccount::measure(const Motion& motion, Moment& moment) {
     rope.add_force(field, other_.data());
     for (const int p : rope.nodes()) {
       named += at(other_.data(), p).dot(at(field.velocity, p));
-      at(other_.data(), p).setZero();  // a point may be passed twice
+      at(other_.data(), p).setZero();  // a rope may pass a point twice
     }
   }
   const GroundContacts& contacts = model.contacts;

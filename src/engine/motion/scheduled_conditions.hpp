@@ -1,7 +1,7 @@
-// The conditions that a schedule prescribes: puts a model into those of a time.
+// Applies a schedule to a model over time.
 //
-// Motion is computed in axes at rest, where a turn brings in no forces of its own: held nodes move,
-// and water stands still but for its current and waves.
+// Motion is computed in a frame at rest, without inertial forces: fixed nodes move, and the water
+// moves only by its current and waves.
 #pragma once
 
 #include <vector>
@@ -14,20 +14,19 @@ namespace codend {
 
 class ScheduledConditions : public Conditions {
  public:
-  // The model is changed as time goes (ChangingModel), the assembly over it told. It is given with all
-  // growing elements at factor 1 and no rope broken. start: where held nodes are that the schedule does not move.
-  // Throws InputError where the schedule does not fit the model (check_schedule()).
+  // Changes the model and its assembly over time (ChangingModel). The model must have all growing
+  // elements at factor 1 and no broken rope. start: positions of fixed nodes that the schedule does
+  // not move. Throws InputError if the schedule does not fit the model (check_schedule()).
   ScheduledConditions(Model& model, Assembly& assembly, Schedule schedule, const Motion& start);
 
   void to_time(double time, Side side, Motion& motion) override;
-  // A rope that breaks loses one bar; its weight stays on the nodes. The water behind netting
-  // slows after the netting has moved, so that its speed is that of the step before.
+  // A broken rope loses one bar but keeps its weight. The wake has a delay of one step.
   bool broken_at(const Motion& now) override;
   double longest_step() const override;
 
   Schedule& schedule() { return schedule_; }
   const Schedule& schedule() const { return schedule_; }
-  // What others than the schedule change.
+  // For changes that are not part of the schedule.
   ChangingModel& model() { return model_; }
 
  private:
@@ -35,7 +34,7 @@ class ScheduledConditions : public Conditions {
   void stick();
   void keep_anchors();
   void grow(const ScheduledValues& values);
-  // What a controlled rope's weight and buoyancy pull at its end, N.
+  // Returns the weight and buoyancy of a controlled rope at its end node, N.
   Vector end_load(const GrowingGroup& group) const;
   void release(double time);
   void break_rope(Rupture& rope, int bar, double time);
@@ -45,11 +44,11 @@ class ScheduledConditions : public Conditions {
   Schedule schedule_;
   Motion start_;
   std::vector<double> mass_, load_, buoyancy_;  // without growing groups
-  bool sticks_ = false;                         // something to the ground
-  bool answers_ = false;                        // to the motion, after every step
+  bool sticks_ = false;                         // static friction is active
+  bool answers_ = false;                        // conditions depend on the motion
   double wake_time_;                            // s
-  std::vector<double> factor_, rate_;           // of the groups, as the model has them
-  std::vector<char> held_back_;                 // per node: 1 until it is released
+  std::vector<double> factor_, rate_;           // of the groups, as applied to the model
+  std::vector<char> held_back_;                 // per node: 1 until its release
   double all_released_ = 0.0, time_ = 0.0;      // s
 };
 

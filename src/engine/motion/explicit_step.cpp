@@ -5,7 +5,7 @@
 namespace codend {
 namespace {
 
-// Whether no number has overflowed; says which node's did.
+// Returns false at the first node with an infinite or undefined value, and sets `worst` to it.
 bool finite(const std::vector<int>& free, const Motion& motion, int& worst) {
   for (const int node : free) {
     if (std::isfinite(at(motion.x.data(), node).sum() + at(motion.v.data(), node).sum())) continue;

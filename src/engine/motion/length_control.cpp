@@ -6,13 +6,13 @@
 namespace codend {
 namespace {
 
-// A rope that is off its target catches up in about this time, s.
+// Time constant of corrections towards the target length, s.
 constexpr double catch_up = 5.0;
-// The brake slips at full speed where the tension is over its limit by this share.
+// The brake reaches full speed if the tension exceeds its limit by this fraction.
 constexpr double full_share = 0.1;
-// A speed is chosen this often (s), while the brake slips or may slip soon, and else.
+// Interval between choices of the speed (s), near or above the tension limit, and otherwise.
 constexpr double slipping_step = 0.05, idle_step = 0.5;
-// Steps may grow by this factor before a speed is chosen again.
+// Largest growth of a step before the next choice of the speed.
 constexpr double next_growth = 2.0;
 
 }  // namespace

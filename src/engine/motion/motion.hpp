@@ -1,4 +1,4 @@
-// Where all nodes are and how they move, at one time, and what a scheme remembers of times before.
+// State of all nodes at one time, and the previous states that a scheme needs.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,24 +12,23 @@ using Values = Eigen::VectorXd;
 
 struct Motion {
   double time = 0.0;  // s
-  // m, m/s, m/s2, 3 per node; zero where a scheme has no use for it: a, and b, the algorithmic
-  // acceleration of generalised alpha (Arnold and Bruels 2007).
+  // m, m/s, m/s2, 3 per node. a, and b, the algorithmic acceleration of generalised alpha (Arnold
+  // and Bruels 2007), are zero if a scheme does not use them.
   Values x, v, a, b;
 };
 
-// At time 0, of nodes at rest at x (m, 3 each).
+// Returns the motion at time 0 of nodes at rest at x (m, 3 each).
 inline Motion at_rest(const std::vector<double>& x) {
   const Eigen::Map<const Values> places(x.data(), static_cast<Eigen::Index>(x.size()));
   const Values none = Values::Zero(places.size());
   return {0.0, places, none, none, none};
 }
 
-// The last two steps. Where `steps` is 0 there is none before: at the start, or where an event
-// broke the motion.
+// The last two states. `before` is invalid if `steps` is 0: at the start, or after a discontinuity.
 struct Past {
   Motion now, before;
   int steps = 0;
-  int caution = 0;  // steps that may not grow yet, after one that was not found
+  int caution = 0;  // remaining steps without growth, after a failed step
 
   double last_step() const { return now.time - before.time; }
 };

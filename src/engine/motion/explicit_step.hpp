@@ -1,4 +1,5 @@
-// Explicit steps: cheap, and short by nature (march/fastest_rates.hpp).
+// Explicit steps: cheap, but limited in length by stability (motion/fastest_rates.hpp).
+//
 //   symplectic Euler  v1 = v0 + h a(x0, v0), x1 = x0 + h v1
 //   RK4               the classical Runge-Kutta method of order 4 for (x, v)
 #pragma once
@@ -18,7 +19,7 @@ class SymplecticEulerStep : public Stepper {
 
   StepOutcome step(const Past& past, double h, Conditions& conditions, Motion& next) override;
   int order() const override { return 1; }
-  // (h w)^2 + 2 h g < 4 for an oscillator of rate w and damping g.
+  // Stability limit (h w)^2 + 2 h g < 4 of an oscillator with frequency w and damping g.
   double longest_step(const FastestRates& rates) const override {
     const double w = rates.oscillation, g = rates.decay;
     return 4.0 / (g + std::sqrt(g * g + 4.0 * w * w));
@@ -37,7 +38,7 @@ class RungeKuttaStep : public Stepper {
 
   StepOutcome step(const Past& past, double h, Conditions& conditions, Motion& next) override;
   int order() const override { return 4; }
-  // 2.78 on the real axis, 2.83 on the imaginary one.
+  // Stability limits: 2.78 on the real axis, 2.83 on the imaginary axis.
   double longest_step(const FastestRates& rates) const override {
     return 2.78 / std::max(rates.oscillation, rates.decay);
   }

@@ -1,0 +1,15 @@
+// Written by tools/makevars.sh; do not edit.
+// clang-format off
+#include "motion/accelerate.cpp"
+#include "motion/check_schedule.cpp"
+#include "motion/energy_account.cpp"
+#include "motion/explicit_step.cpp"
+#include "motion/fastest_rates.cpp"
+#include "motion/length_control.cpp"
+#include "motion/line_tensions.cpp"
+#include "motion/newton_step.cpp"
+#include "motion/schedule.cpp"
+#include "motion/scheduled_conditions.cpp"
+#include "motion/schemes.cpp"
+#include "motion/substitution.cpp"
+#include "motion/time_integration.cpp"

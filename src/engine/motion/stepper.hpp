@@ -1,0 +1,57 @@
+// One step of a time integration scheme. `TimeIntegration` chooses its length and accepts or rejects it.
+#pragma once
+
+#include <limits>
+
+#include "../model/assembly.hpp"
+#include "conditions.hpp"
+#include "fastest_rates.hpp"
+
+namespace codend {
+
+struct StepAccuracy {
+  // Allowed errors of one step: position of a node (m), and tension of a line as a fraction of the
+  // gear's largest. Infinite values disable the check.
+  double position = std::numeric_limits<double>::infinity();
+  double tension = std::numeric_limits<double>::infinity();
+  double found = 1e-6;  // convergence tolerance of an implicit step, m; of a substitution, m/s
+};
+
+struct StepOutcome {
+  bool found = false;
+  // Error of the step over the allowance; 0 without an estimate.
+  double error = 0.0;
+  int iterations = 0;   // Newton iterations, substitutions or stages
+  int worst_node = -1;  // node with the largest error or residual
+};
+
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+
+  // Computes a step of h (s) from past.now. On entry, the vectors of `next` have the lengths of
+  // past.now; after convergence, `next` is the end of the step.
+  virtual StepOutcome step(const Past& past, double h, Conditions& conditions, Motion& next) = 0;
+
+  // Called at the start and after discontinuities; sets the initial a and b of the scheme.
+  virtual void begin(Motion& motion) {
+    motion.a.setZero(motion.x.size());
+    motion.b.setZero(motion.x.size());
+  }
+
+  // Discards earlier steps except `past`, so that a continued integration gives identical steps.
+  virtual void forget() {}
+
+  virtual long long factorisations() const { return 0; }
+  // Stored entries of L and U in the last factorisation.
+  virtual long long factor_entries() const { return 0; }
+
+  // Order of accuracy: the error of a step scales with h^(order + 1).
+  virtual int order() const = 0;
+  // Longest step (s) with guaranteed stability or convergence at these rates.
+  virtual double longest_step(const FastestRates&) const {
+    return std::numeric_limits<double>::infinity();
+  }
+};
+
+}  // namespace codend
