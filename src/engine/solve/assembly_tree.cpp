@@ -31,7 +31,7 @@ Lists lists_by(const std::vector<int>& key, int keys) {
   return lists;
 }
 
-// Nodes outside each vertex's subtree that its elimination fills in.
+// Returns, per vertex, the nodes outside its subtree that its elimination fills in.
 Lists boundaries(const BlockPattern& pattern, const SeparatorTree& tree, const Lists& children) {
   const int vertices = static_cast<int>(tree.parent.size());
   std::vector<int> owner(pattern.n), seen(pattern.n, -1);
@@ -56,17 +56,17 @@ Lists boundaries(const BlockPattern& pattern, const SeparatorTree& tree, const L
   return lists;
 }
 
-// Seconds, roughly, to assemble and factorise a front: a fixed cost, a cost per entry cleared and
-// assembled, and one per multiplication with its subtraction. Only their ratios matter, and little:
-// doubling or halving one moves the time of a factorisation by a few per cent (sheets, tubes and
-// chains of 200 to 10 000 nodes).
+// Estimates the seconds to assemble and factorise a front: a fixed cost, a cost per entry cleared
+// and assembled, and one per multiplication and subtraction. Only the ratios matter, and the result
+// is insensitive. Doubling or halving one changes the time of a factorisation by a few per cent
+// (sheets, tubes and chains of 200 to 10 000 nodes).
 double front_seconds(double pivots, double boundary) {
   const double k = 3 * pivots, b = 3 * boundary;
   const double multiplications = k * k * k / 3 + k * k * b + k * b * b;
   return 1.5e-7 + 6e-10 * (k + b) * (k + b) + 1e-10 * multiplications;
 }
 
-// The vertex that each vertex is merged into: itself where it stays.
+// Returns the vertex that each vertex is merged into; a vertex that remains maps to itself.
 std::vector<int> merge(const SeparatorTree& tree, const Lists& children, const Lists& boundary) {
   const int vertices = static_cast<int>(tree.parent.size());
   std::vector<int> pivots(vertices), into(vertices);
@@ -75,7 +75,7 @@ std::vector<int> merge(const SeparatorTree& tree, const Lists& children, const L
   std::vector<int> waiting;
   for (int t = 0; t < vertices; ++t) {
     waiting.assign(children.begin(t), children.end(t));
-    // the child with the largest boundary shares most with its parent
+    // the child with the largest boundary has most nodes in common with its parent
     std::stable_sort(waiting.begin(), waiting.end(),
                      [&](int a, int b) { return boundary.size(a) > boundary.size(b); });
     for (int c : waiting) {
@@ -90,7 +90,7 @@ std::vector<int> merge(const SeparatorTree& tree, const Lists& children, const L
   return into;
 }
 
-// Vertices that stay, each after its descendants, siblings in the order that keeps the stack low.
+// Returns the remaining vertices, each after its descendants, with a minimal stack.
 std::vector<int> elimination_order(const std::vector<int>& into, const std::vector<int>& parent,
                                    Lists children, const Lists& boundary) {
   const int vertices = static_cast<int>(parent.size());
@@ -128,7 +128,7 @@ std::vector<int> elimination_order(const std::vector<int>& into, const std::vect
 
 void map_boundaries(AssemblyTree& result) {
   result.first_run.assign(1, 0);
-  // both boundaries are sorted, so one pass over the parent's finds every node of the child's
+  // both boundaries are sorted, so one pass over the parent's boundary is sufficient
   for (int f = 0; f < result.fronts(); ++f) {
     const int up = result.parent[f];
     if (up >= 0) {
@@ -144,7 +144,7 @@ void map_boundaries(AssemblyTree& result) {
           to = pivots +
                static_cast<int>(in_parent - result.boundary.data() - result.first_boundary[up]);
         }
-        // a run ends where the parent's pivots do
+        // a run ends at the end of the parent's pivots
         if (i == 0 || to == pivots || result.run.back().to + result.run.back().length != to)
           result.run.push_back({i, to, 1});
         else

@@ -12,8 +12,7 @@ namespace codend {
 
 namespace {
 
-// Multiplications and additions of a factorisation from which on a second thread is worth waking
-// for it: some milliseconds.
+// Minimum multiplications and additions of a factorisation for a second thread (some milliseconds).
 constexpr double flops_for_two = 1e8;
 constexpr int most_refinements = 10;
 
@@ -51,7 +50,7 @@ BlockLU::BlockLU(Precision precision, int threads, std::function<void()> pause)
 void BlockLU::analyse(const BlockPattern& pattern, const double* coordinates) {
   check_pattern(pattern);
   factorised_ = false;
-  factors_ = {};  // its memory is needed for the new ones
+  factors_ = {};  // frees memory for the new factors
   tree_ = assembly_tree(pattern, nested_dissection(pattern, coordinates, pause_));
   double flops = 0;
   for (int f = 0; f < tree_.fronts(); ++f) flops += tree_.flops(f);
@@ -151,7 +150,7 @@ double BlockLU::solve_refined(const BlockPattern& pattern, const double* values,
       std::copy(r, r + 3, &residual_[at]);
     }
     const double now = scale > 0 ? largest(residual_.data(), rows) / scale : 0;
-    if (round > 0 && !(now < reached)) {  // the last correction did harm
+    if (round > 0 && !(now < reached)) {  // the last correction increased the residual
       for (size_t i = 0; i < rows; ++i) x[i] -= correction_[i];
       return reached;
     }

@@ -13,64 +13,66 @@
 
 namespace codend {
 
-// What a factorisation costs; known once the pattern is analysed.
+// Cost of a factorisation, known after analyse().
 struct BlockLUFigures {
   int fronts = 0;
   int largest_front = 0;       // rows of the largest front, in scalars
-  int64_t factor_entries = 0;  // numbers stored for L and U
-  int64_t stack_entries = 0;   // numbers of the stack of update matrices
+  int64_t factor_entries = 0;  // stored entries of L and U
+  int64_t stack_entries = 0;   // entries of the stack of update matrices
   double flops = 0;            // multiplications and additions of one factorisation
-  int64_t bytes = 0;           // held by the object, all told
+  int64_t bytes = 0;           // total memory of the object
 };
 
 enum class Precision { double_precision, single_precision };
 
-// Direct solver for A x = b, A sparse, of 3x3 blocks, nonsymmetric in values and symmetric in
-// structure: multifrontal LU (Duff and Reid 1983) over a nested dissection of the nodes, pivoting
-// only among the rows that a front eliminates. Neither factorise() nor a solve allocates. Equal
-// input gives equal bytes on one machine, whatever the number of threads.
+// Direct solver for sparse A x = b with 3x3 blocks, nonsymmetric values and a symmetric pattern. It
+// is a multifrontal LU factorisation (Duff and Reid 1983) with nested dissection of the nodes.
+// Pivoting is restricted to the rows that a front eliminates.
+//
+// factorise() and the solves allocate no memory. On one machine, equal input gives identical bytes,
+// with 1 and 2 threads.
 class BlockLU {
  public:
-  // precision: of the factors. In single precision they take half the memory and about 0.6 of the
-  // time; use solve_refined() then. Denormal numbers in them count as zero.
-  // threads: 1 or 2. Patterns of little work get one thread, since they gain nothing from two.
-  // Throws std::invalid_argument for other numbers.
-  // pause: called on the calling thread by analyse() and factorise(), a few times in every second
-  // that they take. What it throws ends them and leaves no factors.
+  // Factors in single precision need half the memory and about 0.6 of the time, but require
+  // solve_refined(). Their denormal numbers count as zero.
+  //
+  // `threads` is 1 or 2; other numbers throw std::invalid_argument. Small patterns use one thread,
+  // because a second one gains nothing.
+  //
+  // analyse() and factorise() call `pause` on the calling thread, a few times per second. If
+  // `pause` throws, they end without factors.
   explicit BlockLU(Precision precision = Precision::double_precision, int threads = 1,
                    std::function<void()> pause = {});
 
-  // Orders the nodes and lays out the factors, once per pattern.
-  // coordinates: 3n doubles, x y z of each node; they guide the order, and nodes may coincide.
-  // Throws std::invalid_argument if the pattern is not sorted, symmetric and full on the diagonal.
+  // Orders the nodes and lays out the factors, once per pattern. coordinates: 3n, x y z per node;
+  // they guide the order, and nodes may coincide. Throws std::invalid_argument if the pattern is
+  // not sorted, not symmetric, or lacks a diagonal entry.
   void analyse(const BlockPattern& pattern, const double* coordinates);
 
-  // Nodes to be left out, 1 each, or none: their rows must have no entries but on the diagonal block and
-  // right sides must be zero there; so is then the solution. Fronts that have no other nodes cost
-  // nothing. Drops the factors.
+  // Excludes nodes (1 per excluded node; may be empty) and drops the factors. Rows of excluded
+  // nodes must have entries only in the diagonal block. Their right side must be zero, and so is
+  // their solution. Fronts with only excluded nodes cost nothing.
   void leave_out(const std::vector<char>& nodes);
 
-  // values: 9 doubles per block, row-major inside a block, in the order of the pattern's columns.
-  // Returns false at a pivot that is not finite, or zero, or too small to have a reciprocal; there
-  // are then no factors to solve with.
+  // values: 9 per block, row-major, in the order of the pattern's columns. Returns false, without
+  // factors, if a pivot is zero, not finite, or too small for a reciprocal.
   bool factorise(const double* values);
-  // The same without exchanging rows, for a symmetric matrix: false also where it is not positive
-  // definite, but for what rounding hides. Factors of values that are not symmetric may be poor.
+  // Factorises a symmetric matrix without row exchanges. Also returns false if the matrix is not
+  // positive definite, within rounding. Asymmetric values may give inaccurate factors.
   bool factorise_definite(const double* values);
 
-  // Ends the second thread; factorise() starts another. For objects that are kept after a call: a
-  // process that is forked has a copy of the object, but no such thread to wait for.
+  // Ends the second thread; factorise() starts another. Required for objects that are stored after
+  // a call, because a forked process copies the object without the thread.
   void end_second_thread() { second_.reset(); }
 
-  // b, x: 3n doubles each; x may be b. Throws std::logic_error without factors. Uses the object's
-  // own work space: one call at a time.
+  // b, x: 3n each; x may be b. Throws std::logic_error without factors. Uses a work space of the
+  // object, so calls must not overlap.
   void solve(const double* b, double* x) const;
-  // The same for the transposed matrix.
   void solve_transposed(const double* b, double* x) const;
 
-  // solve(), then iterative refinement (Wilkinson 1963) in double precision until the residual is
-  // at most `tolerance` times b, both by their largest entry, or no longer halves. pattern, values:
-  // those of the factors. x may not be b. Returns the residual reached, relative to b.
+  // Solves with iterative refinement (Wilkinson 1963) in double precision. It stops when the
+  // residual is at most `tolerance` times b (largest entries), or no longer halves. pattern,
+  // values: as factorised. x must not be b. Returns the relative residual.
   double solve_refined(const BlockPattern& pattern, const double* values, const double* b,
                        double tolerance, double* x) const;
 

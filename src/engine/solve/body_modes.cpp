@@ -11,25 +11,25 @@
 namespace codend {
 namespace {
 
-// Rates (1/s) of the projection: boards and kites swing within a second to some minutes.
+// Rates (1/s) of the projection: boards and kites oscillate with periods from a second to minutes.
 constexpr double shifts[] = {0.1, 0.5, 2.0, 8.0};
-// Beyond that a body's swings are those of its struts.
+// Faster motions of a body are oscillations of its struts.
 constexpr double fastest = 10.0;
-// Of a vector that is left when those before it are taken off, to be another one.
+// Minimum remaining fraction of a vector after orthogonalisation, for a new basis vector.
 constexpr double independent = 1e-9;
-// A mode of the small problem is one of the gear's where its equations are left with less than this.
+// Residual limit for a mode of the small problem to be a mode of the gear.
 constexpr double most_residual = 0.02;
-// Of the largest way of any node that a body has to go in a mode of its own.
+// Minimum displacement of a body in its mode, as a fraction of the largest nodal displacement.
 constexpr double least_movement = 0.1;
-// Of the critical damping: swings that die sooner are not looked for again.
+// Fraction of critical damping above which unresolved modes are not refined.
 constexpr double well_damped = 0.5;
-// How often the projection is widened at the swings that it does not yet hold, and by how many of them.
+// Number of refinements of the projection with unresolved modes, its limit for growing modes, and
+// the number of modes per refinement.
 constexpr int rounds = 2, most_rounds = 6;
 constexpr int most_at_once = 10;
 
 using Columns = Eigen::MatrixXd;
 
-// y = A x for a matrix in the assembly's pattern.
 template <class Numbers>
 Numbers times(const BlockPattern& pattern, const std::vector<double>& values, const Numbers& x) {
   Numbers y = Numbers::Zero(x.rows(), x.cols());
@@ -44,7 +44,7 @@ Numbers times(const BlockPattern& pattern, const std::vector<double>& values, co
   return y;
 }
 
-// Adds what of the columns is new to an orthonormal basis (Gram and Schmidt, twice).
+// Adds linearly independent columns to an orthonormal basis (Gram-Schmidt, twice).
 void extend(Columns& basis, const Columns& by) {
   for (Eigen::Index k = 0; k < by.cols(); ++k) {
     Eigen::VectorXd column = by.col(k);
@@ -56,7 +56,7 @@ void extend(Columns& basis, const Columns& by) {
   }
 }
 
-// Translations and turns of every body, 1 m or 1 rad.
+// Returns translations and rotations of every body, 1 m or 1 rad, six columns per body.
 Columns rigid_motions(const Assembly& assembly, const JoinedMass& joined, const double* x) {
   Columns motions =
       Columns::Zero(3 * assembly.unknowns(), 6 * static_cast<Eigen::Index>(joined.groups().size()));
@@ -79,7 +79,7 @@ Columns rigid_motions(const Assembly& assembly, const JoinedMass& joined, const 
 
 bool faster_growing(const BodyMode& a, const BodyMode& b) { return a.rate.real() > b.rate.real(); }
 
-// Solves (K + l D + l^2 M) z = b for complex l: the real and the imaginary part of a node as two nodes.
+// Solves (K + l D + l^2 M) z = b for complex l, with two real nodes for each node.
 class ComplexSolver {
  public:
   ComplexSolver(const BlockPattern& pattern, const std::vector<double>& places)

@@ -1,20 +1,19 @@
-// How bodies swing about an equilibrium: eigenvalues of the gear's small motions, with its true mass
-// and damping.
+// Small oscillations of bodies about an equilibrium, with the gear's true mass and damping.
 //
-// Small displacements y from rest follow M y'' + D y' + K y = 0, D and K the derivatives of the net
-// forces. y = e^(l t) z with the real part of l the rate at which a motion grows (negative: dies) and
-// the imaginary part its angular frequency: divergence where l is real and positive, flutter where it
-// is complex and its real part positive.
+// Small displacements y satisfy M y'' + D y' + K y = 0, with D and K the derivatives of the net
+// forces. In y = e^(l t) z, the real part of l is the growth rate, and the imaginary part is the
+// angular frequency. Divergence has a real positive l, flutter a complex l with positive real part.
 //
-// Bodies alone are asked for, so the gear is projected on how it answers to forces on them at a few
-// real rates s: the columns of (K + s D + s^2 M)^-1 B and their derivatives by s, B the rigid motions
-// of every body. The small problem has the same answer as the whole at these rates, and nearly so
-// around them (rational interpolation: A. C. Antoulas, Approximation of Large-Scale Dynamical
-// Systems, 2005, ch. 11). What of its eigenvalues is one of the whole gear's too, its residual says.
-// Real rates alone do not hold the swings of a large net's boards, so the projection is widened at the
-// least damped ones that it does not hold yet, by how the gear answers at their complex rates (dominant
-// poles: J. Rommes and N. Martins, IEEE Trans. Power Syst. 21, 2006).
-// Flow in the wake of netting is taken as it is.
+// Only modes of bodies are required, so the gear is projected on its response to forces on bodies
+// at a few real rates s. The basis consists of the columns of (K + s D + s^2 M)^-1 B and their
+// derivatives by s. B are the rigid motions of every body. The small problem gives the exact
+// response at these rates, and nearly so around them (rational interpolation: A. C. Antoulas,
+// Approximation of Large-Scale Dynamical Systems, 2005, ch. 11). The residual decides which
+// eigenvalues belong to the whole gear.
+//
+// Real rates do not resolve the oscillations of boards on a large net. The projection is therefore
+// extended for the least damped unresolved modes, by the response at their complex rates (dominant
+// poles: J. Rommes and N. Martins, IEEE Trans. Power Syst. 21, 2006). Wakes are constant.
 #pragma once
 
 #include <complex>
@@ -25,16 +24,16 @@
 namespace codend {
 
 struct BodyMode {
-  std::complex<double> rate;  // l, 1/s; of a pair, the one with the positive imaginary part
-  int node = -1;              // of a body, that moves most
-  bool certain = false;       // that the residual is small; those that grow are told without it
-  double residual = 0.0;      // of the whole gear's equations, over the sizes of their three terms
-  std::vector<std::complex<double>> motion;  // z, 3 per free node; at most 1 long at any node
+  std::complex<double> rate;  // l, 1/s; for a conjugate pair, with positive imaginary part
+  int node = -1;              // node of a body with the largest displacement
+  bool certain = false;   // true if the residual is small; growing modes are returned in any case
+  double residual = 0.0;  // residual of the full equations, over the norms of their three terms
+  std::vector<std::complex<double>> motion;  // z, 3 per free node; largest nodal displacement 1
 };
 
-// Motions in which a body takes part, of rates up to 10/s in size, the fastest growing first; empty
-// where no body is free. Of swings with more than half the critical damping some may be missing.
-// x: an equilibrium, 3 per node, m; v: how held nodes move in it, m/s. Leaves the assembly there.
+// Returns modes with moving bodies and |l| up to 10/s, the fastest growing first; empty without a
+// free body. Some modes above half of the critical damping may be missing. x: an equilibrium, m, 3
+// per node; v: velocities of fixed nodes, m/s. Leaves the assembly at this state.
 std::vector<BodyMode> body_modes(Assembly& assembly, const double* x, const double* v);
 
 }  // namespace codend

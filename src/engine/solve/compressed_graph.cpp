@@ -28,7 +28,7 @@ CompressedGraph compress(const BlockPattern& pattern) {
   std::iota(graph.node.begin(), graph.node.end(), 0);
   while (true) {
     const size_t before = graph.eliminated.size();
-    // place: of an eliminated node in graph.eliminated; a neighbour of one waits for the next round
+    // place: index in graph.eliminated; neighbours of eliminated nodes wait for the next round
     for (const int i : graph.node) {
       const int degree = last[i] - first[i];
       if (degree == 0 || degree > 2 || seen[i] >= 0) continue;
@@ -63,7 +63,6 @@ CompressedGraph compress(const BlockPattern& pattern) {
     std::fill(seen.begin(), seen.end(), -1);
     if (graph.eliminated.size() - before < kept / 8) break;
   }
-  // close the gaps
   for (size_t k = 0; k < graph.node.size(); ++k) place[graph.node[k]] = static_cast<int>(k);
   int to = 0;
   for (const int i : graph.node) {
@@ -80,8 +79,8 @@ SeparatorTree expand(const CompressedGraph& graph, const SeparatorTree& tree) {
   const int vertices = static_cast<int>(tree.parent.size());
   const int eliminated = static_cast<int>(graph.eliminated.size());
   const int n = static_cast<int>(graph.node.size()) + eliminated;
-  // vertex `vertices + k` holds the k-th eliminated node, as a child of the deeper of its two
-  // neighbours' vertices: one of them is the other's ancestor
+  // Vertex `vertices + k` is the k-th eliminated node. Its parent is the deeper vertex of its
+  // two neighbours; the other vertex is an ancestor.
   std::vector<int> owner(n), depth(vertices + eliminated, 0);
   std::vector<int> first_below(vertices + eliminated, -1), next(eliminated, -1);
   for (int t = vertices - 1; t >= 0; --t) {
@@ -107,8 +106,8 @@ SeparatorTree expand(const CompressedGraph& graph, const SeparatorTree& tree) {
   std::vector<int> number(vertices), orphans;
   struct Open {
     int vertex;
-    int below;       // the next eliminated node to be numbered before it
-    size_t orphans;  // finished vertices that have no parent yet, from here on its own
+    int below;       // next eliminated node to be numbered before it
+    size_t orphans;  // start of its finished vertices without a parent
   };
   std::vector<Open> open;
   for (int t = 0; t < vertices; ++t) {

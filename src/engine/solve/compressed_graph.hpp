@@ -1,4 +1,4 @@
-// A graph without its nodes of one or two neighbours: bar middles and the nodes along a rope.
+// Graph without nodes of one or two neighbours, such as midpoints of bars and nodes along a rope.
 #pragma once
 
 #include <vector>
@@ -8,25 +8,25 @@
 
 namespace codend {
 
-// What is left when, round by round, nodes of at most two neighbours are eliminated that do not
-// touch one another; the two neighbours then touch. That is how a nested dissection would end
-// there, so it costs no fill.
+// Result of repeated elimination of nodes with at most two neighbours. Each round eliminates nodes
+// that are not adjacent; the two neighbours of an eliminated node become adjacent. Nested
+// dissection would eliminate these nodes in the same way, so the compression adds no fill.
 struct CompressedGraph {
   struct Eliminated {
     int node;
-    int neighbours[2];  // of the pattern, at the time; the second is -1 where there was one
+    int neighbours[2];  // in the pattern, at that time; the second is -1 for a single neighbour
   };
   std::vector<int> node;               // of the pattern
-  std::vector<int> weight;             // with their share of what was eliminated
+  std::vector<int> weight;             // with parts of the eliminated nodes' weights
   std::vector<int> first;              // nodes + 1, into neighbour
-  std::vector<int> neighbour;          // places in node
-  std::vector<Eliminated> eliminated;  // in turn
+  std::vector<int> neighbour;          // indices into node
+  std::vector<Eliminated> eliminated;  // in order of elimination
 };
 
 CompressedGraph compress(const BlockPattern& pattern);
 
-// tree: of the compressed graph, whose nodes are places in graph.node. Returns the tree of the
-// pattern, in which each eliminated node is a vertex of its own.
+// Returns the tree of the pattern, in which each eliminated node is a separate vertex. tree: of the
+// compressed graph; its nodes are indices into graph.node.
 SeparatorTree expand(const CompressedGraph& graph, const SeparatorTree& tree);
 
 }  // namespace codend

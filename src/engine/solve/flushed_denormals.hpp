@@ -8,9 +8,8 @@
 
 namespace codend {
 
-// How the running thread treats numbers too small for their full precision (denormals), on which
-// processors are many times slower: the control word of its floating-point unit; 0 where this
-// processor's is not known.
+// Returns the control word of the thread's floating-point unit, or 0 for an unknown processor. It
+// controls denormal numbers, which slow many processors down severely.
 inline std::uint64_t floating_point_control() {
 #if defined(__SSE2__) || defined(_M_X64)
   return _mm_getcsr();
@@ -33,8 +32,7 @@ inline void set_floating_point_control(std::uint64_t control) {
 #endif
 }
 
-// Denormals count as zero and results that would be denormal are zero, in the thread that makes
-// this, for as long as it lives; then as before.
+// Treats denormal numbers as zero in the constructing thread, for the lifetime of the object.
 class FlushedDenormals {
  public:
   FlushedDenormals() : before_(floating_point_control()) {

@@ -9,18 +9,18 @@ namespace codend {
 
 namespace {
 
-// Columns start on a cache line where a front begins.
+// Aligns the columns of each front to cache lines.
 template <class Real>
 int64_t aligned(int64_t numbers) {
   constexpr int64_t line = 64 / sizeof(Real);
   return (numbers + line - 1) / line * line;
 }
 
-// Two threads are even when one has at most this share of the subtrees' work more than the other.
+// Balanced load of two threads: the difference is at most this fraction of the subtrees' work.
 constexpr double even_enough = 0.03;
 // Multiplications and additions between two pauses: some hundredths of a second.
 constexpr double flops_to_pause = 1e9;
-// Subtrees are not split further than this share of all work.
+// Subtrees are not split below this fraction of all work.
 constexpr double least_subtree = 0.01;
 
 }  // namespace
@@ -116,9 +116,9 @@ void FrontFactors<Real>::lay_out_factors() {
   exchange_.assign(rows, 0);
 }
 
-// Update matrices of odd and even generations grow from opposite ends of a stack: a front then
-// builds its own at one end while its children's lie on top of the other. Each thread has a stack
-// of its own, whose place that of the fronts above takes; what is handed over stays apart.
+// Update matrices of odd and even generations grow from opposite ends of a stack, because a front
+// builds its matrix while it reads its children's. Each thread has a separate stack; the fronts
+// above reuse this memory. Matrices handed over between threads are stored separately.
 template <class Real>
 void FrontFactors<Real>::lay_out_stack() {
   const int fronts = tree_.fronts();
@@ -181,7 +181,7 @@ void FrontFactors<Real>::map_entries(const BlockPattern& pattern) {
         const int q = tree_.position[pattern.column[e]];
         if (q < first) continue;
         const int64_t other = 3 * place[q];
-        // down column `mine`: in A11 or A21
+        // column `mine` of A11 or A21
         entry_.push_back(
             {static_cast<int>(mirror[e]), static_cast<int>(other + mine * lower_step)});
         if (q >= last)
@@ -257,11 +257,11 @@ struct FrontFactors<Real>::Work {
   const double* values;
   bool definite;
   const std::function<void()>& pause;
-  std::atomic<bool> over{false};  // at an unsound front, or when the pause throws
+  std::atomic<bool> over{false};  // after a failed front or an exception of `pause`
   std::exception_ptr thrown = nullptr;
   double done = 0;  // since the last pause, by the calling thread
 
-  // The fronts of a list in turn, while all goes well.
+  // Factorises a list of fronts in order, until a failure.
   void go_through(const std::vector<int>& fronts, const Sharing* sharing, bool pauses) {
     for (const int f : fronts) {
       if (over) return;
@@ -276,7 +276,7 @@ struct FrontFactors<Real>::Work {
     done = 0;
     try {
       pause();
-    } catch (...) {  // the other thread has to come to its end first
+    } catch (...) {  // the other thread must finish first
       thrown = std::current_exception();
       over = true;
     }

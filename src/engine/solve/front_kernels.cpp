@@ -4,7 +4,7 @@ namespace codend {
 
 namespace {
 
-// registers of 16 bytes: SSE2 and NEON; split by the compiler where there is neither
+// registers of 16 bytes: SSE2 and NEON; split by the compiler on other processors
 namespace in_double {
 using Real = double;
 constexpr int lanes = 2, across = 1;

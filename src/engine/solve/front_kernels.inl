@@ -1,26 +1,26 @@
-// Bodies of the front kernels: not a header of its own. Each front_kernels*.cpp includes it once
-// for double and once for float, inside an unnamed namespace that defines `Real`, `lanes`, the
-// numbers in one register of its processor, and `across`, the nodes whose columns one tile has: 1,
-// or 2 where there are 32 registers.
-// Nothing here may use std:: or a template of another header: the linker could then hand a copy
-// compiled for AVX2 to a processor without it.
+// Definitions of the front kernels. Each front_kernels*.cpp includes this file once for double and
+// once for float, inside an unnamed namespace. The namespace defines `Real`, `lanes` (numbers per
+// register) and `across` (nodes per tile: 1, or 2 with 32 registers).
+//
+// This file must not use std:: or templates of other headers. The linker could otherwise use an
+// AVX2 instance on a processor without AVX2.
 
 using Pack = Real __attribute__((vector_size(sizeof(Real) * lanes)));
-// At any place in memory; as `using`, clang would take it for aligned.
+// Unaligned access. A `using` declaration would be aligned in clang.
 typedef Real LoosePack
     __attribute__((vector_size(sizeof(Real) * lanes), aligned(alignof(Real)), may_alias));
 
-// A tile of 3 registers by the 3 columns of a node, or of two, keeps 9 or 18 sums in registers.
+// A tile of 3 registers by the 3 columns of one or two nodes keeps 9 or 18 sums in registers.
 constexpr int tile_rows = 3 * lanes;
-// Columns of L worked off at a time: a strip of tile_rows x depth stays in the first-level cache.
+// Columns of L per block: a strip of tile_rows x depth fits into the first-level cache.
 constexpr int depth = 96;
-// Columns of the target worked off at a time, so that their rows of U stay in the second level.
+// Target columns per block: their rows of U fit into the second-level cache.
 constexpr int breadth = 192;
 
 inline Pack load(const Real* p) { return *reinterpret_cast<const LoosePack*>(p); }
 inline void store(Real* p, Pack x) { *reinterpret_cast<LoosePack*>(p) = x; }
 
-// A matrix read as element (i, j) = data[i * row + j * column], so that a transpose is free.
+// A matrix with elements (i, j) = data[i * row + j * column], so that transposition costs nothing.
 struct View {
   const Real* data;
   int64_t row;
@@ -50,9 +50,9 @@ struct Row {
   }
 };
 
-// c (registers x lanes rows, 3 columns of each node) -= a * b over `count` columns of a; if `fresh`,
-// c := -a * b. beside: b of a second node, read where there is one.
-// Unrolled by hand: the sums must stay in registers at -O2, which does not unroll loops.
+// Computes c -= a * b over `count` columns of a, or c = -a * b if `fresh`. c has registers x lanes
+// rows and 3 columns per node. `beside` is b of a second node, if any. Unrolled by hand, so that
+// the sums stay in registers at -O2, which does not unroll loops.
 template <int registers, int nodes, bool fresh>
 inline void update_tile(int count, const Real* a, int64_t a_step, const View& b, const View& beside,
                         Real* c, int64_t c_step) {
@@ -104,7 +104,7 @@ inline void update_tile(int count, const Real* a, int64_t a_step, const View& b,
   }
 }
 
-// The same for a tile of `rows` <= tile_rows, a multiple of lanes.
+// Version for `rows` <= tile_rows, a multiple of lanes.
 template <int nodes, bool fresh = false>
 inline void update_tile(int rows, int count, const Real* a, int64_t a_step, const View& b,
                         const View& beside, Real* c, int64_t c_step) {
@@ -116,7 +116,7 @@ inline void update_tile(int rows, int count, const Real* a, int64_t a_step, cons
     update_tile<1, nodes, fresh>(count, a, a_step, b, beside, c, c_step);
 }
 
-// padded<Real>, in a copy that only these kernels use
+// Copy of padded<Real>() for these kernels only.
 inline int padded_rows(int boundary) {
   constexpr int unit = 64 / sizeof(Real);
   return (boundary + unit - 1) / unit * unit;
@@ -124,7 +124,7 @@ inline int padded_rows(int boundary) {
 
 inline int round_up(int rows) { return (rows + lanes - 1) / lanes * lanes; }
 
-// Copies count x columns of b so that the 3 columns of a tile lie together, row by row.
+// Copies count x columns of b, with the 3 columns of a tile adjacent, row by row.
 inline void pack_triples(const View& b, int count, int columns, Real* packed) {
   for (int j = 0; j < columns; j += 3)
     for (int p = 0; p < count; ++p, packed += 3) {
@@ -134,9 +134,9 @@ inline void pack_triples(const View& b, int count, int columns, Real* packed) {
     }
 }
 
-// Copies `rows` <= tile_rows rows of a into columns of tile_rows, padded with zeros to whole
-// registers. The loops over single rows are written so that they do not become calls of memcpy,
-// which cost more than they copy.
+// Copies `rows` <= tile_rows rows of a into columns of tile_rows, padded with zeros to full
+// registers. The loops over single rows avoid calls of memcpy, which would take longer than the
+// copy.
 inline void pack_strip(const Real* a, int64_t a_step, int rows, int columns, Real* strip) {
   if (rows == tile_rows) {
     for (int p = 0; p < columns; ++p, a += a_step, strip += tile_rows) {
@@ -170,16 +170,16 @@ inline void unpack_strip(const Real* strip, int rows, int columns, Real* a, int6
   }
 }
 
-// c (rows x columns) -= a (rows x count) * b (count x columns), or := if fresh, where rows must be a
-// multiple of lanes; columns is a multiple of 3.
+// Computes c (rows x columns) -= a (rows x count) * b (count x columns). If `fresh`, c = -a * b,
+// and rows must be a multiple of lanes. columns is a multiple of 3.
 template <bool fresh = false>
 void subtract_product(int rows, int columns, int count, const Real* a, int64_t a_step, View b,
                       Real* c, int64_t c_step) {
   alignas(64) Real strip[tile_rows * depth];
   alignas(64) Real corner[tile_rows * 3];
   alignas(64) Real triples[depth * breadth];
-  // rows of b on pages of their own defeat the caches, worst at a power of two; the copy pays
-  // once several strips read it
+  // Rows of b on separate pages miss the caches, most of all at a power of two. The copy is
+  // worthwhile if several strips read it.
   const bool packed = b.row >= 1024 && rows >= 12 * tile_rows;
   for (int p = 0; p < count; p += depth) {
     const int deep = count - p < depth ? count - p : depth;
@@ -226,10 +226,10 @@ void subtract_product(int rows, int columns, int count, const Real* a, int64_t a
   }
 }
 
-// Multiplications from which on it pays to wake a second thread.
+// Minimum multiplications for a second thread.
 constexpr double worth_sharing = 1e6;
 
-// The columns of a product in two halves.
+// Divides the columns of a product into two halves.
 template <bool fresh>
 struct SharedProduct {
   int rows, columns, count;
@@ -249,8 +249,8 @@ struct SharedProduct {
   }
 };
 
-// subtract_product() by two threads, if there are two and it is large. Equal bytes either way: a
-// column does not depend on which others are worked off with it.
+// subtract_product() with two threads, if available and worthwhile. The result is identical,
+// because columns are independent of each other.
 template <bool fresh = false>
 void subtract_product(const Sharing* sharing, int rows, int columns, int count, const Real* a,
                       int64_t a_step, View b, Real* c, int64_t c_step) {
@@ -262,8 +262,8 @@ void subtract_product(const Sharing* sharing, int rows, int columns, int count, 
   }
 }
 
-// x := x * inverse(u) for one strip of `rows` <= tile_rows, a multiple of lanes; reciprocal holds
-// those of u's diagonal, null if it is 1.
+// Computes x = x * inverse(u) for one strip of `rows` <= tile_rows, a multiple of lanes.
+// `reciprocal` are the reciprocals of u's diagonal, null for a unit diagonal.
 inline void solve_strip(int rows, int columns, Real* x, View u, const Real* reciprocal) {
   for (int j = 0; j < columns; j += 3) {
     Real* target = x + j * tile_rows;
@@ -284,7 +284,7 @@ inline void solve_strip(int rows, int columns, Real* x, View u, const Real* reci
   }
 }
 
-// x (rows x columns) := x * inverse(u), u upper triangular; reciprocal as for solve_strip.
+// Computes x (rows x columns) = x * inverse(u), u upper triangular. reciprocal: see solve_strip().
 void solve_right(int rows, int columns, Real* x, int64_t x_step, View u, const Real* reciprocal) {
   alignas(64) Real strip[tile_rows * depth];
   for (int j = 0; j < columns; j += depth) {
@@ -302,7 +302,8 @@ void solve_right(int rows, int columns, Real* x, int64_t x_step, View u, const R
   }
 }
 
-// b (size x columns) := inverse(l) * b, l unit lower triangular; columns is a multiple of 3.
+// Computes b (size x columns) = inverse(l) * b, l unit lower triangular. columns is a multiple of
+// 3.
 void solve_left(int size, int columns, const Real* l, int64_t l_step, Real* b, int64_t b_step) {
   if (size > 12) {
     const int half = size / 6 * 3;
@@ -324,7 +325,7 @@ void solve_left(int size, int columns, const Real* l, int64_t l_step, Real* b, i
     }
 }
 
-// The columns of a solve_left() in two halves.
+// Divides the columns of solve_left() into two halves.
 struct SharedSolve {
   int size, columns;
   const Real* l;
@@ -362,7 +363,7 @@ inline bool has_finite_reciprocal(Real x) {
   return r - r == 0;
 }
 
-// LU of a (rows x columns, rows >= columns) with partial pivoting; exchange counts from a's row 0.
+// LU of a (rows x columns, rows >= columns) with partial pivoting. exchange counts from a's row 0.
 bool factorise_columns(const Sharing* sharing, bool definite, int rows, int columns, Real* a,
                        int64_t step, int* exchange, Real* reciprocal) {
   if (columns > 12) {
@@ -413,7 +414,7 @@ bool factorise_columns(const Sharing* sharing, bool definite, int rows, int colu
   return true;
 }
 
-// What is left of U (half 0) and of L (half 1).
+// Computes the rows of U in A12 (half 0) or the columns of L in A21 (half 1).
 void solve_outside(void* data, int half) {
   const Front<Real>& front = *static_cast<const Front<Real>*>(data);
   const int k = front.pivots, rows = padded_rows(front.boundary);
@@ -510,8 +511,8 @@ void forward(int pivots, int boundary, const Real* lower, const int* exchange, R
   }
 }
 
-// By as many sums as 32 bytes hold, however long a register is: equal bytes with all that multiply
-// and add in one rounding.
+// Uses as many sums as 32 bytes contain, for any register length. Results are then identical on all
+// processors with fused multiplication and addition.
 inline Real sum_of_products(int size, const Real* a, const Real* x) {
   constexpr int sums = 32 / sizeof(Real);
   using Sums = Real __attribute__((vector_size(32)));

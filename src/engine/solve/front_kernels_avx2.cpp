@@ -1,9 +1,9 @@
 #include "front_kernels.hpp"
 
-// Windows is left out: GCC there misaligns spills of such registers to the stack (GCC bug 54412).
+// Not for Windows, where GCC misaligns register spills to the stack (GCC bug 54412).
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32)
 
-// After every other header, so that only the kernels of this file use these instructions.
+// After all other headers, so that only the kernels in this file use these instructions.
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
 #else

@@ -11,12 +11,12 @@
 
 namespace codend {
 
-// Numbers that nobody has set, from a cache line on. Many of them lie in large pages where the system has
-// such: to map millions of numbers by pages of 4 kB takes it longer than to clear them.
+// Uninitialised array, aligned to cache lines. Large arrays use huge pages if available, because
+// mapping millions of numbers in 4 kB pages takes longer than clearing them.
 template <class Real>
 class LargeStore {
  public:
-  // Drops what it holds; throws std::bad_alloc.
+  // Drops the contents. Throws std::bad_alloc.
   void resize(std::int64_t to) {
     data_.reset();
     size_ = to;

@@ -9,7 +9,7 @@
 namespace codend {
 namespace {
 
-// Stiffness of a node at the surface over the stiffness that strings give it.
+// Ratio of the stiffness of a node at the surface to its stiffness from strings.
 constexpr double surface_stiffness = 1e6;
 
 }  // namespace
@@ -36,7 +36,7 @@ void lay_out(const StringNet& net, double* x, const std::function<bool()>& watch
   auto block = [&](int i, int j) {
     return static_cast<std::size_t>(9 * find_block(pattern, i, j));
   };
-  // The shape is not known yet: the order of the nodes must do as coordinates.
+  // The shape is unknown, so node numbers serve as coordinates.
   std::vector<double> coordinates(3 * static_cast<std::size_t>(n), 0.0);
   for (int i = 0; i < n; ++i) coordinates[3 * static_cast<std::size_t>(i)] = i;
   BlockLU lu;
@@ -49,7 +49,7 @@ void lay_out(const StringNet& net, double* x, const std::function<bool()>& watch
     largest = std::max(largest, density[s]);
   }
   std::vector<double> values(9 * pattern.column.size()), right(3 * static_cast<std::size_t>(n));
-  // Every buoyant node begins at the surface. The strings pull some of them down.
+  // Every buoyant node starts at the surface. Strings pull some nodes down.
   std::vector<char> at_surface(n, 0);
   for (int i = 0; i < n && !net.buoyant.empty(); ++i) at_surface[i] = net.buoyant[free[i]];
   for (int round = 0; round < 40; ++round) {

@@ -29,7 +29,7 @@ void LinearStep::analyse(Precision precision) {
     at(coordinates.data(), static_cast<int>(i)) = at(x_, free[i]);
   }
   precision_ = precision;
-  lu_.reset();  // its memory is needed for the new one
+  lu_.reset();  // frees memory for the new factors
   lu_ = std::make_unique<BlockLU>(precision, usable_threads(), pause_);
   lu_->analyse(assembly_.pattern(), coordinates.data());
   const long long entries = lu_->figures().factor_entries;

@@ -1,5 +1,5 @@
-// The linear equations of one Newton step. Factors are in single precision; where refinement does not make
-// up for that they are double from then on.
+// Linear equations of one Newton step. Factors are in single precision. If refinement does not
+// converge, later factors are in double precision.
 #pragma once
 
 #include <functional>
@@ -13,18 +13,17 @@ namespace codend {
 
 class LinearStep {
  public:
-  // coordinates: 3 per free node, m, by which unknowns are eliminated; asked for at every analysis,
-  // the first of which is made when it is needed.
-  // What it takes of time and factorisations is booked in `report`.
+  // x: positions of all nodes, m, 3 per node, which guide the elimination order. They are read at
+  // every analysis, first on demand. Time and factorisations are added to `report`.
   LinearStep(const Assembly& assembly, const SettleControl& control, SettleReport& report,
              const double* x);
 
-  // values * step = right, 3 per free node; false where the matrix is singular.
+  // Solves values * step = right, 3 per free node. Returns false for a singular matrix.
   bool solve(const std::vector<double>& values, const std::vector<double>& right,
              std::vector<double>& step);
-  // Another right side with the factors of the last solve() that returned true.
+  // Solves another right side with the factors of the last successful solve().
   void solve_again(const std::vector<double>& right, std::vector<double>& step);
-  // For others who factorise with the same pattern.
+  // For other factorisations with the same pattern.
   BlockLU& factors();
 
  private:

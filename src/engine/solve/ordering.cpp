@@ -15,25 +15,23 @@ namespace codend {
 
 namespace {
 
-// Parts of at most this many nodes are not cut further. Small, because the assembly tree merges
-// vertices again where one larger front is cheaper.
+// Parts of at most this many nodes are not cut further. The value is small, because the assembly
+// tree merges vertices again if one larger front is cheaper.
 constexpr int leaf_nodes = 6;
-// Parts of at least this many nodes take some hundredths of a second to cut.
+// Cutting parts of at least this many nodes takes some hundredths of a second.
 constexpr int nodes_to_pause = 10000;
-// Places along a direction where a cut is tried, at most.
 constexpr int most_slices = 128;
-// A cut leaves each side at least this share of the weight, where it can.
+// Preferred minimum weight on each side of a cut, as a fraction.
 constexpr double least_side = 0.25;
 
-// A part of the graph under dissection: nodes are numbered as they lie here, which a part's own
-// nodes do without gaps.
+// A part of the graph under dissection. Nodes are numbered by index, without gaps in a part.
 struct Part {
   std::vector<int> node;     // of the compressed graph
   std::vector<float> place;  // 3 coordinates
   std::vector<int> weight;
   std::vector<int> first;  // into neighbour
   std::vector<int> last;
-  std::vector<int> neighbour;  // places in the part
+  std::vector<int> neighbour;  // indices in the store
 
   void resize(size_t nodes, size_t edges) {
     node.resize(nodes);
@@ -79,7 +77,7 @@ class Dissector {
   }
 
  private:
-  // Dissects the nodes that lie at [begin, end) of part_[which].
+  // Dissects the nodes [begin, end) of part_[which].
   void dissect(int begin, int end, int which) {
     if (begin == end) return;
     const size_t orphans_before = orphans_.size();
@@ -93,7 +91,7 @@ class Dissector {
       dissect(begin, middle, owner);
       dissect(middle, separator, owner);
     }
-    if (separator == end) return;  // nothing to own: the parts become children of the vertex above
+    if (separator == end) return;  // empty separator: the parts become children of the vertex above
     const int vertex = static_cast<int>(tree_.parent.size());
     tree_.parent.push_back(-1);
     const std::vector<int>& node = part_[owner].node;
@@ -104,8 +102,8 @@ class Dissector {
     orphans_.push_back(vertex);
   }
 
-  // Moves a part whose nodes have their sides into the other store: one side, the other, their
-  // separator. Returns where the second and the third begin.
+  // Moves a part into the other store: near side, far side, separator. Returns the starts of the
+  // far side and of the separator.
   std::array<int, 2> divide(int begin, int end, int which) {
     const Part& from = part_[which];
     Part& to = part_[1 - which];
@@ -120,7 +118,7 @@ class Dissector {
       moved_[p] = q;
       to.node[q] = from.node[p];
     }
-    // nodes of a side keep their order, so that edges can be written one after the other
+    // nodes of a side keep their order, so that edges are written sequentially
     int edge = begin == end ? 0 : from.first[begin];
     for (const Side side : {near_side, far_side})
       for (int p = begin; p < end; ++p) {
@@ -139,7 +137,6 @@ class Dissector {
     return ends;
   }
 
-  // Gives every node of [begin, end) its side.
   void bisect(const Part& part, int begin, int end) {
     total_ = 0;
     for (int p = begin; p < end; ++p) total_ += part.weight[p];
@@ -161,8 +158,8 @@ class Dissector {
     cut_.separate(graph, begin, end, total_, layers, least_side, side_.data());
   }
 
-  // Cuts the middle of the part's extent along an axis into slices; false if it has none. What lies
-  // before and behind, where no cut can be balanced, goes into the first and the last.
+  // Divides the middle of the part's extent along an axis into slices. Both ends, where no cut can
+  // be balanced, belong to the first and the last slice. Returns false without an extent.
   bool slice_by_coordinate(const Part& part, int begin, int end, int axis) {
     const float* x = part.place.data() + axis;
     sample_.clear();
@@ -185,7 +182,7 @@ class Dissector {
     return true;
   }
 
-  // Slices by distance along the graph from one of the part's ends.
+  // Slices the part by distance along the graph from one end.
   void slice_by_distance(const Part& part, int begin, int end) {
     int start = begin;
     const int size = end - begin;
@@ -213,7 +210,7 @@ class Dissector {
       key_[queue_[i]] = static_cast<unsigned char>(static_cast<int64_t>(i) * slices_ / size);
   }
 
-  // The slice behind which to cut, and what that costs.
+  // Returns the cost of the cheapest cut, and the slice before it.
   std::pair<double, int> cheapest_slice(const Part& part, int begin, int end) {
     std::fill_n(tally_.begin(), slices_ + 1, Tally{});
     for (int p = begin; p < end; ++p) {
@@ -225,7 +222,7 @@ class Dissector {
         highest = std::max(highest, other);
       }
       tally_[mine].weight += part.weight[p];
-      // touches the other side of every cut behind slices [mine, highest) and [lowest, mine)
+      // adjacent to the other side of every cut after slices [mine, highest) and [lowest, mine)
       ++tally_[mine].near;
       --tally_[highest].near;
       ++tally_[lowest].far;
@@ -245,7 +242,7 @@ class Dissector {
     return best;
   }
 
-  // What a separator of so many nodes costs that leaves `side` of the weight on one side.
+  // Returns the cost of a separator with this many nodes and the weight `side` on one side.
   double cost_of(int separator, int64_t side) const {
     const double uneven = static_cast<double>(2 * side - total_) / static_cast<double>(total_);
     const double share = (1 - std::fabs(uneven)) / 2;
@@ -254,8 +251,8 @@ class Dissector {
     return cost;
   }
 
-  // Of a slice: its weight, and how much more nodes on either side of it than one slice before
-  // touch the other side.
+  // A slice's weight, and changes of the number of nodes on either side that touch the other side,
+  // compared with the previous slice.
   struct Tally {
     int64_t weight;
     int near, far;
@@ -263,9 +260,9 @@ class Dissector {
 
   const std::function<void()>& pause_;
   int nodes_;
-  std::array<Part, 2> part_;  // a part lies in one and its halves in the other
+  std::array<Part, 2> part_;  // a part is in one store and its halves are in the other
   SeparatorTree tree_;
-  std::vector<int> orphans_;  // finished vertices that have no parent yet
+  std::vector<int> orphans_;  // finished vertices without a parent
   std::vector<Side> side_;
   std::vector<int> moved_;
   int slices_ = 0;
@@ -274,7 +271,7 @@ class Dissector {
   std::vector<int> queue_;
   std::vector<float> sample_;
   VertexCut cut_;
-  int64_t total_ = 0;  // weight of the part that is being cut
+  int64_t total_ = 0;  // weight of the present part
 };
 
 [[noreturn]] void refuse(int row, const char* fault) {
@@ -307,7 +304,7 @@ void check_pattern(const BlockPattern& pattern) {
       if (j <= previous) refuse(i, "is not sorted");
       previous = j;
       diagonal = diagonal || j == i;
-      // rows are visited in order, so the mirror entries of row j must come up in order too
+      // rows are visited in order, so the transposed entries of row j must appear in order too
       if (next[j] == pattern.row_start[j + 1] || pattern.column[next[j]++] != i)
         refuse(i, "has an entry without its mirror image");
     }

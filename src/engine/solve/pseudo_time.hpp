@@ -1,5 +1,5 @@
-// The pseudo time step h of settling: nodes are held back by a drag-like damping D/h, and h grows while
-// lines turn little, until the step is Newton's own.
+// Pseudo time step h of the static solution. A drag-like damping D/h restrains the nodes. The step
+// h grows while lines rotate little, until the iteration is Newton's method.
 #pragma once
 
 #include "settle_control.hpp"
@@ -10,36 +10,35 @@ class PseudoTime {
  public:
   explicit PseudoTime(const PseudoTimeControl& control) : control_(control) {}
 
-  // Anew with this h (s), as if lines had last turned by `rotation`.
+  // Restarts with a step (s), as if lines had last rotated by `rotation`.
   void begin(double step = 1.0, double rotation = 1.0);
-  // For so many steps h stays no longer than this (s).
+  // Limits the step to `step` (s) for the next `steps` steps.
   void hold(double step, int steps);
   void set_step(double step) { step_ = step; }
-  // Takes the shape as turning by this much, before any step.
   void assume_rotation(double rotation) { rotation_ = rotation; }
 
   double step() const { return step_; }
   double rotation() const { return rotation_; }
-  // Whether the shape is found.
+  // True if the shape has converged.
   bool found() const { return rotation_ < control_.found_rotation && held_steps_ == 0; }
 
-  // The share to be taken of a step that turns lines by this much.
+  // Returns the fraction of a step to take, if the full step rotates lines by `rotation`.
   double share(double rotation) const;
-  // After a step that turns lines by `rotation`.
+  // Updates h after a step that rotated lines by `rotation`.
   void advance(double rotation);
-  // Whether the next step is to be judged.
+  // True if judge() must be called for the next step.
   bool judged() const { return steps_ >= control_.free_steps; }
-  // The judgement of a step that turns lines by `rotation`: what would correct it, over the step.
+  // Adapts the target rotation. `correction` is the size of the step's correction over the step.
   void judge(double rotation, double correction);
-  // After none, as the matrix was singular.
+  // Shortens the step after a singular matrix.
   void shorten() { step_ *= control_.shorter; }
 
  private:
   const PseudoTimeControl& control_;
   double step_ = 1.0;
   double rotation_ = 1.0;
-  double aim_ = 1.0;  // rotation that is aimed at
-  int steps_ = 0;     // since begun
+  double aim_ = 1.0;  // target rotation
+  int steps_ = 0;     // since begin()
   int held_steps_ = 0;
   double held_step_ = 0.0;
 };

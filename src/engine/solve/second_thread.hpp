@@ -7,10 +7,10 @@
 
 namespace codend {
 
-// Threads that BlockLU can make use of here: 2, or 1 on a machine or in a share of one with one core.
+// Number of threads for BlockLU: 2, or 1 with a single core.
 int usable_threads();
 
-// A thread that waits to take over half of a job; it sleeps in between.
+// A thread that runs one half of a job and sleeps between jobs.
 class SecondThread {
  public:
   SecondThread() : thread_([this] { work(); }) {}
@@ -18,8 +18,8 @@ class SecondThread {
   SecondThread(const SecondThread&) = delete;
   SecondThread& operator=(const SecondThread&) = delete;
 
-  // Runs job(data, 0) here and job(data, 1) there; returns when both are done. Neither may throw.
-  // Both treat denormal numbers as the calling thread does.
+  // Runs job(data, 0) here and job(data, 1) on the second thread, and returns after both. They must
+  // not throw. Both use the caller's treatment of denormal numbers.
   void run(void (*job)(void* data, int half), void* data);
 
  private:
@@ -27,9 +27,9 @@ class SecondThread {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  void (*job_)(void* data, int half) = nullptr;  // null when there is nothing to do
+  void (*job_)(void* data, int half) = nullptr;  // null without a job
   void* data_ = nullptr;
-  std::uint64_t control_ = 0;  // of the caller's floating-point unit
+  std::uint64_t control_ = 0;  // control word of the caller's floating-point unit
   bool over_ = false;
   std::thread thread_;
 };

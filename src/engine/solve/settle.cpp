@@ -8,7 +8,7 @@
 namespace codend {
 namespace {
 
-// What goes on around the iteration: starts, wakes, unstable equilibria.
+// Outer loop around SettleIteration: initial guesses, wakes and unstable equilibria.
 class Settling {
  public:
   Settling(Assembly& assembly, const SettleControl& control, const double* v, double* x,
@@ -58,7 +58,7 @@ class Settling {
     if (from_settled_) iteration_.begin_settled();
   }
 
-  // To the last settled shape, from which steps did not close in; false where that is the start.
+  // Returns to the last settled shape after divergence. Returns false if this is the start.
   bool go_back() {
     std::copy(settled_.begin(), settled_.end(), x_);
     iteration_.measure();
@@ -68,13 +68,13 @@ class Settling {
     return true;
   }
 
-  // What needs no step from where it was settled has its wake from then.
+  // A settled start that needs no step keeps its stored wake.
   bool wake_is_due() const {
     return assembly_.has_wake() &&
            !(from_settled_ && report_.iterations == 0 && !assembly_.model().wake.empty());
   }
 
-  // Before balance: the wake of a shape that is not found yet costs no steps of its own.
+  // Updates the wake before equilibrium, where it costs no extra iterations.
   void follow_wake() {
     if (from_settled_ || !assembly_.has_wake()) return;
     const bool close = iteration_.nearly_balanced();
@@ -90,7 +90,7 @@ class Settling {
     if (change > control_.wake.tolerance) iteration_.measure();
   }
 
-  // Where the wake changes the shape is not yet found.
+  // Updates the wake in equilibrium. If it changes, the shape must converge again.
   void renew_wake() {
     report_.wake_change = assembly_.renew_wake(!wake_is_searched_, control_.wake.tolerance);
     wake_is_searched_ = true;
@@ -121,7 +121,7 @@ class Settling {
     iteration_.measure();
   }
 
-  // Back to the last unstable balance of a wall, from which no other was found.
+  // Returns to the last unstable equilibrium of a wall, if no other one was found.
   void keep_unstable() {
     std::copy(unstable_.begin(), unstable_.end(), x_);
     iteration_.measure();
@@ -134,14 +134,14 @@ class Settling {
   SettleReport& report_;
   double* x_;
   int steps_ = 0;                  // from the last settled shape
-  int far_searches_ = 0;           // of wakes, far from balance
-  bool wake_is_searched_ = false;  // near balance or in it
-  int wake_rounds_ = 0;            // renewals of wakes in balance
+  int far_searches_ = 0;           // for wakes, far from equilibrium
+  bool wake_is_searched_ = false;  // near equilibrium or in it
+  int wake_rounds_ = 0;            // updates of the wake in equilibrium
   const bool from_settled_;
-  // The last settled shape, while steps go on from there under other loads or wakes.
+  // Iterating from the last settled shape under changed loads or wakes.
   bool closing_in_;
   std::vector<double> settled_;
-  std::vector<double> unstable_;  // the last unstable balance of a wall
+  std::vector<double> unstable_;  // the last unstable equilibrium of a wall
   SettleIteration iteration_;
 };
 

@@ -1,15 +1,16 @@
-// Equilibrium of a model: positions of the free nodes with zero net force.
+// Static equilibrium of a model: positions of the free nodes with zero net force.
 //
-// Newton's method with the full nonsymmetric derivative (drag turns with its line; without that
-// part it does not converge), made global in two ways: lines become tension-only along an interior
-// path (solve/tension_path.hpp), and a drag-like damping D/h holds the nodes back, with a pseudo
-// time step h that grows while lines turn little. Near the end both are gone and the step is plain
-// Newton's on the law itself. An equilibrium that is unstable (stability.hpp) is perturbed, and the
-// nodes are held back until they have followed.
+// The solver is Newton's method with the full nonsymmetric derivative. It does not converge without
+// the rotation of drag with its line. Two measures make it globally convergent. Lines become
+// tension-only along an interior path (solve/tension_path.hpp). A drag-like damping D/h restrains
+// the nodes, with a pseudo time step h that grows while lines rotate little. Both vanish near the
+// solution, where the step is plain Newton on the constitutive law.
+//
+// An unstable equilibrium (stability.hpp) is perturbed, and nodes are damped until they follow.
 #pragma once
 
 #include "../model/assembly.hpp"
-#include "part_balance.hpp"
+#include "part_equilibrium.hpp"
 #include "settle_control.hpp"
 
 namespace codend {
@@ -17,7 +18,7 @@ namespace codend {
 struct SettleCost {
   int iterations = 0, factorisations = 0;
   long long force_evaluations = 0;
-  long long factor_entries = 0;  // numbers stored for L and U by the largest factorisation
+  long long factor_entries = 0;  // entries of L and U in the largest factorisation
   double seconds_analysis = 0.0, seconds_forces = 0.0, seconds_jacobian = 0.0,
          seconds_linear = 0.0;  // CPU
 
@@ -27,24 +28,24 @@ struct SettleCost {
 struct SettleReport : SettleCost {
   bool converged = false;
   double residual = 0.0;
-  double first_residual = 0.0;   // of the start
+  double first_residual = 0.0;   // at the start
   double largest_tension = 0.0;  // N
-  int wake_renewals = 0;         // times that wakes were renewed
-  int perturbations = 0;         // times that an unstable equilibrium was perturbed
-  bool unstable = false;         // whether the last one is still unstable
-  double wake_change = 0.0;      // of any point's share of the free flow's speed, the last time
-  int worst_node = -1;           // where the largest net force acts
-  double worst_force = 0.0;      // N
-  // Of the shape that was found, or came last.
+  int wake_renewals = 0;
+  int perturbations = 0;
+  bool unstable = false;     // the last equilibrium is unstable
+  double wake_change = 0.0;  // largest last change of a point's flow speed, over the free flow
+  int worst_node = -1;       // node of the largest net force
+  double worst_force = 0.0;  // N
+  // Parts of the final shape.
   PartResidual parts;
 };
 
-// x: 3 per node (m), the start on entry and the result on return; held nodes stay. v: 3 per node
-// (m/s), how the held nodes move in the frame of the gear; usually zero.
+// Solves for equilibrium. `x` is the start on entry and the result on return (m, 3 per node). `v`
+// are the velocities of fixed nodes in the frame of the gear (m/s, 3 per node), usually zero.
 SettleReport settle(Assembly& assembly, const SettleControl& control, const double* v, double* x);
 
-// The same; a settled start that is given up begins again, as one that is near where its residual was
-// below LawControl's near_residual, else as any. Steps and seconds are those of both.
+// Calls settle(). If a settled start fails, it solves again: as a near start if the first residual
+// was below LawControl's near_residual, otherwise as a crude one. The cost includes both.
 SettleReport settle_from(Assembly& assembly, const SettleControl& control, const double* v,
                          double* x);
 

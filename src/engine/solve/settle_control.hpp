@@ -1,7 +1,6 @@
-// What settling is held to, and the numbers that steer it on its way.
+// Tolerances and parameters of the static solution.
 //
-// The latter change how fast and how surely a shape is found; of the shape itself only what the
-// tolerances leave open.
+// The parameters change speed and robustness. The tolerances set the accuracy of the result.
 #pragma once
 
 #include <array>
@@ -17,125 +16,121 @@ struct SettleProgress {
   double residual;  // largest nodal force over largest tension
 };
 
-// Where x begins: anywhere; near the result, as carried over from another lattice; or at what was
-// settled for the same lattice with other numbers. A settled start takes Newton steps that carry the
-// tensions it was settled with, undamped; where they do not close in it is given up, x as it was.
+// Type of the initial guess: any shape; near the result, such as a shape from another mesh; or a
+// solution for the same mesh with other input values. A settled start takes undamped Newton steps
+// with its stored tensions. If they do not converge, the start is rejected and x is restored.
 enum class Start { crude, near, settled };
 constexpr std::array<const char*, 3> names_of(Start) { return {"crude", "near", "settled"}; }
 
-// Of the damping D/h (pseudo_time.hpp). Rotation is the largest change of any line's vector in one
-// step, over its rest length. A linear step says nothing of where a line goes that turns by more than its
-// own length, or of a body that leaves the water or comes into it, whose buoyancy it misses by so large a
-// share: of a step only as much is taken as turns lines by what is aimed at, 1 at first, and h goes by that
-// over the step's rotation.
+// Damping D/h (pseudo_time.hpp). Rotation is the largest change of a line's vector in one step,
+// over its rest length. A linear step does not predict a line that rotates by more than its own
+// length, and not the buoyancy of a body that enters or leaves the water. A step is therefore
+// reduced to the target rotation, at first 1, and h is multiplied by the target over the rotation.
 struct PseudoTimeControl {
-  // A plate's forces are other ones after some degrees, of which a linear step knows nothing: its turn
-  // counts for so many times that of a line, where it does not close in from a settled state. With 12
-  // some kites of 300 still go to a balance far from where they start, with 20 none.
+  // Weight of a plate's turn compared with a line's rotation, except during convergence from a
+  // settled state. Plate forces change within a few degrees, which a linear step does not predict.
+  // With 12, some of 300 kites converge to an equilibrium far from their start; with 20, none.
   double plate_turns = 20.0;
-  // Below this the shape counts as found: a rotation t changes strains by t^2/2, which the step
-  // leaves out, here 2e-4 at most.
+  // The shape has converged below this rotation. A rotation t changes strains by t^2/2, which the
+  // step neglects: at most 2e-4.
   double found_rotation = 0.02;
-  // s: steps are then next to undamped; those from a settled shape begin with it.
+  // s: practically undamped; first step from a settled shape.
   double longest = 1e6;
-  // Most starts are through in so many steps. Later ones, until the shape is found, are judged by the step
-  // that would correct them: where that is larger, or the matrix is singular, the next turns lines by
-  // less, `shorter` times what this one did, else by more, up to a whole turn.
+  // Most starts need at most this many steps. Later steps are compared with their correction until
+  // convergence. If the correction is larger than the step, the next target rotation is `shorter`
+  // times this one. Otherwise it grows up to 1. A singular matrix shortens h by the same factor.
   int free_steps = 10;
   double shorter = 0.7;
 };
 
-// Netting along the flow has next to no pull, so that steps would turn it far beyond what their matrix
-// knows. There every line counts as tauter by this share of its drag across the flow, wholly where the last
-// step turned lines by `rotation`, less where by less: that holds them against turns, not against going on
-// together.
+// Stabilisation of netting parallel to the flow. Its tension is nearly zero, so that steps would
+// rotate it beyond the validity of their matrix. The matrix adds `share` of each line's drag across
+// the flow to its tension, in proportion to the last rotation up to `rotation`. This resists
+// rotation but not translation.
 struct HeldControl {
   double share = 0.3, rotation = 0.2;
 };
 
-// Of the interior path (tension_path.hpp). Tensions far down the path belong to the present shape: in a
-// step its parameter mu falls by the factor by which the last one turned lines.
+// Interior path (tension_path.hpp). Each step multiplies its parameter mu by the rotation of the
+// last step, because small tensions depend on the present shape.
 struct PathControl {
   double least_factor = 0.02;
-  // mu is no less than this times the square of the last rotation, to which it rises by so much a step
-  // at most: where lines still turn, tensions far down the path are of no shape.
+  // Lower bound of mu: `least_by_turn` times the square of the last rotation. mu rises to it by at
+  // most `most_rise` per step. While lines rotate, small tensions are meaningless.
   double least_by_turn = 1e-8, most_rise = 10.0;
-  // Where the shape is found, a step leaves most of all the product of its changes of tensions and of
-  // slack: the same factors take that away (the corrector of Mehrotra 1992, On the implementation of a
-  // primal-dual interior point method, SIAM J. Optim. 2, 575-601), where that is less than this share of
-  // the step.
+  // Near convergence, the main error of a step is the product of its changes of tension and slack.
+  // The same factorisation corrects it, for corrections below this fraction of the step (Mehrotra
+  // 1992, On the implementation of a primal-dual interior point method, SIAM J. Optim. 2, 575-601).
   double most_correction = 0.5;
-  // From a settled state's tensions mu falls at once to this share, where the shape is found.
+  // Factor of mu from a settled state, once the shape has converged.
   double settled_factor = 1e-3;
 };
 
-// Of trials of the constitutive law itself. A trial fails where the shape is no longer found, or where
-// `steps` have not brought the residual below `closing` of its own first; the path then goes on from where
-// it was left, for as many steps before the next trial, doubled by every one that fails: trials stay a
-// small part of all steps where they cannot succeed yet.
+// Trials of the constitutive law. A trial fails if the shape is no longer converged, or if `steps`
+// do not reduce the residual below `closing` times its first value. The path then continues from
+// its last state. The next trial follows after `steps` path steps, and twice as many after each
+// failure. Unsuccessful trials therefore remain a small fraction of all steps.
 struct LawControl {
-  double residual = 1e-4;  // of the path's shape, below which it is tried
-  // Below this residual a start counts as near.
+  double residual = 1e-4;  // of the path's shape, below which a trial starts
+  // A start with a smaller residual is near the solution.
   double near_residual = 0.1;
   int steps = 3;
   double closing = 0.3;
 };
 
-// Of the linear equations of a step.
+// Linear equations of a step.
 struct LinearControl {
-  // Steps are solved to this residual over the right side; Newton's method gains nothing from more. Where
-  // one is above `limit` factors are in double precision from then on.
+  // `tolerance` is the relative residual of linear solves; more accuracy does not improve Newton's
+  // method. Above `limit`, later factorisations use double precision.
   double tolerance = 1e-4, limit = 0.1;
 };
 
-// Of steps from a settled shape under other loads, which have failed after so many, or where one after the
-// first turns lines by more than `rotation`.
+// Limits of iterations from a settled shape under changed loads: the number of steps, and the
+// rotation of any step after the first.
 struct SettledControl {
   int steps = 30;
   double rotation = 1.0;
 };
 
-// Of wakes. They are renewed on every settled shape until no point's share of the free flow's speed
-// changes by more than `tolerance`. The netting upstream of points is looked for near balance once: on
-// the border of a wake points would come and go for ever, each time for as many steps as a start takes.
+// Wakes. They are updated on every settled shape until no point's flow speed changes by more than
+// `tolerance` of the free flow. Upstream netting is searched once near equilibrium, because points
+// at the border of a wake would alternate, at the cost of a full solution each time.
 struct WakeControl {
   double tolerance = wake_tolerance;
   int renewals = 20;
-  // From other than a settled state they are followed before: where the shape is found and the residual
-  // below `residual` of the law; of a shape that is carried over below its near_residual, and from the
-  // start on as long as the path's mu is at least this, looking for netting upstream each time.
+  // Wakes are also updated before equilibrium, except from a settled state. This requires a
+  // converged shape and a residual below LawControl's `residual` (near start: `near_residual`). A
+  // near start also updates and searches them while mu is at least this value.
   double far_parameter = 1e-6;
 };
 
-// Of unstable equilibria (stability.hpp): a perturbation of this share of the least unstable element's
-// size, small beside it and large beside what Newton's method would take back at once; h stays below
-// `pace` of the time in which the motion grows, so that steps follow it, for so many steps.
+// Perturbation of unstable equilibria (stability.hpp). Its size is a fraction of the smallest
+// unstable element: small compared with the element, but too large for Newton's method to reverse.
+// For `steps` steps, h is at most `pace` over the growth rate, so that steps follow the motion.
 struct PerturbationControl {
   double size = 0.1, pace = 0.4;
   int steps = 40;
-  int most = 4;  // perturbations, to and fro
+  int most = 4;  // perturbations, in alternating directions
 };
 
 struct SettleControl {
-  double tolerance = 1e-8;  // on the residual; where rounding alone makes more, that is enough
-  int iterations = 500;     // at most
+  double tolerance = 1e-8;  // of the residual, or its rounding error if larger
+  int iterations = 500;     // limit
   Start start = Start::crude;
-  // Strains of all lines in a like state that the tensions begin from, where x is near or settled;
-  // empty: those of x itself.
+  // Strains of all lines in a similar state, which set the first tensions of a near or settled
+  // start; empty: strains of x.
   std::vector<double> strain;
-  // What part every line is of (part_balance.hpp), each of which is held to part_tolerance of its own
-  // forces besides; empty: all are of one.
+  // Part of every line (part_equilibrium.hpp); empty: one part. The residual of each part must be below
+  // `part_tolerance` of its own forces.
   std::vector<int> part;
   double part_tolerance = 1e-6;
-  bool timed = true;  // whether the report tells CPU seconds
-  // Called once an iteration; returns false to stop.
+  bool timed = true;  // the report contains CPU seconds
+  // Called once per iteration. Returns false to stop.
   std::function<bool(const SettleProgress&)> watch;
-  // Called a few times in every second that an iteration's linear equations take; what it throws ends
-  // the settling.
+  // Called a few times per second during linear solves. An exception from it ends the solution.
   std::function<void()> pause;
 
-  // What rounds to a force beside which the loads are little is no balance: the share of all loads
-  // together that rounding may leave.
+  // Limit of the rounding force of an equilibrium, over the sum of all loads.
   double greatest_rounding = 1e-3;
   PseudoTimeControl pseudo_time;
   HeldControl held;

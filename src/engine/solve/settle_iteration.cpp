@@ -31,7 +31,7 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       parts_(assembly, control.part),
       from_x_(force_.size()),
       path_steps_(control.law.steps) {
-  path_.keep(left_path_);  // steps allocate nothing
+  path_.keep(left_path_);  // avoids allocations during steps
 }
 
 void SettleIteration::measure() {
@@ -50,12 +50,12 @@ void SettleIteration::measure() {
   report_.residual = report_.worst_force == 0.0 ? 0.0 : report_.worst_force / scale();
 }
 
-// What net forces are compared with, of the whole gear, N.
+// Reference force of the whole gear, N.
 double SettleIteration::scale() const {
   double scale = report_.largest_tension;
-  if (scale == 0.0) {  // a gear without any tension is measured by its loads
+  if (scale == 0.0) {  // a gear without tension uses its loads
     for (const double load : assembly_.model().load) scale = std::max(scale, std::abs(load));
-    if (scale == 0.0) scale = load_;  // a weightless gear, all slack at the moment
+    if (scale == 0.0) scale = load_;  // a weightless gear with all lines slack
   }
   return scale;
 }
@@ -119,17 +119,17 @@ bool SettleIteration::far_on_path() const {
 
 void SettleIteration::judge_parts() { report_.parts = parts_.worst(force_.data(), scale()); }
 
-// Whether the net forces are no more than what rounding of the positions makes.
+// True if the net forces are within the rounding of positions.
 bool SettleIteration::at_rounding() const {
   return report_.worst_force <= rounding_ && rounding_ <= control_.greatest_rounding * load_;
 }
 
 bool SettleIteration::may_be_unstable() {
-  // What settles from its own state was tried there. (Boards cost little: they are tried again.)
+  // The solution of a settled start was already tested. Boards are tested again, at little cost.
   const Model& model = assembly_.model();
   const bool boards_alone = model.plates.count() > 0 && model.bends.count() == 0;
   if (from_settled_ && report_.iterations == 0 && !boards_alone) return false;
-  // A wall that is settled from a balance that was tried does not go through itself on its way.
+  // A wall that starts from a tested equilibrium does not pass through itself on its way.
   unstable_size_ = unstable_size(assembly_, !from_settled_);
   return unstable_size_ > 0.0;
 }
@@ -166,7 +166,7 @@ void SettleIteration::step() {
   choose_law();
   if (!on_law_) {
     Stopwatch watch(report_.seconds_forces, control_.timed);
-    assembly_.bow_to(path_.current());
+    assembly_.sag_to(path_.current());
     assembly_.strain(strain_);
     path_.prepare(assembly_, strain_, reduction(), least_parameter());
     assembly_.residual(force_.data(), &path_.predicted());
@@ -186,7 +186,6 @@ void SettleIteration::step() {
   }
 }
 
-// Whether the next step is the law's own or the path's.
 void SettleIteration::choose_law() {
   const LawControl& law = control_.law;
   const bool tried = law_steps_ >= law.steps;
@@ -222,7 +221,7 @@ void SettleIteration::leave_law() {
   measure();
 }
 
-// How far the path goes on in this step.
+// Returns the factor of mu in this step.
 double SettleIteration::reduction() {
   if (!begun_) {
     begun_ = true;
@@ -232,7 +231,7 @@ double SettleIteration::reduction() {
   return std::clamp(pseudo_time_.rotation(), control_.path.least_factor, 1.0);
 }
 
-// Below which mu does not go in this step, other than from a settled state.
+// Lower bound of mu in this step; 0 from a settled state.
 double SettleIteration::least_parameter() const {
   if (closing_in_) return 0.0;
   const double rotation = pseudo_time_.rotation();
@@ -240,7 +239,7 @@ double SettleIteration::least_parameter() const {
                   control_.path.most_rise * path_.parameter());
 }
 
-// The tensions of the step's matrix: the path's, and what holds lines against turns.
+// Returns the tensions of the step's matrix: the path's, plus the stabilisation against rotation.
 const DualTension& SettleIteration::matrix_tension() {
   if (closing_in_) return path_.current();
   if (drag_across_.empty()) assembly_.drag_across(drag_across_);
@@ -253,7 +252,6 @@ const DualTension& SettleIteration::matrix_tension() {
   return held_;
 }
 
-// The step of free nodes into dx_, of all.
 void SettleIteration::spread_step() {
   for (std::size_t i = 0; i < free_.size(); ++i) {
     at(dx_.data(), free_[i]) = at(step_.data(), static_cast<int>(i));
@@ -274,27 +272,27 @@ void SettleIteration::move() {
   take(change, share);
   const double correction = looks_back ? correction_over_step(share) : 0.0;
   if (corrected && correction < control_.path.most_correction) correct();
-  // what is found needs no shorter steps
+  // converged steps need no reduction
   if (judged) pseudo_time_.judge(rotation, found ? 0.0 : correction);
   pseudo_time_.advance(rotation);
   if (closing_in_) ++settled_steps_;
 }
 
-// A share of dx_, which changes lines so.
+// Moves by a fraction of dx_, with these changes of lines.
 void SettleIteration::take(const LineChange& change, double share) {
   if (!on_law_) path_.advance(assembly_, change.strain, share);
   for (std::size_t k = 0; k < dx_.size(); ++k) x_[k] += share * dx_[k];
 }
 
-// By the step that would correct the last one, as correction_over_step() has left it.
+// Applies the correction from correction_over_step().
 void SettleIteration::correct() {
   spread_step();
   take(assembly_.line_change(dx_.data()), 1.0);
 }
 
-// What is left of the balance where the last step has led, into force_, as a right side of its own matrix:
-// along their new directions, the stretch that a step's turn makes of second order would push a stiff
-// line's nodes aside.
+// Computes the residual after the last step, into force_, as the right side of the step's own
+// matrix. It uses the old directions of lines. With new ones, the second-order stretch of a
+// rotation would push the nodes of a stiff line aside.
 void SettleIteration::take_rest() {
   Stopwatch watch(report_.seconds_forces, control_.timed);
   assembly_.move_to(x_, v_);
@@ -302,18 +300,18 @@ void SettleIteration::take_rest() {
     assembly_.residual(force_.data());
     return;
   }
-  assembly_.bow_to(path_.current());
+  assembly_.sag_to(path_.current());
   assembly_.strain(strain_);
   path_.correct(assembly_, strain_);
   assembly_.residual(force_.data(), &path_.current());
   assembly_.move_to(from_x_.data(), v_);
-  assembly_.bow_to(path_.current());
+  assembly_.sag_to(path_.current());
   assembly_.pull_of(path_.correction(), pull_.data());
   for (std::size_t k = 0; k < force_.size(); ++k) force_[k] += pull_[k];
 }
 
-// The size of the step that would correct the last one, of which `share` was taken, over its own: by the
-// work against the damping.
+// Returns the size of the correction of the last step over the step itself, measured by the work
+// against the damping. `share` is the fraction of the step that was taken.
 double SettleIteration::correction_over_step(double share) {
   take_rest();
   for (std::size_t i = 0; i < free_.size(); ++i) {
@@ -324,7 +322,7 @@ double SettleIteration::correction_over_step(double share) {
   double off = 0.0, went = 0.0;
   for (std::size_t i = 0; i < free_.size(); ++i) {
     const Vector dx = at(dx_.data(), free_[i]);
-    const Vector left = (1.0 - share) * dx;  // of a step that was not taken whole
+    const Vector left = (1.0 - share) * dx;  // of a step that was not fully taken
     off += damping_[i] * (at(step_.data(), static_cast<int>(i)) - left).squaredNorm();
     went += damping_[i] * share * share * dx.squaredNorm();
   }
@@ -337,7 +335,7 @@ void SettleIteration::take_right_side() {
   }
 }
 
-// Net force (N) that a stiff line shows when its ends move by their rounding.
+// Net force (N) of the stiffest line due to rounding of its end positions.
 double SettleIteration::rounding_force() const {
   double far = 0.0;
   for (int n = 0; n < assembly_.model().nodes; ++n) far = std::max(far, at(x_, n).norm());
@@ -353,7 +351,7 @@ double SettleIteration::rounding_force() const {
   return 4.0 * std::numeric_limits<double>::epsilon() * far * stiffest;
 }
 
-// Sum of the sizes of all loads that are not tensions.
+// Sum of the magnitudes of all loads except tensions.
 double SettleIteration::total_load() {
   DualTension none;
   none.tension.assign(static_cast<std::size_t>(assembly_.model().constraints()), 0.0);

@@ -1,8 +1,8 @@
-// One Newton step after another towards equilibrium: on the interior path of dual tensions
-// (tension_path.hpp), or on the constitutive law itself where the shape is found.
+// Newton steps towards equilibrium, on the interior path of dual tensions (tension_path.hpp) or,
+// near convergence, on the constitutive law.
 //
-// A trial of the law that fails ends where it began, and the path goes on from there. On the path a step
-// that turns lines little is corrected once by its own factors.
+// A failed trial of the law returns to its start, and the path continues from there. A path step
+// with small rotations is corrected once with the same factorisation.
 #pragma once
 
 #include <vector>
@@ -17,43 +17,42 @@ namespace codend {
 
 class SettleIteration {
  public:
-  // v, x: as settle()'s. What is known of the present positions is told in `report`.
+  // v, x: see settle(). `report` receives the state of the present positions.
   SettleIteration(Assembly& assembly, const SettleControl& control, const double* v, double* x,
                   SettleReport& report);
 
-  // Net forces of the law itself.
+  // Computes the net forces of the constitutive law.
   void measure();
 
-  // Anew from a crude start that the caller has put into x.
+  // Restarts from a crude start in x.
   void begin();
-  // Takes the present positions, measured, as nearly settled, with the control's strains or their own.
+  // Starts from the present measured positions as nearly settled. Strains: of the control, or x.
   void begin_near();
-  // Takes the present positions, measured, as settled under other loads, likewise.
+  // Starts from the present measured positions as settled under other loads, with equal strains.
   void begin_settled();
-  // From a settled shape, measured, under loads that have changed: the law itself, and where that does
-  // not close in the path from that shape's tensions.
+  // Continues from a settled shape, measured, under changed loads. Tries the constitutive law
+  // first, then the path from this shape's tensions.
   void resume();
 
-  // Whether the shape is found and its net forces are no more than is allowed, or than rounding makes.
+  // True if the shape has converged and its net forces are within the tolerance or rounding.
   bool balanced();
-  // Whether it is so near to that that its wake is worth following.
+  // True if the shape is near enough to equilibrium for an update of the wake.
   bool nearly_balanced() const;
-  // Whether tensions are still so far from the law that lines give way to other loads.
+  // True if tensions are far from the constitutive law, so that lines yield to changed loads.
   bool far_on_path() const;
-  // Tells of every part's balance, as measured.
+  // Reports the residual of every part, as measured.
   void judge_parts();
-  // Whether steps from a settled shape do not close in.
+  // True if steps from a settled shape diverge.
   bool lost() const;
-  // One Newton step; where its matrix is singular none, and the next one is held back more.
+  // Takes one Newton step. After a singular matrix it only increases the damping of the next step.
   void step();
 
-  // Whether the shape that was found may be an unstable equilibrium.
+  // True if the equilibrium may be unstable.
   bool may_be_unstable();
-  // Whether only walls of it may be so.
   bool only_walls_may_be_unstable() const { return unstable_size(assembly_, false) == 0.0; }
-  // How it grows.
+  // Returns the fastest growing motion of the equilibrium.
   GrowingMotion growing_motion();
-  // On from there, along the motion that leaves it or, backwards, against it.
+  // Moves along the growing motion, or against it if `backwards`, and restarts the path.
   void perturb(const GrowingMotion& motion, bool backwards);
 
  private:
@@ -83,26 +82,26 @@ class SettleIteration {
   const double* v_;
   double* x_;
   std::vector<double> force_, dx_, right_, step_, damping_, values_, pull_, strain_;
-  const double load_;           // N
-  const double rounding_;       // N
-  bool from_settled_ = false;   // the start is a settled state
+  const double load_;      // N
+  const double rounding_;  // N
+  bool from_settled_ = false;
   double unstable_size_ = 0.0;  // m
   PseudoTime pseudo_time_;
   TensionPath path_;
   LinearStep linear_;
   PartBalance parts_;
   bool begun_ = false;               // a step has been taken
-  bool closing_in_ = false;          // from a settled state, by its tensions
-  std::vector<double> from_x_;       // where the last step began that was judged or corrected
-  std::vector<double> drag_across_;  // of lines, made at the first step
-  DualTension held_;                 // of matrix_tension()
-  int settled_steps_ = 0;            // of that state's tensions
-  // Of the trials of the law.
+  bool closing_in_ = false;          // converging from a settled state with its tensions
+  std::vector<double> from_x_;       // start of the last compared or corrected step
+  std::vector<double> drag_across_;  // of lines, computed at the first step
+  DualTension held_;                 // tensions of the matrix
+  int settled_steps_ = 0;            // steps with the settled tensions
+  // State of the trials of the law.
   bool on_law_ = false;
   int law_steps_ = 0, steps_to_law_ = 0;
   int path_steps_;
   double residual_on_law_ = 0.0;
-  // Where the path was left for the law.
+  // State of the path before a trial.
   std::vector<double> left_x_;
   TensionPath::Place left_path_;
   double left_pseudo_step_ = 1.0;  // s

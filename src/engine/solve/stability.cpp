@@ -7,30 +7,30 @@
 namespace codend {
 namespace {
 
-// Pseudo time steps (s): the longest tells of motions that grow at 0.002 /s and faster; shorter ones,
-// by tenths, down to about the time of what drives them, as long as faster motions may grow.
+// Pseudo time steps (s). The longest detects growth rates from 0.002 /s. Shorter steps, each by a
+// factor of ten, detect faster growth, down to the time scale of the driving forces.
 constexpr double longest_step = 10.0, shortest_step = 1e-9;
-// Motions that the largest eigenvalue is sought among, and how many more each time that these do not do.
+// Limit of the Krylov basis, and the number of vectors between convergence checks.
 constexpr int most_motions = 40, more_motions = 4;
-// A search at h finds motions that grow at up to this over h (at 2 over h they would be lost).
+// A search at h detects rates up to this value over h. Rates above 2/h would be missed.
 constexpr double searched_by_step = 1.5;
-// An eigenvector is found when applying the matrix leaves it but for this share.
+// Relative residual of a converged eigenvector.
 constexpr double tolerance = 0.005;
-// Of the size of an eigenvalue above 1, to stand clear of slack twine, which nothing moves.
+// Minimum eigenvalue of a growing motion. Slack twine, which nothing moves, has 1.
 constexpr double clear_growth = 1.02;
 
-// Where two bars that push meet, and nothing but other lines holds them in line: a pole that is
-// divided and has no stiffness against bending.
+// Joint of two bars in compression that only other lines keep in line, such as in a pole of several
+// bars without bending stiffness.
 struct PressedJoint {
   int node;
   double size;       // of the shorter bar, m
-  double stiffness;  // with which it is driven aside, N/m
+  double stiffness;  // destabilising stiffness, N/m
 };
 
 std::vector<PressedJoint> pressed_joints(const Assembly& assembly) {
   const Model& model = assembly.model();
   const LineArrays& a = assembly.lines();
-  // Of every node how many bars that push meet there, bends and bodies as many more.
+  // Number of compressed struts per node. Other struts, bends and plates exclude a node.
   std::vector<int> met(static_cast<std::size_t>(model.nodes), 0);
   std::vector<PressedJoint> joint(met.size(), {-1, 0.0, 0.0});
   bool any = false;
@@ -66,12 +66,12 @@ std::vector<PressedJoint> pressed_joints(const Assembly& assembly) {
   return out;
 }
 
-// Netting that is pushed from inside. What is pinched off and goes on behind its own axis is pushed
-// outward on both sides of the pinch, and in balance.
+// Netting under inner pressure. A pinched net that continues behind its own axis has outward
+// pressure on both sides of the pinch, and can be in equilibrium.
 struct Wall {
-  std::vector<int> node;   // of its triangles
-  double size = 0.0;       // m, of a side of these, the mean; 0: there is none
-  double stiffness = 0.0;  // with which it may be driven aside, N/m
+  std::vector<int> node;   // nodes of its triangles
+  double size = 0.0;       // mean side of the triangles, m; 0: no wall
+  double stiffness = 0.0;  // largest destabilising stiffness, N/m
 };
 
 Wall wall_of(const Assembly& assembly) {
@@ -94,11 +94,10 @@ Wall wall_of(const Assembly& assembly) {
   return out;
 }
 
-// The eigenvalue of largest size of a matrix that is known by what it makes of vectors (W. E. Arnoldi,
-// Quarterly of Applied Mathematics 9, 1951): of the combinations of a first vector and of what the
-// matrix makes of it, again and again.
+// Eigenvalue of largest magnitude of a matrix that is given by its products (W. E. Arnoldi,
+// Quarterly of Applied Mathematics 9, 1951), in the Krylov space of a first vector.
 struct LargestEigenvalue {
-  bool found = false;  // it is real, and known within the tolerance
+  bool found = false;  // the eigenvalue is real and has converged
   double value = 0.0;
   Eigen::VectorXd vector;  // of length 1
 };
@@ -115,7 +114,7 @@ LargestEigenvalue largest_eigenvalue(const std::vector<double>& first, Apply app
   for (int m = 0; m < most; ++m) {
     auto next = basis.col(m + 1);
     apply(basis.col(m).data(), next.data());
-    for (int twice = 0; twice < 2; ++twice) {  // once leaves what rounding makes
+    for (int twice = 0; twice < 2; ++twice) {  // once is inaccurate due to rounding
       const Eigen::VectorXd along = basis.leftCols(m + 1).transpose() * next;
       next.noalias() -= basis.leftCols(m + 1) * along;
       hessenberg.col(m).head(m + 1) += along;
@@ -145,7 +144,7 @@ LargestEigenvalue largest_eigenvalue(const std::vector<double>& first, Apply app
   return out;
 }
 
-// Whether motions are known to grow no faster than at a rate (1/s): by the symmetric part of K + rate D.
+// True if no motion grows faster than a rate (1/s), by the symmetric part of K + rate D.
 bool none_grows_faster(const Assembly& assembly, const std::vector<double>& stiffness,
                        const std::vector<double>& damping, double rate, BlockLU& lu,
                        std::vector<double>& values) {
@@ -186,7 +185,7 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
   std::vector<int> place(static_cast<std::size_t>(model.nodes), -1);
   for (std::size_t i = 0; i < n; ++i)
     place[static_cast<std::size_t>(free[i])] = static_cast<int>(i);
-  // A first motion that turns every element of three nodes about all its axes.
+  // Initial motion that rotates every element of three nodes about all its axes.
   std::vector<double> first(3 * n, 0.0);
   std::vector<int> tried;  // free nodes of elements that may be unstable
   auto turn_about = [&](int node, std::size_t k) {
@@ -229,7 +228,7 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
     shortest = std::min(shortest, damping[static_cast<std::size_t>(i)] / stiffest);
   }
   shortest = std::max(shortest, shortest_step);
-  double searched = (1.0 - 1.0 / clear_growth) / longest_step;  // rates up to this, 1/s
+  double searched = (1.0 - 1.0 / clear_growth) / longest_step;  // covered rates, 1/s
   for (double h = longest_step; h > 0.3 * shortest; searched = searched_by_step / h, h *= 0.1) {
     ++out.factorisations;
     if (none_grows_faster(assembly, stiffness, damping, searched, lu, values)) break;

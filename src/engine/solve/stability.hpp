@@ -1,17 +1,18 @@
-// Whether an equilibrium is stable: one that a small perturbation grows in is never seen in nature. Tried
-// are the kinds of elements that may stand so (ElementKind::unstable_size), joints between bars that
-// push, as of a pole that is divided and has no stiffness against bending, and walls: netting that is
-// pushed from inside and may have gone through itself.
+// Static stability of an equilibrium. Small perturbations of an unstable equilibrium grow, so it
+// does not occur in nature. Kinds of elements with an ElementKind::unstable_size() are tested, and
+// joints between bars in compression, such as in a pole of several bars without bending stiffness.
+// Walls are also tested: netting under inner pressure that may have passed through itself.
 //
-// Small displacements y from an equilibrium follow D y' = -K y with K the derivative of the net
-// forces (-dF/dx) and D the drag-like damping of pseudo time (Assembly::pseudo_damping). A motion
-// that grows at a rate r is an eigenvector with eigenvalue 1/(1 - h r) of (K + D/h)^-1 D/h, larger than
-// 1 in size while h r < 2; a motion that dies has one within 1. The largest is sought at a few
-// h. Where D is not the real damping the rate is not the real one either, but a motion that
-// neither grows nor dies does so with any: what is told is static stability, not flutter.
+// Small displacements y from an equilibrium satisfy D y' = -K y. K is the derivative of the net
+// forces (-dF/dx), and D is the drag-like damping of pseudo time (Assembly::pseudo_damping()). A
+// motion with growth rate r is an eigenvector of (K + D/h)^-1 D/h with eigenvalue 1/(1 - h r). Its
+// magnitude exceeds 1 for h r < 2, and is below 1 for decay. The largest is computed at a few h.
 //
-// The rate of no motion is above s where the symmetric part of K + s D is positive definite: y'Dy falls
-// in all of them then. One factorisation tells, and shorter h need no search.
+// D is not the real damping, so the rate is not the real rate. The boundary between growth and
+// decay is the same for any damping. The result is static stability, not flutter.
+//
+// No motion grows faster than s if the symmetric part of K + s D is positive definite, because y'Dy
+// then decreases in all motions. One factorisation checks this and avoids searches at shorter h.
 #pragma once
 
 #include <vector>
@@ -21,20 +22,19 @@
 
 namespace codend {
 
-// Size (m) of the least element that may stand in an unstable equilibrium, at the place that the
-// assembly was last moved to; 0: there is none. walls: whether walls count.
+// Returns the size (m) of the smallest element that may be unstable at the present state of the
+// assembly; 0 without such elements. `walls` includes walls.
 double unstable_size(const Assembly& assembly, bool walls = true);
 
 struct GrowingMotion {
   bool found = false;
-  int factorisations = 0;  // that the search took
-  double rate = 0.0;       // 1/s of pseudo time
-  std::vector<double>
-      motion;  // 3 per free node; its largest at a node of such an element is 1 long
+  int factorisations = 0;
+  double rate = 0.0;           // 1/s of pseudo time
+  std::vector<double> motion;  // 3 per free node; largest displacement of a tested node 1
 };
 
-// The motion of elements that may be unstable which grows fastest, at the place that the assembly was
-// last moved to. Changes the factors of `lu`, which must have been analysed for the assembly's pattern.
+// Returns the fastest growing motion of elements that may be unstable, at the present state of the
+// assembly. `lu` must be analysed for the assembly's pattern; its factors change.
 GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu);
 
 }  // namespace codend

@@ -1,5 +1,5 @@
-// CPU seconds into a total, from construction to destruction; without one, none are read: to read them
-// takes longer than a step of a few nodes.
+// Adds CPU seconds from construction to destruction to a total. Disabled if not `timed`, because
+// reading the clock takes longer than a step of a few nodes.
 #pragma once
 
 #include <ctime>

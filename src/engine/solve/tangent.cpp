@@ -9,11 +9,11 @@
 namespace codend {
 namespace {
 
-// Steps that become less than this share of the one before are closing in.
+// Steps below this fraction of the previous step converge.
 constexpr double closing_in = 0.7;
-// Steps (m) that are only the rounding of positions, as a share of the largest of these.
+// Rounding of positions (m), as a fraction of the largest position.
 constexpr double rounding_share = 1e-14;
-// Beside a stiff line the net forces of the nearest numbers are larger by so much at most.
+// Factor of the tolerance at the rounding limit, where net forces next to stiff lines are larger.
 constexpr double rounded_tolerance = 100.0;
 
 }  // namespace

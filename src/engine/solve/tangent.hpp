@@ -1,14 +1,13 @@
-// How the equilibrium of a model answers to small changes of its numbers, with the factors of one
-// matrix.
+// Response of an equilibrium to small changes of input values, with one factorised matrix.
 //
-// At an equilibrium F(x, p) = 0 the implicit function theorem gives J dx/dp = dF/dp with
-// J = -dF/dx, on the constitutive law itself and undamped. Steps x += J^-1 F(x, p) with J kept as
-// it is (the chord method) go on from there: the first is that tangent, and each further one, for a
-// change of p by a share e, leaves about e times the error before it. So do wakes, of which J knows
-// nothing: they are renewed at every step.
+// At an equilibrium F(x, p) = 0, the implicit function theorem gives J dx/dp = dF/dp. Here J is
+// -dF/dx, undamped and on the constitutive law. Steps x += J^-1 F(x, p) with a constant J (chord
+// method) extend this. The first step is the tangent. For a change of p by a fraction e, each
+// further step reduces the error by about e. J does not include wakes, so they are updated at every
+// step and converge at the same rate.
 //
-// Backwards, a function m(x) changes by dm/dp = y . dF/dp with J^T y = dm/dx: one transposed solve
-// serves any number of p.
+// In the adjoint direction, a function m(x) changes by dm/dp = y . dF/dp with J^T y = dm/dx. One
+// transposed solve serves any number of p.
 #pragma once
 
 #include <cstddef>
@@ -24,35 +23,36 @@ struct ChordReport {
   bool converged = false;
   int steps = 0;
   double residual = 0.0;     // largest nodal force over largest tension
-  double wake_change = 0.0;  // of any point's share of the free flow's speed, in the last step
+  double wake_change = 0.0;  // largest last change of flow speed at a point, over the free flow
 };
 
 class Tangent {
  public:
-  // Factorises J of the assembly at positions x (m, 3 per node), where it is at rest.
+  // Factorises J of the assembly at rest at positions x (m, 3 per node).
   Tangent(Assembly& assembly, const double* x);
   Tangent(const Tangent&) = delete;
 
-  // The same of an assembly of the same nodes, whose numbers may be others; not regular where it has
-  // another pattern.
+  // Factorises J of an assembly with the same nodes. Not regular if its pattern differs.
   void renew(Assembly& assembly, const double* x);
 
-  // False where J is singular; nothing below may be called then.
+  // False for a singular J; the functions below must not be called then.
   bool regular() const { return regular_; }
   // 3 times the number of nodes.
   std::size_t size() const { return size_; }
 
-  // Displacement (m) that net forces (N) make, both 3 per node; held nodes stay.
+  // Computes displacements (m) due to net forces (N), both 3 per node. Fixed nodes stay.
   void solve(const double* force, double* displacement) const;
-  // Forces' part (1/N of a unit) in a function by its change per displacement (per m), 3 per node each.
+  // Converts a function's derivative by displacements (per m) to its derivative by forces (per N).
   void solve_transposed(const double* per_displacement, double* per_force) const;
 
-  // Takes chord steps of an assembly of the same nodes and pattern, whose numbers may be others,
-  // from x, 3 per node, at rest. They end when they no longer close in: converged where net forces
-  // are then within `tolerance` of the largest tension, or a hundred times that where steps are down
-  // to the rounding of positions, and not after `steps`, or where steps grow. From `enough` steps on
-  // the tolerance alone ends them. The assembly is then at x. Its wake keeps to the sheets upstream that
-  // it has.
+  // Takes chord steps of an assembly with the same nodes and pattern, and possibly other values.
+  // They start at rest from x (3 per node). The assembly is left at the final x.
+  //
+  // Steps end when they stop decreasing, reach the rounding of positions, or after `steps`. From
+  // `enough` steps on, the tolerance alone ends them. The result has converged if the net force is
+  // within `tolerance` of the largest tension, or within a hundred times that at the rounding
+  // limit. It has not converged if `steps` end it, or if the wake still changes. The set of wake
+  // sheets upstream of each point is constant.
   ChordReport balance(Assembly& other, double tolerance, int steps, double* x,
                       int enough = std::numeric_limits<int>::max()) const;
 

@@ -8,15 +8,15 @@ namespace {
 
 constexpr double first_parameter = 1e-2;
 constexpr double least_parameter = 1e-24;
-// First tensions over the lines' scales: taut enough that the first steps find the global shape.
+// Initial tension over a line's scale. It is high, so that the first steps find the global shape.
 constexpr double first_tension = 10.0;
-// Of contacts, m: the normal force that makes it is their scale.
+// Initial penetration of contacts, m; the corresponding normal force is their scale.
 constexpr double first_penetration = 1e-3;
-// A step leaves at least this share of a tension or a slack variable.
+// Lower limit of a tension or slack variable after a step, as a fraction of its value before.
 constexpr double least_rest = 0.02;
 constexpr double least_tension = 1e-27;  // over a line's scale
 constexpr double least_slack = 1e-26, most_slack = 1e3;
-// T s is kept above this share of mu, so that no line leaves the path behind.
+// Lower limit of T s over mu, so that all lines follow the path.
 constexpr double least_product = 1e-2;
 
 }  // namespace
@@ -34,7 +34,7 @@ TensionPath::TensionPath(const Model& model, double load)
   ratio_.resize(lines);
   centring_.resize(lines);
   mismatch_.resize(lines);
-  bow_.resize(lines);
+  sag_.resize(lines);
   model.each_line([&](const auto& line) {
     stiffness_[line.index] = model.material(line).axial_stiffness;
     strut_[line.index] = model.material(line).strut;
@@ -98,7 +98,7 @@ void TensionPath::stretch(std::size_t k, double tension, double& strain, double&
   }
 }
 
-// On the path at the start's own distance from the ground.
+// Starts a contact on the path at its distance from the ground.
 void TensionPath::rest_contact(std::size_t k, double penetration) {
   slack_[k] = std::max(parameter_, -penetration);
   current_.tension[k] = parameter_ * scale_[k] / slack_[k];
@@ -108,8 +108,8 @@ void TensionPath::prepare(const Assembly& assembly, const std::vector<double>& s
                           double reduction, double least) {
   parameter_ = std::max({parameter_ * reduction, least, least_parameter});
   for (std::size_t k = 0; k < scale_.size(); ++k) {
-    if (stiffness_[k] == 0.0) continue;  // carries no tension, from the start
-    if (strut_[k]) {  // either sign: nothing to approach, tension and position meet at once
+    if (stiffness_[k] == 0.0) continue;  // a line without stiffness never has tension
+    if (strut_[k]) {                     // no path for struts, because both signs are allowed
       current_.modulus[k] = stiffness_[k];
       mismatch_[k] = strain[k] - current_.tension[k] / stiffness_[k];
       predicted_.tension[k] = stiffness_[k] * strain[k];
@@ -125,18 +125,18 @@ void TensionPath::prepare(const Assembly& assembly, const std::vector<double>& s
     predicted_.tension[k] = t + current_.modulus[k] * mismatch_[k];
   }
   begun_ = true;
-  add_bows(assembly);
+  add_sag(assembly);
 }
 
-void TensionPath::share_bows(const Assembly& assembly, const double* change) {
-  std::fill(bow_.begin(), bow_.end(), 0.0);
-  assembly.share_bows(current_, mismatch_.data(), change, bow_.data());
+void TensionPath::distribute_sag(const Assembly& assembly, const double* change) {
+  std::fill(sag_.begin(), sag_.end(), 0.0);
+  assembly.distribute_sag(current_, mismatch_.data(), change, sag_.data());
 }
 
-// To tensions of the right side what bows make of the strains that are missed.
-void TensionPath::add_bows(const Assembly& assembly) {
-  share_bows(assembly, nullptr);
-  assembly.add_bow_tensions(current_, bow_.data(), predicted_.tension.data());
+// Adds the effect of sag on the missing strains to the tensions of the right side.
+void TensionPath::add_sag(const Assembly& assembly) {
+  distribute_sag(assembly, nullptr);
+  assembly.add_sag_tensions(current_, sag_.data(), predicted_.tension.data());
 }
 
 void TensionPath::mismatch(std::size_t k, double strain, double stretched) {
@@ -158,17 +158,17 @@ void TensionPath::correct(const Assembly& assembly, const std::vector<double>& s
     }
     predicted_.tension[k] = current_.modulus[k] * mismatch_[k];
   }
-  add_bows(assembly);
+  add_sag(assembly);
 }
 
 void TensionPath::advance(const Assembly& assembly, const std::vector<double>& strain_change,
                           double share) {
-  share_bows(assembly, strain_change.data());
+  distribute_sag(assembly, strain_change.data());
   for (std::size_t k = 0; k < scale_.size(); ++k) {
     if (stiffness_[k] == 0.0) continue;
     double& t = current_.tension[k];
     double& s = slack_[k];
-    const double t_change = current_.modulus[k] * (mismatch_[k] + strain_change[k] + bow_[k]);
+    const double t_change = current_.modulus[k] * (mismatch_[k] + strain_change[k] + sag_[k]);
     if (strut_[k]) {
       t += share * t_change;
       continue;

@@ -8,7 +8,7 @@ namespace codend {
 namespace {
 
 constexpr int none = -1;
-constexpr int outside = -2;  // where paths begin and end
+constexpr int outside = -2;  // start or end of a path
 constexpr char starts = 1, ends = 2;
 
 }  // namespace
@@ -57,7 +57,7 @@ void VertexCut::find_band(int begin, int end, int64_t total, int layers, double 
   add_layers(far_side, far_weight, layers, least, side);
 }
 
-// Adds layers to those nodes at the end of the band that have no mark yet, and marks the last one.
+// Adds layers around the unmarked nodes at the end of the band, and marks the last layer.
 void VertexCut::add_layers(Side mine, int64_t behind, int layers, int64_t least, const Side* side) {
   size_t first = end_.size();
   for (size_t v = first; v < band_.size(); ++v) {
@@ -87,7 +87,7 @@ void VertexCut::add_layers(Side mine, int64_t behind, int layers, int64_t least,
   end_.resize(band_.size(), mine == near_side ? starts : ends);
 }
 
-// Breadth-first layers of the states from where a path may start; true if one may end.
+// Computes breadth-first layers of states from the starts of paths; returns true if one can end.
 bool VertexCut::layer_paths() {
   std::fill(level_.begin(), level_.end(), -1);
   queue_.clear();
@@ -116,7 +116,7 @@ bool VertexCut::layer_paths() {
   return open;
 }
 
-// Paths down the layers until there is none left.
+// Adds paths along the layers until no more exist.
 void VertexCut::augment() {
   for (size_t v = 0; v < band_.size(); ++v) cursor_[v] = graph_.first[band_[v]];
   for (size_t root = 0; root < band_.size(); ++root) {
@@ -155,7 +155,7 @@ void VertexCut::augment() {
   }
 }
 
-// Sends one unit along path_. Its states are then spent in these layers.
+// Sends one unit of flow along path_. Its states are then used up in these layers.
 void VertexCut::follow_to_sink() {
   flow_[path_.front() / 2].previous = outside;
   for (size_t i = 0; i + 1 < path_.size(); ++i) {
@@ -173,8 +173,8 @@ void VertexCut::follow_to_sink() {
   level_[path_.back()] = -1;
 }
 
-// Nodes that the last search entered but did not leave separate, and so do those that can be left
-// but not entered on the way to an end.
+// Derives the separator from the last search: nodes that were entered but not left. Alternatively,
+// a search from the ends gives the other extreme separator.
 void VertexCut::divide(int64_t total, Side* side) {
   int64_t near = near_core_, near_if_late = near_core_, separator = 0;
   for (size_t v = 0; v < band_.size(); ++v) {

@@ -1,4 +1,4 @@
-// Least vertex separators near a given cut of a graph.
+// Minimum vertex separators near a given cut of a graph.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace codend {
 
 enum Side : unsigned char { near_side, far_side, separator_side };
 
-// Nodes are the numbers in some range; node p touches neighbour[first[p] .. last[p]).
+// Nodes are numbers in a range; node p is adjacent to neighbour[first[p] .. last[p]).
 struct CutGraph {
   const int* first;
   const int* last;
@@ -18,14 +18,16 @@ struct CutGraph {
 
 class VertexCut {
  public:
-  // nodes: one more than the largest node that will be seen.
+  // `nodes` is one more than the largest node number.
   explicit VertexCut(int nodes) : band_place_(nodes, -1) {}
 
-  // side: near_side or far_side of every node in [begin, end), on entry. On return some nodes are in
-  // separator_side and no edge joins the other two. Of all separators within `layers` nodes of the
-  // cut this is one of the smallest, and of the two extreme ones among these the one that divides
-  // `total`, the weight of the range, more evenly (Menger's theorem; paths by Dinic 1970). The
-  // layers end early where less than `share` of the weight would lie behind them.
+  // Replaces a cut by a minimum separator. `side` is near_side or far_side for every node in
+  // [begin, end) on entry. On return, some nodes have separator_side, and no edge joins the sides.
+  //
+  // The separator is a smallest one within `layers` nodes of the cut (Menger's theorem; paths by
+  // Dinic 1970). The choice is between the two extreme smallest separators: the one that divides
+  // `total`, the weight of the range, more evenly. Layers stop before less than `share` of the
+  // weight would remain behind them.
   void separate(const CutGraph& graph, int begin, int end, int64_t total, int layers, double share,
                 Side* side);
 
@@ -45,12 +47,12 @@ class VertexCut {
   void for_each_neighbour(int v, Visit visit) const;
 
   CutGraph graph_{};
-  std::vector<int> band_place_;  // of a node in the band, or -1
-  std::vector<int> band_;        // the nodes where a separator may lie
-  std::vector<char> end_;        // of band nodes: starts or ends a path
+  std::vector<int> band_place_;  // index of a node in the band, or -1
+  std::vector<int> band_;        // candidate nodes for the separator
+  std::vector<char> end_;        // per band node: start or end of a path
   int64_t near_core_ = 0;        // weight of the near nodes outside the band
   std::vector<Flow> flow_;
-  // states: 2 v before the node v of the band, 2 v + 1 behind it
+  // state 2 v is before node v of the band, state 2 v + 1 after it
   std::vector<int> level_, cursor_, queue_, path_;
 };
 

@@ -1,4 +1,4 @@
-#include "kept_factors.hpp"
+#include "stored_factorisation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,40 +6,41 @@
 namespace codend {
 namespace {
 
-// Of GMRES, with factors of the matrix itself and at most with others'.
+// Limit of GMRES iterations, with factors of the same matrix and of an earlier one.
 constexpr int most_fresh = 10, most_kept = 8;
-// Multiplications and additions of a factorisation that take as long as an iteration does per number of
-// the factors: dense products against what passes through memory.
+// Multiplications and additions of a factorisation that take as long as an iteration per stored
+// entry. Dense products are faster than access to memory.
 constexpr double flops_per_entry = 40.0;
-// Old factors that did not do are left for so many matrices, and for twice as many each time.
+// Old factors are skipped after failure for 1, 2, 4, .. matrices, up to this number.
 constexpr int most_skipped = 16;
 
 }  // namespace
 
-KeptFactors::KeptFactors(const BlockPattern& pattern, std::vector<double> coordinates)
+StoredFactorisation::StoredFactorisation(const BlockPattern& pattern,
+                                         std::vector<double> coordinates)
     : pattern_(pattern), coordinates_(std::move(coordinates)) {}
 
-void KeptFactors::leave_out(const std::vector<char>& node) {
+void StoredFactorisation::leave_out(const std::vector<char>& node) {
   if (node == left_out_) return;
   left_out_ = node;
   factorised_ = false;
   if (lu_) lu_->leave_out(left_out_);
 }
 
-void KeptFactors::forget() {
+void StoredFactorisation::forget() {
   factorised_ = fresh_ = false;
   patience_[0] = patience_[1] = {};
   if (precision_ == Precision::double_precision) lu_.reset();
   precision_ = Precision::single_precision;
 }
 
-void KeptFactors::set_matrix(const std::vector<double>& values, bool first) {
+void StoredFactorisation::set_matrix(const std::vector<double>& values, bool first) {
   values_ = &values;
   fresh_ = false;
   first_ = first;
 }
 
-bool KeptFactors::factorise() {
+bool StoredFactorisation::factorise() {
   if (!lu_) {
     lu_ = std::make_unique<BlockLU>(precision_);
     lu_->analyse(pattern_, coordinates_.data());
@@ -53,8 +54,8 @@ bool KeptFactors::factorise() {
   return factorised_ = fresh_ = lu_->factorise(values_->data());
 }
 
-bool KeptFactors::solve(const std::vector<double>& right, const std::vector<double>& scale,
-                        const Tolerance& tolerance, std::vector<double>& x) {
+bool StoredFactorisation::solve(const std::vector<double>& right, const std::vector<double>& scale,
+                                const Tolerance& tolerance, std::vector<double>& x) {
   Patience& patience = patience_[first_ ? 0 : 1];
   if (factorised_ && !fresh_) {
     if (patience.skipped > 0) {
@@ -68,7 +69,7 @@ bool KeptFactors::solve(const std::vector<double>& right, const std::vector<doub
     }
   }
   if ((fresh_ || factorise()) && iterate(right, scale, tolerance, most_fresh, x)) return true;
-  if (precision_ == Precision::double_precision) return fresh_;  // as near as there is
+  if (precision_ == Precision::double_precision) return fresh_;  // already the best accuracy
   precision_ = Precision::double_precision;
   lu_.reset();
   if (!factorise()) return false;
@@ -76,7 +77,7 @@ bool KeptFactors::solve(const std::vector<double>& right, const std::vector<doub
   return true;
 }
 
-void KeptFactors::multiply(const double* x, double* product) const {
+void StoredFactorisation::multiply(const double* x, double* product) const {
   for (int i = 0; i < pattern_.n; ++i) {
     double sum[3] = {};
     for (int64_t e = pattern_.row_start[i]; e < pattern_.row_start[i + 1]; ++e) {
@@ -90,9 +91,10 @@ void KeptFactors::multiply(const double* x, double* product) const {
   }
 }
 
-// GMRES from zero; false where it does not get there in `most` iterations, or will not at its pace.
-bool KeptFactors::iterate(const std::vector<double>& right, const std::vector<double>& scale,
-                          const Tolerance& tolerance, int most, std::vector<double>& x) {
+// GMRES from zero. Returns false without convergence in `most` iterations, or if it is too slow.
+bool StoredFactorisation::iterate(const std::vector<double>& right,
+                                  const std::vector<double>& scale, const Tolerance& tolerance,
+                                  int most, std::vector<double>& x) {
   const std::size_t rows = right.size();
   weight_.resize(rows);
   for (std::size_t i = 0; i < rows; ++i) weight_[i] = scale[i / 3] > 0.0 ? 1.0 / scale[i / 3] : 1.0;
@@ -111,7 +113,7 @@ bool KeptFactors::iterate(const std::vector<double>& right, const std::vector<do
   if (!std::isfinite(size)) return false;
   for (double& v : start) v /= size;
   const double wanted = std::max(tolerance.share * size, tolerance.allowed);
-  // Columns of the upper triangle that the Hessenberg matrix is rotated to, and its right side.
+  // Columns of the rotated Hessenberg matrix, which is upper triangular, and its right side.
   double triangle[most_fresh][most_fresh + 1] = {}, cosine[most_fresh] = {}, sine[most_fresh] = {};
   double side[most_fresh + 1] = {size};
   double left = size;
@@ -153,7 +155,7 @@ bool KeptFactors::iterate(const std::vector<double>& right, const std::vector<do
     if (norm > 0.0) {
       for (double& v : next) v /= norm;
     }
-    // At its pace so far it does not get there.
+    // The present rate is too slow for convergence.
     if (left > wanted && used > 1 && used < most &&
         std::log(left / wanted) * used > (most - used) * std::log(size / left)) {
       return false;
@@ -167,7 +169,7 @@ bool KeptFactors::iterate(const std::vector<double>& right, const std::vector<do
   for (int j = 0; j < used; ++j) {
     for (std::size_t i = 0; i < rows; ++i) x[i] += side[j] * direction_[j][i];
   }
-  // Rounding reaches nodes that are left out where they share a front with others.
+  // Rounding errors reach excluded nodes that share a front with others.
   for (std::size_t i = 0; i < 3 * left_out_.size(); ++i) {
     if (left_out_[i / 3]) x[i] = 0.0;
   }

@@ -1,4 +1,4 @@
-#include "part_balance.hpp"
+#include "part_equilibrium.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +79,7 @@ void PartBalance::find_scales() {
   }
 }
 
-// A node by a part's scale, where that is the largest so far.
+// Assigns a part to a point if the part's scale is the largest so far.
 void PartBalance::hold(int point, int part) {
   int& now = node_part_[static_cast<std::size_t>(point)];
   if (part < 0 || !(part_scale_[static_cast<std::size_t>(part)] > 0.0)) return;
