@@ -1,4 +1,5 @@
-// What the engine says of a lattice at given positions, and of itself, for R.
+// R interface: evaluation of a model at given positions, and tables of the engine's fields and
+// forces.
 #include <cmath>
 
 #include "binding_model.h"
@@ -10,7 +11,7 @@ using namespace binding;
 
 namespace {
 
-// Columns by plate: angles (rad), lift and drag (N).
+// Columns, one row per plate: angles (rad), lift and drag (N).
 list plate_table(const std::vector<codend::PlateAttitude>& plates) {
   writable::doubles attack, heel, trim, lift, drag;
   for (const codend::PlateAttitude& plate : plates) {
@@ -26,9 +27,9 @@ list plate_table(const std::vector<codend::PlateAttitude>& plates) {
 
 }  // namespace
 
-[[cpp11::register]] list engine_evaluate(SEXP mesh, doubles position, doubles velocity) {
+[[cpp11::register]] list engine_evaluate(SEXP handle, doubles position, doubles velocity) {
   return guarded([&]() -> list {
-    const codend::Model model = read_model(mesh);
+    const codend::Model model = read_model(handle);
     codend::Assembly assembly(model);
     const std::vector<double> x = of_nodes(position, model, "position"),
                               v = of_nodes(velocity, model, "velocity");
@@ -56,7 +57,7 @@ list plate_table(const std::vector<codend::PlateAttitude>& plates) {
   });
 }
 
-// What a lattice holds, as columns with a row per field: see FieldRow.
+// Returns the fields of a model as columns, one row per field (FieldRow).
 [[cpp11::register]] list engine_fields() {
   return guarded([&]() -> list {
     writable::strings kind, name, type, per, among;
@@ -74,7 +75,7 @@ list plate_table(const std::vector<codend::PlateAttitude>& plates) {
   });
 }
 
-// The forces of an evaluation, as columns with a row per force: see ReportedForce.
+// Returns the forces of an evaluation as columns, one row per force (ReportedForce).
 [[cpp11::register]] list engine_forces() {
   return guarded([&]() -> list {
     writable::strings name, kind, cause;
@@ -87,7 +88,7 @@ list plate_table(const std::vector<codend::PlateAttitude>& plates) {
   });
 }
 
-// Speed behind a sheet of netting as a share of that before it, by a wake law.
+// Returns the speed behind a sheet of netting as a fraction of the upstream speed, by a wake model.
 [[cpp11::register]] doubles engine_speed_reduction(std::string law, doubles solidity,
                                                    doubles cosine) {
   return guarded([&]() -> doubles {
@@ -100,7 +101,7 @@ list plate_table(const std::vector<codend::PlateAttitude>& plates) {
   });
 }
 
-// Wave numbers (1/m) of frequencies (1/s) in water of a depth (m; 0: deep).
+// Returns wave numbers (1/m) of angular frequencies (1/s) in water of a depth (m; 0: deep water).
 [[cpp11::register]] doubles engine_wave_number(doubles frequency, double depth) {
   return guarded([&]() -> doubles {
     writable::doubles out;
@@ -111,7 +112,8 @@ list plate_table(const std::vector<codend::PlateAttitude>& plates) {
   });
 }
 
-// Elevation (m) of the surface by waves, as a lattice's water holds them, at places (m) and times (s).
+// Returns the surface elevation by waves (m) at positions (m) and times (s). waves: as in the water
+// of a model.
 [[cpp11::register]] doubles engine_elevation(list waves, doubles x, doubles y, doubles time) {
   return guarded([&]() -> doubles {
     codend::Waves read = codend::read_fields<codend::Waves>(ListSource(waves));

@@ -1,4 +1,4 @@
-// Exceptions of the engine as conditions of R.
+// Converts exceptions of the engine to R conditions.
 #pragma once
 
 #include <cpp11.hpp>
@@ -10,9 +10,9 @@
 
 namespace binding {
 
-// What body() returns. An exception that it throws becomes a condition of class codend_error_engine
-// with the field that is wrong (NA where there is none), by the R function abort_engine(). R's own jumps
-// (errors of callbacks, interrupts) pass.
+// Returns the result of body(). An exception becomes a condition of class codend_error_engine by
+// the R function abort_engine(), with the name of the wrong field (NA if none). R's own jumps
+// (errors of callbacks, interrupts) pass through.
 template <class Body>
 auto guarded(Body body) -> decltype(body()) {
   std::string message, field;
@@ -24,7 +24,7 @@ auto guarded(Body body) -> decltype(body()) {
     message = error.what();
     field = error.field();
   } catch (const std::bad_alloc&) {
-    message = "there is not enough memory for a lattice of this size";
+    message = "there is not enough memory for a mesh of this size";
   } catch (const std::exception& error) {
     message = error.what();
   }

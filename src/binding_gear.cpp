@@ -1,4 +1,4 @@
-// Lattices of gears for R.
+// R interface: discretisation of gears.
 #include "binding_list.h"
 #include "binding_model.h"
 #include "engine/solve/layout.hpp"
@@ -24,11 +24,12 @@ void lay_out_strings(const codend::Strings& strings, double* x) {
 
 }  // namespace
 
-// model: the numbers of its model; blocked: meshes of its catch behind the front; counts: of another
-// lattice of the gear, or NULL; map: of the lattice that `position` (3 x points) is
-// carried over from, or NULL; alike: whether that one is divided alike.
-[[cpp11::register]] list engine_lattice(list numbers, list model, double blocked, double nodes,
-                                        SEXP counts, SEXP map, doubles position, bool alike) {
+// Returns a discretisation, see mesh_list(). `model`: input of its model. `blocked`: meshes of its
+// catch behind the front. `nodes`: approximate number. `counts`: of another discretisation of the
+// gear, or NULL. `map`: of the discretisation of `position` (3 x points) for interpolation, or
+// NULL. `alike`: both have the same mesh.
+[[cpp11::register]] list engine_mesh(list numbers, list model, double blocked, double nodes,
+                                     SEXP counts, SEXP map, doubles position, bool alike) {
   return guarded([&]() -> list {
     const codend::Gear gear = read_gear(numbers);
     codend::Counts known;
@@ -43,16 +44,16 @@ void lay_out_strings(const codend::Strings& strings, double* x) {
     from.alike = alike;
     from.position = binding::numbers(position);
     if (!Rf_isNull(map)) from.map = codend::read_fields<codend::PartMap>(ListSource(map));
-    codend::MeasuredGear found = codend::unprepared_gear(
-        gear, codend::read_fields<codend::GearModel>(ListSource(model)),
-        codend::build_lattice(gear, fineness, from, lay_out_strings), blocked);
-    codend::MeasureFrame frame = codend::measure_frame(gear, found.lattice);
+    codend::MeasuredGear found =
+        codend::unprepared_gear(gear, codend::read_fields<codend::GearModel>(ListSource(model)),
+                                codend::build_mesh(gear, fineness, from, lay_out_strings), blocked);
+    codend::MeasureFrame frame = codend::measure_frame(gear, found.mesh);
     return mesh_list(std::move(found), std::move(frame));
   });
 }
 
-// How many nodes a gear would have: list(nodes = of every panel, then of every rope, divided = whether
-// it says itself how it is divided).
+// Returns list(nodes, divided): the number of nodes of every panel, then of every rope; TRUE if the
+// gear prescribes its mesh.
 [[cpp11::register]] list engine_node_counts(list numbers, double nodes) {
   return guarded([&]() -> list {
     codend::NodeCounts found = codend::count_nodes(read_gear(numbers), nodes);

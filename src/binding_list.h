@@ -1,4 +1,5 @@
-// Structs of the engine as R lists, by their fields (base/fields.hpp): places count from 1, 0 is none.
+// Writes structs of the engine as R lists by their fields (base/fields.hpp). Indices count from 1;
+// 0 means none.
 #pragma once
 
 #include <cpp11.hpp>
@@ -107,7 +108,7 @@ class ListWriter {
   }
   void count(codend::Among, std::size_t) {}
 
-  // All that has been visited, by name.
+  // Returns all visited values by name.
   cpp11::list all() const {
     writable::list out(static_cast<R_xlen_t>(values_.size()));
     writable::strings names(static_cast<R_xlen_t>(values_.size()));
@@ -126,7 +127,8 @@ class ListWriter {
   }
 
  private:
-  // One array per field of a struct: visits the fields of one, and for each picks that of all.
+  // Writes one array per field of a struct: visits the fields of one struct, and collects each
+  // field from all.
   template <class Struct>
   struct Columns {
     ListWriter& to;

@@ -1,4 +1,4 @@
-// Measures of states for R.
+// R interface: measures of states.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,7 +11,7 @@ using namespace binding;
 
 namespace {
 
-// Of a state's tensions, forces and places.
+// Reads tensions, forces and positions of a state.
 codend::MeasuredShape<double> read_shape(const list& state) {
   codend::MeasuredShape<double> out;
   out.position = numbers(state, "position");
@@ -33,19 +33,20 @@ codend::MeasuredShape<double> read_shape(const list& state) {
 
 }  // namespace
 
-// Measures in SI, not a number where the gear does not have one. questions: see measures.hpp; state: what
-// acts in it.
-[[cpp11::register]] doubles engine_measures(SEXP mesh, list questions, list state) {
+// Returns measures in SI units; NaN if the gear lacks a measure. questions: see measures.hpp;
+// state: positions, velocities, tensions and forces.
+[[cpp11::register]] doubles engine_measures(SEXP handle, list questions, list state) {
   return guarded([&]() -> doubles {
-    const HeldMesh& held = held_mesh(mesh);
-    return as_doubles(codend::measure(held.frame, read_model(mesh),
+    const HeldModel& held = held_model(handle);
+    return as_doubles(codend::measure(held.frame, read_model(handle),
                                       codend::read_fields<codend::Questions>(ListSource(questions)),
                                       held.catch_bag(), read_shape(state)));
   });
 }
 
-// Standard errors of measures of these kinds on the first of lattices of so many nodes (see
-// measure_errors.hpp), SI, NA where no other says more. values: SI, of every lattice after the other.
+// Returns standard errors (SI) of measures on the first of several meshes (measure_errors.hpp); NA
+// if the other meshes provide no information. `nodes`: of every mesh. `values`: measures in SI, all
+// of the first mesh, then all of the next.
 [[cpp11::register]] doubles engine_measure_errors(strings kinds, doubles nodes, doubles values,
                                                   double tolerance, double step_accuracy) {
   return guarded([&]() -> doubles {
@@ -53,32 +54,32 @@ codend::MeasuredShape<double> read_shape(const list& state) {
     for (const std::string kind : kinds) {
       of.push_back(codend::by_name<codend::MeasureKind>(kind, "kinds"));
     }
-    std::vector<codend::MeasuredLattice> lattices;
+    std::vector<codend::MeasuredMesh> meshes;
     const double* next = REAL(values);
     for (const double count : nodes) {
-      lattices.push_back({count, std::vector<double>(next, next + of.size())});
+      meshes.push_back({count, std::vector<double>(next, next + of.size())});
       next += of.size();
     }
     writable::doubles errors = as_doubles(codend::measure_errors(
-        of, lattices[0], {lattices.begin() + 1, lattices.end()}, tolerance, step_accuracy));
+        of, meshes[0], {meshes.begin() + 1, meshes.end()}, tolerance, step_accuracy));
     std::replace_if(
         errors.begin(), errors.end(), [](double error) { return std::isnan(error); }, NA_REAL);
     return errors;
   });
 }
 
-// Force of the flow on every part, 3 each, N.
-[[cpp11::register]] doubles engine_part_forces(SEXP mesh, list state) {
+// Returns hydrodynamic forces on every part, 3 each, N.
+[[cpp11::register]] doubles engine_part_forces(SEXP handle, list state) {
   return guarded([&]() -> doubles {
-    return as_doubles(codend::part_forces(held_mesh(mesh).frame, read_shape(state)));
+    return as_doubles(codend::part_forces(held_model(handle).frame, read_shape(state)));
   });
 }
 
-// Tension at both ends of bars of ropes, 2 each, N.
-[[cpp11::register]] doubles engine_end_tensions(SEXP mesh, list state, integers bars) {
+// Returns tensions at both ends of bars of ropes, 2 each, N.
+[[cpp11::register]] doubles engine_end_tensions(SEXP handle, list state, integers bars) {
   return guarded([&]() -> doubles {
-    const codend::Model model = read_model(mesh);
-    const codend::MeasureFrame& frame = held_mesh(mesh).frame;
+    const codend::Model model = read_model(handle);
+    const codend::MeasureFrame& frame = held_model(handle).frame;
     const codend::MeasuredShape<double> shape = read_shape(state);
     std::vector<double> out;
     for (const int bar : places(bars)) {
@@ -88,10 +89,10 @@ codend::MeasuredShape<double> read_shape(const list& state) {
   });
 }
 
-// Meshes at all places of panels, as columns; points: 3 each, m.
-[[cpp11::register]] list engine_mesh_places(SEXP mesh, doubles points) {
+// Returns the meshes at all positions on panels as columns (MeshPlace); points: 3 each, m.
+[[cpp11::register]] list engine_mesh_places(SEXP handle, doubles points) {
   return guarded([&]() -> list {
-    const codend::MeshFrame& meshes = held_mesh(mesh).frame.meshes;
+    const codend::MeshFrame& meshes = held_model(handle).frame.meshes;
     std::map<std::string, std::vector<double>> columns;
     for (const auto& place : codend::mesh_places(meshes, numbers(points))) {
       columns["opening"].push_back(place.opening);
@@ -115,11 +116,11 @@ codend::MeasuredShape<double> read_shape(const list& state) {
   });
 }
 
-// Volume (m3) and surface (m2) of the netting behind a catch's front, `blocked` meshes from the bag's end;
-// points: 3 each, m.
-[[cpp11::register]] doubles engine_catch_sizes(SEXP mesh, double blocked, doubles points) {
+// Returns volume (m3) and surface (m2) of the netting behind a front, `blocked` meshes from the end
+// of the bag; points: 3 each, m.
+[[cpp11::register]] doubles engine_catch_sizes(SEXP handle, double blocked, doubles points) {
   return guarded([&]() -> doubles {
-    codend::FilledBag bag = held_mesh(mesh).bag;
+    codend::FilledBag bag = held_model(handle).bag;
     bag.blocked = blocked;
     const std::vector<double> x = numbers(points);
     return as_doubles(std::vector<double>{codend::bag_volume(bag, x), codend::bag_surface(bag, x)});

@@ -1,4 +1,4 @@
-// Meshes of gears: the engine holds them, R has handles to them.
+// R interface: models of gears, stored in the engine; R has handles to them.
 #include "binding_list.h"
 #include "binding_model.h"
 
@@ -6,7 +6,7 @@ using namespace binding;
 
 namespace {
 
-// Shows a visitor those fields of a struct that have one of these names.
+// Passes only the fields of a struct with the given names to a visitor.
 template <class Visit>
 class NamedFields {
  public:
@@ -45,48 +45,49 @@ class NamedFields {
 
 namespace binding {
 
-sexp mesh_handle(HeldMesh&& mesh) {
-  const external_pointer<HeldMesh> handle(new HeldMesh(std::move(mesh)));
+sexp model_handle(HeldModel&& model) {
+  const external_pointer<HeldModel> handle(new HeldModel(std::move(model)));
   sexp out(static_cast<SEXP>(handle));
-  out.attr("class") = "codend_mesh";
+  out.attr("class") = "codend_model";
   return out;
 }
 
-HeldMesh& held_mesh(SEXP handle) {
-  if (TYPEOF(handle) != EXTPTRSXP) throw codend::InputError("mesh", "mesh must be a mesh");
-  auto* held = static_cast<HeldMesh*>(R_ExternalPtrAddr(handle));
-  if (!held) throw codend::InputError("mesh", "mesh is of another process");
+HeldModel& held_model(SEXP handle) {
+  if (TYPEOF(handle) != EXTPTRSXP)
+    throw codend::InputError("model", "model must be a model of the engine");
+  auto* held = static_cast<HeldModel*>(R_ExternalPtrAddr(handle));
+  if (!held) throw codend::InputError("model", "model is from another process");
   return *held;
 }
 
 codend::Model read_model(SEXP handle) {
-  codend::Model model = held_mesh(handle).model;
+  codend::Model model = held_model(handle).model;
   model.prepare();
   return model;
 }
 
 list mesh_list(codend::MeasuredGear&& gear, codend::MeasureFrame&& frame) {
-  writable::list out(ListWriter::written(gear.lattice));
-  out.push_back("mesh"_nm =
-                    mesh_handle({std::move(gear.model), std::move(frame), std::move(gear.bag)}));
+  writable::list out(ListWriter::written(gear.mesh));
+  out.push_back("model"_nm =
+                    model_handle({std::move(gear.model), std::move(frame), std::move(gear.bag)}));
   return out;
 }
 
 }  // namespace binding
 
-// A mesh from all of its fields, see codend::Model.
-[[cpp11::register]] SEXP engine_mesh(list fields) {
+// Creates a model from all of its fields, see codend::Model.
+[[cpp11::register]] SEXP engine_model(list fields) {
   return guarded([&]() -> SEXP {
-    HeldMesh held;
+    HeldModel held;
     held.model = codend::read_fields<codend::Model>(ListSource(fields));
-    return mesh_handle(std::move(held));
+    return model_handle(std::move(held));
   });
 }
 
-// A mesh like another but for these fields; groups of them are whole.
-[[cpp11::register]] SEXP engine_changed_mesh(SEXP mesh, list fields) {
+// Returns a copy of a model with some fields replaced; a group of fields must be complete.
+[[cpp11::register]] SEXP engine_changed_model(SEXP handle, list fields) {
   return guarded([&]() -> SEXP {
-    HeldMesh held = held_mesh(mesh);
+    HeldModel held = held_model(handle);
     const ListSource from(fields);
     const std::vector<std::string> names = from.names();
     codend::FieldReader<ListSource>::Counts counts{};
@@ -94,30 +95,30 @@ list mesh_list(codend::MeasuredGear&& gear, codend::MeasureFrame&& frame) {
     NamedFields given(names, reader);
     held.model.fields(given);
     reader.finish();
-    return mesh_handle(std::move(held));
+    return model_handle(std::move(held));
   });
 }
 
-// A mesh whose catch has its front `blocked` meshes from the bag's end.
-[[cpp11::register]] SEXP engine_filled_mesh(SEXP mesh, double blocked) {
+// Returns a copy of a model with the front of its catch `blocked` meshes from the end of the bag.
+[[cpp11::register]] SEXP engine_filled_model(SEXP handle, double blocked) {
   return guarded([&]() -> SEXP {
-    HeldMesh held = held_mesh(mesh);
+    HeldModel held = held_model(handle);
     held.bag.blocked = blocked;
     codend::press(held.bag, held.model);
-    return mesh_handle(std::move(held));
+    return model_handle(std::move(held));
   });
 }
 
-// All fields of a mesh.
-[[cpp11::register]] list engine_mesh_fields(SEXP mesh) {
-  return guarded([&]() -> list { return ListWriter::written(held_mesh(mesh).model); });
+// Returns all fields of a model.
+[[cpp11::register]] list engine_model_fields(SEXP handle) {
+  return guarded([&]() -> list { return ListWriter::written(held_model(handle).model); });
 }
 
-// A field of a mesh, or its `frame` (codend::MeasureFrame) or `bag` (codend::FilledBag); NULL where it has
-// none of the name.
-[[cpp11::register]] SEXP engine_mesh_field(SEXP mesh, std::string name) {
+// Returns a field of a model, or its `frame` (codend::MeasureFrame) or `bag` (codend::FilledBag);
+// NULL if there is no such field.
+[[cpp11::register]] SEXP engine_model_field(SEXP handle, std::string name) {
   return guarded([&]() -> SEXP {
-    HeldMesh& held = held_mesh(mesh);
+    HeldModel& held = held_model(handle);
     if (name == "frame") return ListWriter::written(held.frame);
     if (name == "bag" && held.catch_bag()) return ListWriter::written(held.bag);
     const std::vector<std::string> names{name};

@@ -1,4 +1,5 @@
-// A lattice, an R list of arrays and lists, as a source of the engine's fields (base/read_fields.hpp).
+// Reads fields of the engine (base/read_fields.hpp) from an R list of arrays and lists; handles to
+// models.
 #pragma once
 
 #include <cpp11.hpp>
@@ -19,12 +20,12 @@ class ListSource {
  public:
   static constexpr int first_place = 1;
 
-  // The list is the caller's to protect.
+  // The caller must protect the list.
   explicit ListSource(SEXP list) : list_(list) {
     if (TYPEOF(list) != VECSXP) throw std::invalid_argument("must be a list");
   }
 
-  // NULL is as good as nothing.
+  // NULL elements count as missing.
   std::vector<std::string> names() const {
     std::vector<std::string> out;
     const SEXP names = Rf_getAttrib(list_, R_NamesSymbol);
@@ -84,27 +85,29 @@ class ListSource {
   SEXP list_;
 };
 
-// What the engine holds of a gear for R: the model of its mesh, which is not ready for use, what measures
-// take of it, and the bag around its catch.
-struct HeldMesh {
+// Data of a gear that the engine stores for R: the unprepared model of its mesh, data for measures,
+// and the bag around its catch.
+struct HeldModel {
   codend::Model model;
   codend::MeasureFrame frame;
   codend::FilledBag bag;
 
   const codend::FilledBag* catch_bag() const { return bag.points > 0 ? &bag : nullptr; }
 };
-cpp11::sexp mesh_handle(HeldMesh&& mesh);
+cpp11::sexp model_handle(HeldModel&& model);
 
-// list(mesh, and the fields of the lattice), of a gear whose model is not ready for use.
+// Returns the fields of a discretisation and `model`, a handle to its unprepared model, as an R
+// list.
 cpp11::list mesh_list(codend::MeasuredGear&& gear, codend::MeasureFrame&& frame);
 
-// Of a handle. Throws InputError where it is empty, as in another process.
-HeldMesh& held_mesh(SEXP handle);
+// Returns the data of a handle. Throws InputError if it is empty, as in another process.
+HeldModel& held_model(SEXP handle);
 
-// The model of a mesh, a copy that is ready for use.
+// Returns a copy of the model of a handle, prepared for use.
 codend::Model read_model(SEXP handle);
 
-// Numbers of all nodes, 3 each, such as positions.
+// Converts values of all nodes (3 each); throws InputError for a wrong number. name: for the
+// message.
 inline std::vector<double> of_nodes(const cpp11::doubles& values, const codend::Model& model,
                                     const char* name) {
   const std::size_t wanted = 3 * static_cast<std::size_t>(model.nodes);

@@ -1,4 +1,4 @@
-// Numbers between R and the engine, which counts from 0.
+// Converts numbers between R and the engine, which counts from 0.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/base/geometry.hpp"
-#include "engine/march/motion.hpp"
+#include "engine/motion/motion.hpp"
 
 namespace binding {
 
@@ -32,7 +32,7 @@ inline std::vector<int> whole_numbers(const list& from, const char* name) {
   return whole_numbers(integers(from[name]));
 }
 
-// R counts from 1. NA becomes -1, which is no place.
+// R counts from 1. NA becomes -1, which means none.
 inline int place_of(int value) { return value == NA_INTEGER ? -1 : value - 1; }
 inline std::vector<int> places(const integers& values) {
   std::vector<int> out = whole_numbers(values);

@@ -1,16 +1,16 @@
-// Schedules for R: read, and asked what they say of a time.
+// R interface: schedules and their values at given times.
 #include "binding_schedule.h"
 
 #include "binding_model.h"
-#include "engine/march/check_schedule.hpp"
-#include "engine/march/scheduled_conditions.hpp"
+#include "engine/motion/check_schedule.hpp"
+#include "engine/motion/scheduled_conditions.hpp"
 
 using namespace binding;
 
 namespace {
 
-// Reads a schedule's structs by their fields (march/schedule.hpp) from an R list under the same names.
-// What they hold is checked by check_schedule().
+// Reads structs of a schedule (motion/schedule.hpp) from an R list with the same names.
+// check_schedule() checks the values.
 class ScheduleReader {
  public:
   explicit ScheduleReader(const list& from) : from_(from) {}
@@ -29,7 +29,7 @@ class ScheduleReader {
     if (flat.size() != 3) throw codend::InputError(name, std::string(name) + " must be 3 numbers");
     to = codend::Vector(flat[0], flat[1], flat[2]);
   }
-  // R counts from 1, and 0 is none.
+  // R counts from 1; 0 means none.
   void place(const char* name, int& to) { to = binding::place(from_, name); }
   void place(const char* name, std::vector<int>& to) { to = places(from_, name); }
 
@@ -91,7 +91,7 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
                          "anchor"_nm = as_doubles(schedule.sticking.anchor)});
 }
 
-// Values of a curve at times (s); at a jump those before it, or after it.
+// Returns values of a curve at times (s). At a jump: the value after it if `after`, else before it.
 [[cpp11::register]] doubles engine_curve_at(list curve, doubles time, bool after) {
   return guarded([&]() -> doubles {
     codend::Curve read;
@@ -104,15 +104,16 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
   });
 }
 
-// What a schedule says of times (s), after their jumps, in columns by time: origin and velocity (m,
-// m/s, 3 each) of what moves the held nodes, its heading (rad), factors of the growing groups, and
-// the current (m/s) along x and y by depth. length: what winches have out then, m, by group.
+// Returns the values of a schedule at times (s), after jumps, as columns by time. The motion of the
+// fixed nodes has an origin (m) and a velocity (m/s), 3 each, and a heading (rad). Further columns
+// are the factors of the growing groups, and the current along x and y by depth (m/s). `length`:
+// line paid out by the winches at these times, m, by group.
 [[cpp11::register]] list engine_schedule_at(list schedule, doubles time, doubles length) {
   return guarded([&]() -> list {
     codend::Schedule read = read_schedule(schedule);
     codend::check_schedule(read);
     if (length.size() != time.size() * static_cast<R_xlen_t>(read.growing.size())) {
-      throw codend::InputError("length", "one length per time and growing group is needed");
+      throw codend::InputError("length", "length must have one value per time and growing group");
     }
     writable::doubles origin, velocity, heading, factor, x, y;
     R_xlen_t next = 0;
@@ -138,10 +139,10 @@ writable::list binding::schedule_done(const codend::Schedule& schedule) {
   });
 }
 
-// A lattice's numbers that a schedule changes, as they are at a time (s), after its jumps.
-[[cpp11::register]] list engine_scheduled(SEXP mesh, list schedule, double time) {
+// Returns the arrays of a model that a schedule changes, at a time (s), after its jumps.
+[[cpp11::register]] list engine_scheduled(SEXP handle, list schedule, double time) {
   return guarded([&]() -> list {
-    codend::Model model = read_model(mesh);
+    codend::Model model = read_model(handle);
     codend::Assembly assembly(model);
     codend::Motion motion;
     motion.time = time;

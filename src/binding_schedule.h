@@ -1,14 +1,14 @@
-// The engine's schedule from that of a tow, which is an R list.
+// Reads the engine's schedule from the R list of a tow.
 #pragma once
 
 #include "binding_numbers.h"
-#include "engine/march/schedule.hpp"
+#include "engine/motion/schedule.hpp"
 
 namespace binding {
 
 codend::Schedule read_schedule(const list& from);
 
-// What of a schedule has followed from the motion so far, as an R list.
+// Returns the state of a schedule that depends on the motion so far, as an R list.
 writable::list schedule_done(const codend::Schedule& schedule);
 
 }  // namespace binding

@@ -1,4 +1,4 @@
-// Equilibria for R.
+// R interface: equilibria.
 #include <algorithm>
 
 #include "binding_list.h"
@@ -11,8 +11,8 @@ using namespace binding;
 
 namespace {
 
-// What R checks of a lattice.
-struct CheckedLattice {
+// Data of a discretisation that R checks before the solution.
+struct CheckedMesh {
   std::vector<double> twine;
   bool encloses;
   codend::Division division;
@@ -25,7 +25,8 @@ struct CheckedLattice {
   }
 };
 
-// Tells R of every step, and stops where R is interrupted. how: SettleControl or GearSettling.
+// Reports every iteration to R, and stops if the user interrupts. how: SettleControl or
+// GearSettling.
 template <class Control>
 void report_to(const function& watch, Control& how) {
   how.watch = [&watch](const codend::SettleProgress& progress) {
@@ -71,12 +72,13 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
 
 }  // namespace
 
-// from: what the start is, a name of codend::Start; part: of every line, counted from 1, or empty.
-[[cpp11::register]] list engine_settle(SEXP mesh, doubles start, std::string from, doubles strain,
+// Returns an equilibrium of a model, see settled_list(). from: kind of initial guess, a name of
+// codend::Start; part: of every line, from 1, or empty.
+[[cpp11::register]] list engine_settle(SEXP handle, doubles start, std::string from, doubles strain,
                                        integers part, double tolerance, int iterations,
                                        function watch) {
   return guarded([&]() -> list {
-    codend::Model model = read_model(mesh);
+    codend::Model model = read_model(handle);
     codend::Assembly assembly(model);
     std::vector<double> x = of_nodes(start, model, "start");
     const std::vector<double> v(x.size(), 0.0);
@@ -109,11 +111,21 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
   });
 }
 
-// Settles a gear from its numbers (measure/settled_gear.hpp). from: list as BegunShape has it, or NULL;
-// told: whether the lattice is wanted; built: a function of what is checked of every lattice; levels: NULL,
-// or nodes of lattices beside one of so many nodes: then it is settled on one more where these say too
-// little of its errors (extra_lattice()), else nothing is returned. Returns what engine_settle() does, levels = list(nodes, measures (SI), steps and seconds) of each, lattice = as
-// engine_lattice() has it or NULL, asked = nodes that it was asked for, seconds_lattice, blocked, full_bag.
+// Solves for the equilibrium of a gear from its numbers (measure/settled_gear.hpp).
+//
+// - `from`: list with the fields of InitialShape, or NULL.
+// - `told`: TRUE to return the discretisation.
+// - `built`: function of a CheckedMesh, called for every discretisation.
+// - `levels`: NULL, or node numbers of other meshes of the gear solved with `nodes` nodes. If these
+//   do not suffice for its errors, one more mesh is solved (extra_mesh()). Otherwise the result
+//   is an empty list.
+//
+// Returns the list of engine_settle() plus these elements:
+//
+// - `levels`: list(nodes, measures (SI), iterations and CPU seconds) of each mesh level.
+// - `asked`: requested nodes.
+// - `seconds_mesh`, `blocked`, `full_bag`: see SettledGear and FilledBag.
+// - `mesh`: the list of engine_mesh(), if `told`.
 [[cpp11::register]] list engine_settle_gear(list numbers, double nodes, SEXP from,
                                             bool through_levels, bool told, double tolerance,
                                             int iterations, function watch, function built,
@@ -122,9 +134,9 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
     const auto read = codend::read_fields<codend::GearNumbers>(ListSource(numbers));
     read.gear.check();
     codend::GearSettling how;
-    codend::BegunShape begun;
+    codend::InitialShape begun;
     if (!Rf_isNull(from)) {
-      begun = codend::read_fields<codend::BegunShape>(ListSource(from));
+      begun = codend::read_fields<codend::InitialShape>(ListSource(from));
       how.from = &begun;
     }
     how.nodes = nodes;
@@ -132,8 +144,8 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
     how.tolerance = tolerance;
     how.iterations = iterations;
     report_to(watch, how);
-    how.built = [&](const codend::Lattice& lattice) {
-      CheckedLattice checked{lattice.twine, lattice.bag.encloses, lattice.division};
+    how.built = [&](const codend::Mesh& mesh) {
+      CheckedMesh checked{mesh.twine, mesh.bag.encloses, mesh.division};
       built(ListWriter::written(checked));
     };
     codend::SettledGear found;
@@ -142,7 +154,7 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
       found = codend::settle_gear(read, how);
     } else {
       auto extra =
-          codend::extra_lattice(read, how, begun, nodes, binding::numbers(doubles(levels)), asked);
+          codend::extra_mesh(read, how, begun, nodes, binding::numbers(doubles(levels)), asked);
       if (!extra) return writable::list();
       found = std::move(*extra);
     }
@@ -156,7 +168,7 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
                                       "seconds_jacobian"_nm = level.report.seconds_jacobian,
                                       "seconds_linear"_nm = level.report.seconds_linear,
                                       "seconds_analysis"_nm = level.report.seconds_analysis,
-                                      "seconds_lattice"_nm = level.seconds_lattice}));
+                                      "seconds_mesh"_nm = level.seconds_mesh}));
     }
     writable::list out =
         settled_list(found.report, found.position, found.strain, found.gear.model.wake);
@@ -165,25 +177,26 @@ list settled_list(const codend::SettleReport& report, const std::vector<double>&
     };
     add("levels", below);
     add("asked", cpp11::as_sexp(asked));
-    add("seconds_lattice", cpp11::as_sexp(found.seconds_lattice));
+    add("seconds_mesh", cpp11::as_sexp(found.seconds_mesh));
     add("blocked", cpp11::as_sexp(found.gear.bag.blocked));
     add("full_bag", cpp11::as_sexp(found.full_bag));
     if (told) {
       codend::MeasuredGear of = codend::unprepared_gear(
-          read.gear, read.model, std::move(found.gear.lattice), found.gear.bag.blocked);
+          read.gear, read.model, std::move(found.gear.mesh), found.gear.bag.blocked);
       of.model.wake = found.gear.model.wake;
-      codend::MeasureFrame frame = codend::measure_frame(read.gear, of.lattice);
-      add("lattice", mesh_list(std::move(of), std::move(frame)));
+      codend::MeasureFrame frame = codend::measure_frame(read.gear, of.mesh);
+      add("mesh", mesh_list(std::move(of), std::move(frame)));
     }
     return out;
   });
 }
 
-// Per motion in which a rigid body takes part: its rate (1/s) by real and imaginary part, the node of a
-// body that moves most, whether it is certain, and what is left of the equations.
-[[cpp11::register]] list engine_body_modes(SEXP mesh, doubles position, doubles velocity) {
+// Returns the modes of motion of rigid bodies as columns. They are the rate (real and imaginary
+// part, 1/s), the body node with the largest motion, TRUE if the mode is certain, and the residual
+// of the equations.
+[[cpp11::register]] list engine_body_modes(SEXP handle, doubles position, doubles velocity) {
   return guarded([&]() -> list {
-    codend::Model model = read_model(mesh);
+    codend::Model model = read_model(handle);
     codend::Assembly assembly(model);
     const std::vector<double> x = of_nodes(position, model, "position");
     const std::vector<double> v = of_nodes(velocity, model, "velocity");

@@ -1,12 +1,13 @@
-// Measures of gears near a settled one for R.
+// R interface: measures of gears near a solved one.
 #include "binding_list.h"
 #include "binding_model.h"
 #include "engine/measure/near_gear.hpp"
 
 using namespace binding;
 
-// numbers: of a gear (measure/measured_gear.hpp); counts, position (3 x points) and wake of its settled
-// lattice. Returns list(near, measures (SI)), or NULL where nothing near can be found so.
+// numbers: of a gear (measure/measured_gear.hpp); counts, position (3 x points) and wake: of its
+// solved discretisation. Returns list(near, measures (SI)), or NULL if the gear is not regular
+// (NearGear::regular()).
 [[cpp11::register]] SEXP engine_near_gear(list numbers, list counts, doubles position,
                                           doubles wake) {
   return guarded([&]() -> SEXP {
@@ -23,9 +24,9 @@ using namespace binding;
   });
 }
 
-// Changes of measures (SI, see NearGear::towards()) with numbers a share of the way to others' and as much
-// the other way, list(up, down, factorisations): none where steps lead to no balance. tolerance, steps,
-// renewals, closes_in, reach: as NearControl.
+// Returns list(up, down, factorisations): changes of measures (SI, see NearGear::towards()) for
+// numbers at the fraction `share` of the way to `numbers`, and at the opposite distance. Changes
+// are empty without convergence. tolerance, steps, renewals, closes_in, reach: see NearControl.
 [[cpp11::register]] list engine_near_changes(SEXP near, list numbers, double share,
                                              double tolerance, int steps, int renewals,
                                              bool closes_in, double reach) {
@@ -41,8 +42,9 @@ using namespace binding;
   });
 }
 
-// Change of measures (SI) to a gear with other numbers, settled from the one that is near,
-// list(change, factorisations): none where it does not settle. tolerance, iterations: as SettleControl.
+// Returns list(change, factorisations): changes of measures (SI) to a gear with other numbers in a
+// new equilibrium that starts from `near`. `change` is empty without convergence. tolerance,
+// iterations: see SettleControl.
 [[cpp11::register]] list engine_near_settled(SEXP near, list numbers, double tolerance,
                                              int iterations) {
   return guarded([&]() -> list {

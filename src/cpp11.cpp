@@ -6,10 +6,10 @@
 #include <R_ext/Visibility.h>
 
 // binding_gear.cpp
-list engine_lattice(list numbers, list model, double blocked, double nodes, SEXP counts, SEXP map, doubles position, bool alike);
-extern "C" SEXP _codend_engine_lattice(SEXP numbers, SEXP model, SEXP blocked, SEXP nodes, SEXP counts, SEXP map, SEXP position, SEXP alike) {
+list engine_mesh(list numbers, list model, double blocked, double nodes, SEXP counts, SEXP map, doubles position, bool alike);
+extern "C" SEXP _codend_engine_mesh(SEXP numbers, SEXP model, SEXP blocked, SEXP nodes, SEXP counts, SEXP map, SEXP position, SEXP alike) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_lattice(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<list>>(model), cpp11::as_cpp<cpp11::decay_t<double>>(blocked), cpp11::as_cpp<cpp11::decay_t<double>>(nodes), cpp11::as_cpp<cpp11::decay_t<SEXP>>(counts), cpp11::as_cpp<cpp11::decay_t<SEXP>>(map), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<bool>>(alike)));
+    return cpp11::as_sexp(engine_mesh(cpp11::as_cpp<cpp11::decay_t<list>>(numbers), cpp11::as_cpp<cpp11::decay_t<list>>(model), cpp11::as_cpp<cpp11::decay_t<double>>(blocked), cpp11::as_cpp<cpp11::decay_t<double>>(nodes), cpp11::as_cpp<cpp11::decay_t<SEXP>>(counts), cpp11::as_cpp<cpp11::decay_t<SEXP>>(map), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<bool>>(alike)));
   END_CPP11
 }
 // binding_gear.cpp
@@ -41,39 +41,11 @@ extern "C" SEXP _codend_engine_fill_handle(SEXP handle, SEXP value) {
     return R_NilValue;
   END_CPP11
 }
-// binding_march.cpp
-list engine_march(SEXP mesh, doubles position, doubles velocity, double step, int steps, double tolerance, int substitutions);
-extern "C" SEXP _codend_engine_march(SEXP mesh, SEXP position, SEXP velocity, SEXP step, SEXP steps, SEXP tolerance, SEXP substitutions) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_march(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity), cpp11::as_cpp<cpp11::decay_t<double>>(step), cpp11::as_cpp<cpp11::decay_t<int>>(steps), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(substitutions)));
-  END_CPP11
-}
-// binding_march.cpp
-list engine_tow(SEXP mesh, list schedule, list past, list control, list stops, function keep, function steer, function refill, function watch);
-extern "C" SEXP _codend_engine_tow(SEXP mesh, SEXP schedule, SEXP past, SEXP control, SEXP stops, SEXP keep, SEXP steer, SEXP refill, SEXP watch) {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_tow(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<list>>(past), cpp11::as_cpp<cpp11::decay_t<list>>(control), cpp11::as_cpp<cpp11::decay_t<list>>(stops), cpp11::as_cpp<cpp11::decay_t<function>>(keep), cpp11::as_cpp<cpp11::decay_t<function>>(steer), cpp11::as_cpp<cpp11::decay_t<function>>(refill), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
-  END_CPP11
-}
-// binding_march.cpp
-strings engine_energy_parts();
-extern "C" SEXP _codend_engine_energy_parts() {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_energy_parts());
-  END_CPP11
-}
-// binding_march.cpp
-list engine_schemes();
-extern "C" SEXP _codend_engine_schemes() {
-  BEGIN_CPP11
-    return cpp11::as_sexp(engine_schemes());
-  END_CPP11
-}
 // binding_measure.cpp
-doubles engine_measures(SEXP mesh, list questions, list state);
-extern "C" SEXP _codend_engine_measures(SEXP mesh, SEXP questions, SEXP state) {
+doubles engine_measures(SEXP handle, list questions, list state);
+extern "C" SEXP _codend_engine_measures(SEXP handle, SEXP questions, SEXP state) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_measures(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(questions), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
+    return cpp11::as_sexp(engine_measures(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<list>>(questions), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
   END_CPP11
 }
 // binding_measure.cpp
@@ -84,66 +56,94 @@ extern "C" SEXP _codend_engine_measure_errors(SEXP kinds, SEXP nodes, SEXP value
   END_CPP11
 }
 // binding_measure.cpp
-doubles engine_part_forces(SEXP mesh, list state);
-extern "C" SEXP _codend_engine_part_forces(SEXP mesh, SEXP state) {
+doubles engine_part_forces(SEXP handle, list state);
+extern "C" SEXP _codend_engine_part_forces(SEXP handle, SEXP state) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_part_forces(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
+    return cpp11::as_sexp(engine_part_forces(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<list>>(state)));
   END_CPP11
 }
 // binding_measure.cpp
-doubles engine_end_tensions(SEXP mesh, list state, integers bars);
-extern "C" SEXP _codend_engine_end_tensions(SEXP mesh, SEXP state, SEXP bars) {
+doubles engine_end_tensions(SEXP handle, list state, integers bars);
+extern "C" SEXP _codend_engine_end_tensions(SEXP handle, SEXP state, SEXP bars) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_end_tensions(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(state), cpp11::as_cpp<cpp11::decay_t<integers>>(bars)));
+    return cpp11::as_sexp(engine_end_tensions(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<list>>(state), cpp11::as_cpp<cpp11::decay_t<integers>>(bars)));
   END_CPP11
 }
 // binding_measure.cpp
-list engine_mesh_places(SEXP mesh, doubles points);
-extern "C" SEXP _codend_engine_mesh_places(SEXP mesh, SEXP points) {
+list engine_mesh_places(SEXP handle, doubles points);
+extern "C" SEXP _codend_engine_mesh_places(SEXP handle, SEXP points) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_mesh_places(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
+    return cpp11::as_sexp(engine_mesh_places(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
   END_CPP11
 }
 // binding_measure.cpp
-doubles engine_catch_sizes(SEXP mesh, double blocked, doubles points);
-extern "C" SEXP _codend_engine_catch_sizes(SEXP mesh, SEXP blocked, SEXP points) {
+doubles engine_catch_sizes(SEXP handle, double blocked, doubles points);
+extern "C" SEXP _codend_engine_catch_sizes(SEXP handle, SEXP blocked, SEXP points) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_catch_sizes(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<double>>(blocked), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
+    return cpp11::as_sexp(engine_catch_sizes(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<double>>(blocked), cpp11::as_cpp<cpp11::decay_t<doubles>>(points)));
   END_CPP11
 }
 // binding_mesh.cpp
-SEXP engine_mesh(list fields);
-extern "C" SEXP _codend_engine_mesh(SEXP fields) {
+SEXP engine_model(list fields);
+extern "C" SEXP _codend_engine_model(SEXP fields) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_mesh(cpp11::as_cpp<cpp11::decay_t<list>>(fields)));
+    return cpp11::as_sexp(engine_model(cpp11::as_cpp<cpp11::decay_t<list>>(fields)));
   END_CPP11
 }
 // binding_mesh.cpp
-SEXP engine_changed_mesh(SEXP mesh, list fields);
-extern "C" SEXP _codend_engine_changed_mesh(SEXP mesh, SEXP fields) {
+SEXP engine_changed_model(SEXP handle, list fields);
+extern "C" SEXP _codend_engine_changed_model(SEXP handle, SEXP fields) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_changed_mesh(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(fields)));
+    return cpp11::as_sexp(engine_changed_model(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<list>>(fields)));
   END_CPP11
 }
 // binding_mesh.cpp
-SEXP engine_filled_mesh(SEXP mesh, double blocked);
-extern "C" SEXP _codend_engine_filled_mesh(SEXP mesh, SEXP blocked) {
+SEXP engine_filled_model(SEXP handle, double blocked);
+extern "C" SEXP _codend_engine_filled_model(SEXP handle, SEXP blocked) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_filled_mesh(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<double>>(blocked)));
+    return cpp11::as_sexp(engine_filled_model(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<double>>(blocked)));
   END_CPP11
 }
 // binding_mesh.cpp
-list engine_mesh_fields(SEXP mesh);
-extern "C" SEXP _codend_engine_mesh_fields(SEXP mesh) {
+list engine_model_fields(SEXP handle);
+extern "C" SEXP _codend_engine_model_fields(SEXP handle) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_mesh_fields(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh)));
+    return cpp11::as_sexp(engine_model_fields(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle)));
   END_CPP11
 }
 // binding_mesh.cpp
-SEXP engine_mesh_field(SEXP mesh, std::string name);
-extern "C" SEXP _codend_engine_mesh_field(SEXP mesh, SEXP name) {
+SEXP engine_model_field(SEXP handle, std::string name);
+extern "C" SEXP _codend_engine_model_field(SEXP handle, SEXP name) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_mesh_field(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<std::string>>(name)));
+    return cpp11::as_sexp(engine_model_field(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<std::string>>(name)));
+  END_CPP11
+}
+// binding_motion.cpp
+list engine_integrate(SEXP handle, doubles position, doubles velocity, double step, int steps, double tolerance, int substitutions);
+extern "C" SEXP _codend_engine_integrate(SEXP handle, SEXP position, SEXP velocity, SEXP step, SEXP steps, SEXP tolerance, SEXP substitutions) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_integrate(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity), cpp11::as_cpp<cpp11::decay_t<double>>(step), cpp11::as_cpp<cpp11::decay_t<int>>(steps), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(substitutions)));
+  END_CPP11
+}
+// binding_motion.cpp
+list engine_tow(SEXP handle, list schedule, list past, list control, list stops, function keep, function steer, function refill, function watch);
+extern "C" SEXP _codend_engine_tow(SEXP handle, SEXP schedule, SEXP past, SEXP control, SEXP stops, SEXP keep, SEXP steer, SEXP refill, SEXP watch) {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_tow(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<list>>(past), cpp11::as_cpp<cpp11::decay_t<list>>(control), cpp11::as_cpp<cpp11::decay_t<list>>(stops), cpp11::as_cpp<cpp11::decay_t<function>>(keep), cpp11::as_cpp<cpp11::decay_t<function>>(steer), cpp11::as_cpp<cpp11::decay_t<function>>(refill), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+  END_CPP11
+}
+// binding_motion.cpp
+strings engine_energy_parts();
+extern "C" SEXP _codend_engine_energy_parts() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_energy_parts());
+  END_CPP11
+}
+// binding_motion.cpp
+list engine_schemes();
+extern "C" SEXP _codend_engine_schemes() {
+  BEGIN_CPP11
+    return cpp11::as_sexp(engine_schemes());
   END_CPP11
 }
 // binding_schedule.cpp
@@ -161,17 +161,17 @@ extern "C" SEXP _codend_engine_schedule_at(SEXP schedule, SEXP time, SEXP length
   END_CPP11
 }
 // binding_schedule.cpp
-list engine_scheduled(SEXP mesh, list schedule, double time);
-extern "C" SEXP _codend_engine_scheduled(SEXP mesh, SEXP schedule, SEXP time) {
+list engine_scheduled(SEXP handle, list schedule, double time);
+extern "C" SEXP _codend_engine_scheduled(SEXP handle, SEXP schedule, SEXP time) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_scheduled(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<double>>(time)));
+    return cpp11::as_sexp(engine_scheduled(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<list>>(schedule), cpp11::as_cpp<cpp11::decay_t<double>>(time)));
   END_CPP11
 }
 // binding_settle.cpp
-list engine_settle(SEXP mesh, doubles start, std::string from, doubles strain, integers part, double tolerance, int iterations, function watch);
-extern "C" SEXP _codend_engine_settle(SEXP mesh, SEXP start, SEXP from, SEXP strain, SEXP part, SEXP tolerance, SEXP iterations, SEXP watch) {
+list engine_settle(SEXP handle, doubles start, std::string from, doubles strain, integers part, double tolerance, int iterations, function watch);
+extern "C" SEXP _codend_engine_settle(SEXP handle, SEXP start, SEXP from, SEXP strain, SEXP part, SEXP tolerance, SEXP iterations, SEXP watch) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<std::string>>(from), cpp11::as_cpp<cpp11::decay_t<doubles>>(strain), cpp11::as_cpp<cpp11::decay_t<integers>>(part), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
+    return cpp11::as_sexp(engine_settle(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<doubles>>(start), cpp11::as_cpp<cpp11::decay_t<std::string>>(from), cpp11::as_cpp<cpp11::decay_t<doubles>>(strain), cpp11::as_cpp<cpp11::decay_t<integers>>(part), cpp11::as_cpp<cpp11::decay_t<double>>(tolerance), cpp11::as_cpp<cpp11::decay_t<int>>(iterations), cpp11::as_cpp<cpp11::decay_t<function>>(watch)));
   END_CPP11
 }
 // binding_settle.cpp
@@ -182,10 +182,10 @@ extern "C" SEXP _codend_engine_settle_gear(SEXP numbers, SEXP nodes, SEXP from, 
   END_CPP11
 }
 // binding_settle.cpp
-list engine_body_modes(SEXP mesh, doubles position, doubles velocity);
-extern "C" SEXP _codend_engine_body_modes(SEXP mesh, SEXP position, SEXP velocity) {
+list engine_body_modes(SEXP handle, doubles position, doubles velocity);
+extern "C" SEXP _codend_engine_body_modes(SEXP handle, SEXP position, SEXP velocity) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_body_modes(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
+    return cpp11::as_sexp(engine_body_modes(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
   END_CPP11
 }
 // binding_tangent.cpp
@@ -210,10 +210,10 @@ extern "C" SEXP _codend_engine_near_settled(SEXP near, SEXP numbers, SEXP tolera
   END_CPP11
 }
 // binding.cpp
-list engine_evaluate(SEXP mesh, doubles position, doubles velocity);
-extern "C" SEXP _codend_engine_evaluate(SEXP mesh, SEXP position, SEXP velocity) {
+list engine_evaluate(SEXP handle, doubles position, doubles velocity);
+extern "C" SEXP _codend_engine_evaluate(SEXP handle, SEXP position, SEXP velocity) {
   BEGIN_CPP11
-    return cpp11::as_sexp(engine_evaluate(cpp11::as_cpp<cpp11::decay_t<SEXP>>(mesh), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
+    return cpp11::as_sexp(engine_evaluate(cpp11::as_cpp<cpp11::decay_t<SEXP>>(handle), cpp11::as_cpp<cpp11::decay_t<doubles>>(position), cpp11::as_cpp<cpp11::decay_t<doubles>>(velocity)));
   END_CPP11
 }
 // binding.cpp
@@ -291,7 +291,7 @@ extern "C" {
 static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_body_modes",      (DL_FUNC) &_codend_engine_body_modes,       3},
     {"_codend_engine_catch_sizes",     (DL_FUNC) &_codend_engine_catch_sizes,      3},
-    {"_codend_engine_changed_mesh",    (DL_FUNC) &_codend_engine_changed_mesh,     2},
+    {"_codend_engine_changed_model",   (DL_FUNC) &_codend_engine_changed_model,    2},
     {"_codend_engine_curve_at",        (DL_FUNC) &_codend_engine_curve_at,         3},
     {"_codend_engine_elevation",       (DL_FUNC) &_codend_engine_elevation,        4},
     {"_codend_engine_end_tensions",    (DL_FUNC) &_codend_engine_end_tensions,     3},
@@ -299,18 +299,18 @@ static const R_CallMethodDef CallEntries[] = {
     {"_codend_engine_evaluate",        (DL_FUNC) &_codend_engine_evaluate,         3},
     {"_codend_engine_fields",          (DL_FUNC) &_codend_engine_fields,           0},
     {"_codend_engine_fill_handle",     (DL_FUNC) &_codend_engine_fill_handle,      2},
-    {"_codend_engine_filled_mesh",     (DL_FUNC) &_codend_engine_filled_mesh,      2},
+    {"_codend_engine_filled_model",    (DL_FUNC) &_codend_engine_filled_model,     2},
     {"_codend_engine_forces",          (DL_FUNC) &_codend_engine_forces,           0},
     {"_codend_engine_handle",          (DL_FUNC) &_codend_engine_handle,           0},
     {"_codend_engine_handle_value",    (DL_FUNC) &_codend_engine_handle_value,     1},
-    {"_codend_engine_lattice",         (DL_FUNC) &_codend_engine_lattice,          8},
-    {"_codend_engine_march",           (DL_FUNC) &_codend_engine_march,            7},
+    {"_codend_engine_integrate",       (DL_FUNC) &_codend_engine_integrate,        7},
     {"_codend_engine_measure_errors",  (DL_FUNC) &_codend_engine_measure_errors,   5},
     {"_codend_engine_measures",        (DL_FUNC) &_codend_engine_measures,         3},
-    {"_codend_engine_mesh",            (DL_FUNC) &_codend_engine_mesh,             1},
-    {"_codend_engine_mesh_field",      (DL_FUNC) &_codend_engine_mesh_field,       2},
-    {"_codend_engine_mesh_fields",     (DL_FUNC) &_codend_engine_mesh_fields,      1},
+    {"_codend_engine_mesh",            (DL_FUNC) &_codend_engine_mesh,             8},
     {"_codend_engine_mesh_places",     (DL_FUNC) &_codend_engine_mesh_places,      2},
+    {"_codend_engine_model",           (DL_FUNC) &_codend_engine_model,            1},
+    {"_codend_engine_model_field",     (DL_FUNC) &_codend_engine_model_field,      2},
+    {"_codend_engine_model_fields",    (DL_FUNC) &_codend_engine_model_fields,     1},
     {"_codend_engine_near_changes",    (DL_FUNC) &_codend_engine_near_changes,     8},
     {"_codend_engine_near_gear",       (DL_FUNC) &_codend_engine_near_gear,        4},
     {"_codend_engine_near_settled",    (DL_FUNC) &_codend_engine_near_settled,     4},

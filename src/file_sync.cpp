@@ -1,4 +1,5 @@
-// What R cannot do with files: tell which are regular, force them to the disk and say why that failed.
+// File operations that R lacks: test for a regular file, force data to disk, and report the reason
+// of a failure.
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -32,7 +33,8 @@ int shorten(int file, long long size) { return ftruncate(file, size); }
 long long to_end(int file) { return lseek(file, 0, SEEK_END); }
 long write_bytes(int file, const char* bytes, unsigned count) { return write(file, bytes, count); }
 int close_file(int file) { return close(file); }
-// A new name lasts once its folder is on the disk; not every file system can do that.
+// A new name is permanent only after its folder is written to disk. Some file systems do not
+// support this, so errors are ignored.
 void sync_folder(const std::string& path) {
   const auto slash = path.find_last_of('/');
   const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
@@ -51,7 +53,7 @@ std::string native(cpp11::strings path) {
 
 }  // namespace
 
-// Bytes of a regular file; NA of anything else, such as a folder, a device or a pipe.
+// Returns the size in bytes of a regular file; NA for a folder, device, pipe or missing file.
 [[cpp11::register]] double file_size(cpp11::strings path) {
   struct stat about;
   if (stat(native(path).c_str(), &about) != 0 || (about.st_mode & S_IFMT) != S_IFREG)
@@ -59,10 +61,10 @@ std::string native(cpp11::strings path) {
   return static_cast<double>(about.st_size);
 }
 
-// Forces a file that was just written to the disk. The writer may have lost bytes to a full disk or
-// a limit of file size without a word (R's devices and connections do), so 64 KiB more are written
-// at its end and taken away: where these find no place, neither may those before them.
-// Returns "" or the system's reason.
+// Forces a file that was just written to disk. Returns "" or the system's reason of failure.
+// The writer may have lost bytes without an error, because of a full disk or a file size limit (R's
+// devices and connections do). Therefore 64 KiB are appended and removed again: if they do not fit,
+// earlier bytes may be missing.
 [[cpp11::register]] std::string file_sync(cpp11::strings path) {
   const int file = open_file(native(path).c_str());
   if (file < 0) return reason();
@@ -86,11 +88,12 @@ std::string native(cpp11::strings path) {
   return failed;
 }
 
-// Puts a file or folder in another's place at once. Returns "" or the system's reason.
+// Renames `from`, a file or folder, to `to`, which it replaces; atomic except on Windows. Returns
+// "" or the system's reason of failure.
 [[cpp11::register]] std::string file_replace(cpp11::strings from, cpp11::strings to) {
   const std::string place = native(to);
 #ifdef _WIN32
-  // rename() here replaces nothing
+  // rename() does not replace existing files on Windows.
   std::remove(place.c_str());
 #endif
   if (std::rename(native(from).c_str(), place.c_str()) != 0) return reason();

@@ -1,5 +1,4 @@
-// Sums over groups of an array's numbers: what R's rowsum() gives, without its search
-// for groups, where these are numbered already.
+// Sums over groups, like R's rowsum(), without its search for groups: they are numbered already.
 #include <algorithm>
 #include <cpp11.hpp>
 #include <stdexcept>
@@ -9,7 +8,7 @@ using namespace cpp11;
 
 namespace {
 
-// Of numbers from 1 to n, from 0.
+// Converts group numbers 1 to n to indices from 0; throws if they are invalid.
 std::vector<int> places_of(const integers& group, R_xlen_t size, int n) {
   if (n < 0 || group.size() != size) throw std::invalid_argument("groups do not fit");
   std::vector<int> out;
@@ -23,7 +22,7 @@ std::vector<int> places_of(const integers& group, R_xlen_t size, int n) {
 
 }  // namespace
 
-// Sums of x over groups 1..n, added up in the order of x.
+// Sums x over groups 1..n, in the order of x.
 [[cpp11::register]] doubles group_sums(doubles x, integers group, int n) {
   const std::vector<int> place = places_of(group, x.size(), n);
   writable::doubles total(static_cast<R_xlen_t>(n));

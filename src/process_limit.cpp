@@ -1,12 +1,12 @@
-// What R cannot do with its own process: bound the memory that it may take.
+// Limits the memory of this process, which R cannot do.
 
 #include <cpp11.hpp>
 #ifndef _WIN32
 #include <sys/resource.h>
 #endif
 
-// From here on this process gets at most so many bytes of address space; what asks for more fails.
-// Returns whether the system does that.
+// Limits the address space of this process to `bytes`; larger allocations fail. Returns true if the
+// system supports this.
 [[cpp11::register]] bool limit_memory(double bytes) {
 #ifdef _WIN32
   return false;

@@ -9,7 +9,7 @@
 #include "gear/first_shape.cpp"
 #include "gear/gear.cpp"
 #include "gear/gear_model.cpp"
-#include "gear/lattice.cpp"
+#include "gear/mesh.cpp"
 #include "gear/netting.cpp"
 #include "gear/parts.cpp"
 #include "gear/resolution.cpp"

@@ -1,19 +1,19 @@
-// Motion in time for R.
+// R interface: time integration.
 #include <ctime>
 
 #include "binding_model.h"
 #include "binding_schedule.h"
-#include "engine/march/march.hpp"
-#include "engine/march/scheduled_conditions.hpp"
-#include "engine/march/schemes.hpp"
-#include "engine/march/substitution.hpp"
 #include "engine/model/evaluate.hpp"
+#include "engine/motion/scheduled_conditions.hpp"
+#include "engine/motion/schemes.hpp"
+#include "engine/motion/substitution.hpp"
+#include "engine/motion/time_integration.hpp"
 
 using namespace binding;
 
 namespace {
 
-// Numbers of all nodes, 3 each.
+// Values of all nodes, 3 each.
 codend::Values node_values(const list& from, const char* name, const codend::Model& model) {
   const std::vector<double> given = of_nodes(doubles(from[name]), model, name);
   return Eigen::Map<const codend::Values>(given.data(), static_cast<Eigen::Index>(given.size()));
@@ -38,8 +38,8 @@ writable::list as_list(const codend::Motion& motion) {
                          "algorithmic_acceleration"_nm = as_doubles(motion.b)});
 }
 
-// The parts of a motion's energy account (march/energy_account.hpp) by their names in R, in the order
-// in which they are handed over. What is paid out and hauled in is the work of winches.
+// Parts of a motion's energy account (motion/energy_account.hpp) by their names in R, in the order
+// of the R vector. The work of changing lengths is the work of winches.
 struct EnergyPart {
   const char* name;
   double codend::EnergyTotals::*value;
@@ -68,7 +68,7 @@ writable::doubles as_doubles(const codend::EnergyTotals& totals) {
   return out;
 }
 
-// J, what an error of position (m) makes of the potential of all loads.
+// Change of the potential of all loads (J) by an error of position (m).
 double potential_of(const codend::Model& model, double error) {
   double sum = 0.0;
   for (int p = 0; p < model.points(); ++p) sum += codend::at(model.load.data(), p).norm();
@@ -77,14 +77,15 @@ double potential_of(const codend::Model& model, double error) {
 
 }  // namespace
 
-[[cpp11::register]] list engine_march(SEXP mesh, doubles position, doubles velocity, double step,
-                                      int steps, double tolerance, int substitutions) {
+[[cpp11::register]] list engine_integrate(SEXP handle, doubles position, doubles velocity,
+                                          double step, int steps, double tolerance,
+                                          int substitutions) {
   return guarded([&]() -> list {
-    codend::Model model = read_model(mesh);
+    codend::Model model = read_model(handle);
     codend::Assembly assembly(model);
     std::vector<double> x = of_nodes(position, model, "position"),
                         v = of_nodes(velocity, model, "velocity");
-    const codend::SubstitutionReport report = codend::march_by_substitution(
+    const codend::SubstitutionReport report = codend::integrate_by_substitution(
         assembly, step, steps, tolerance, substitutions, x.data(), v.data(), [] {
           check_user_interrupt();
           return true;
@@ -99,17 +100,21 @@ double potential_of(const codend::Model& model, double error) {
   });
 }
 
-// Marches from `past` (its `ordering`: as NewtonStep's) through the stops of list(time, kept,
-// broken, steered, filled): times (s, growing) and at which of them a frame is kept, the motion
-// breaks, winches are steered or the catch's front is moved. keep(frame) gets the motion and
-// tensions, and all that is needed to go on from there; steer(frame) answers with the speed wanted
-// of every growing group; refill(frame) with weight, node and mass of the catch; watch(time, steps)
-// is called after steps, at most some ten times a second.
-[[cpp11::register]] list engine_tow(SEXP mesh, list schedule, list past, list control, list stops,
+// Integrates from `past` (its `ordering`: see NewtonStep) through the stops of list(time, kept,
+// broken, steered, filled). Times (s) increase. The logical columns mark stops to store a snapshot,
+// to restart the motion, to steer winches, and to move the front of the catch.
+//
+// Callbacks:
+//
+// - `keep(frame)` receives the motion, tensions and all data needed to continue.
+// - `steer(frame)` returns the target speed of every growing group.
+// - `refill(frame)` returns weight, node and mass of the catch.
+// - `watch(time, steps)` is called after steps, about ten times per second at most.
+[[cpp11::register]] list engine_tow(SEXP handle, list schedule, list past, list control, list stops,
                                     function keep, function steer, function refill,
                                     function watch) {
   return guarded([&]() -> list {
-    codend::Model model = read_model(mesh);
+    codend::Model model = read_model(handle);
     codend::Assembly assembly(model);
     codend::Past from;
     from.now = read_motion(list(past["now"]), model);
@@ -129,7 +134,7 @@ double potential_of(const codend::Model& model, double error) {
         codend::scheme_named(as_cpp<std::string>(control["scheme"]))
             .make(assembly, accuracy, from.now, node_values(past, "ordering", model));
 
-    codend::MarchControl how;
+    codend::IntegrationControl how;
     how.adaptive = adaptive;
     how.step = number(past, "step");
     how.least_step = number(control, "least_step");
@@ -147,10 +152,10 @@ double potential_of(const codend::Model& model, double error) {
       }
       return true;
     };
-    codend::March march(assembly, *scheme, conditions, how, from);
-    march.go_on_from(read_energy(past));
+    codend::TimeIntegration integration(assembly, *scheme, conditions, how, from);
+    integration.go_on_from(read_energy(past));
     auto report = [&] {
-      const codend::MarchReport& r = march.report();
+      const codend::IntegrationReport& r = integration.report();
       const char* const ends[] = {"reached", "stopped", "stuck", "unbalanced"};
       return writable::list(
           {"end"_nm = ends[static_cast<int>(r.end)], "steps"_nm = static_cast<double>(r.steps),
@@ -159,25 +164,26 @@ double potential_of(const codend::Model& model, double error) {
            "unbalanced"_nm = static_cast<double>(r.unbalanced),
            "iterations"_nm = static_cast<double>(r.iterations),
            "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
-           "worst_node"_nm = r.worst_node + 1, "time"_nm = march.now().time,
+           "worst_node"_nm = r.worst_node + 1, "time"_nm = integration.now().time,
            "factorisations"_nm = static_cast<double>(scheme->factorisations()),
            "force_evaluations"_nm = static_cast<double>(assembly.force_evaluations()),
            "factor_entries"_nm = static_cast<double>(scheme->factor_entries())});
     };
     auto frame = [&] {
-      const codend::Motion& now = march.now();
+      const codend::Motion& now = integration.now();
       const codend::Evaluation e = codend::evaluate(assembly, now.x.data(), now.v.data());
-      // Of the straight bars that there are.
+      // Only straight bars that exist.
       std::vector<double> straight_tension;
       for (std::size_t k = 0; k < e.straight_tension.size(); ++k) {
         if (model.hexagonal[k]) straight_tension.push_back(e.straight_tension[k]);
       }
       return writable::list(
-          {"now"_nm = as_list(now), "before"_nm = as_list(march.past().before),
-           "steps"_nm = march.past().steps, "caution"_nm = march.past().caution,
-           "step"_nm = march.step(), "done"_nm = schedule_done(conditions.schedule()),
-           "energy"_nm = as_doubles(march.energy()), "bar_tension"_nm = as_doubles(e.bar_tension),
-           "u_tension"_nm = as_doubles(e.u_tension), "v_tension"_nm = as_doubles(e.v_tension),
+          {"now"_nm = as_list(now), "before"_nm = as_list(integration.past().before),
+           "steps"_nm = integration.past().steps, "caution"_nm = integration.past().caution,
+           "step"_nm = integration.step(), "done"_nm = schedule_done(conditions.schedule()),
+           "energy"_nm = as_doubles(integration.energy()),
+           "bar_tension"_nm = as_doubles(e.bar_tension), "u_tension"_nm = as_doubles(e.u_tension),
+           "v_tension"_nm = as_doubles(e.v_tension),
            "straight_tension"_nm = as_doubles(straight_tension),
            "wake"_nm = as_doubles(assembly.has_wake() ? assembly.wake() : std::vector<double>()),
            "report"_nm = report()});
@@ -186,7 +192,7 @@ double potential_of(const codend::Model& model, double error) {
     const logicals kept(stops["kept"]), broken(stops["broken"]), steered(stops["steered"]),
         filled(stops["filled"]);
     for (R_xlen_t k = 0; k < times.size(); ++k) {
-      if (march.to(times[k]) != codend::MarchReport::End::reached) break;
+      if (integration.to(times[k]) != codend::IntegrationReport::End::reached) break;
       if (steered[k] == TRUE) {
         const doubles speed(steer(frame()));
         std::vector<codend::GrowingGroup>& growing = conditions.schedule().growing;
@@ -204,19 +210,19 @@ double potential_of(const codend::Model& model, double error) {
         conditions.model().set_pressure_weight(numbers(weight));
         for (std::size_t p = 0; p < node.size(); ++p) {
           if (node[p] < 0 || node[p] >= model.points()) {
-            throw codend::InputError("node", "node has a place that is not there");
+            throw codend::InputError("node", "node is not a node of the model");
           }
           conditions.model().set_mass(node[p], mass[static_cast<R_xlen_t>(p)]);
         }
       }
-      if (broken[k] == TRUE) march.begin_anew();
+      if (broken[k] == TRUE) integration.restart_iteration();
       if (kept[k] == TRUE) keep(frame());
     }
     return report();
   });
 }
 
-// The names of the parts of a motion's energy account.
+// Returns the names of the parts of the energy account.
 [[cpp11::register]] strings engine_energy_parts() {
   return guarded([&]() -> strings {
     writable::strings name;
@@ -225,7 +231,7 @@ double potential_of(const codend::Model& model, double error) {
   });
 }
 
-// The time schemes by name, and whether they take an accuracy.
+// Returns the names of the time integration schemes, and TRUE for schemes with adaptive steps.
 [[cpp11::register]] list engine_schemes() {
   return guarded([&]() -> list {
     writable::strings name;
