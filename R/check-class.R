@@ -1,5 +1,3 @@
-# What an argument must be: a gear, a state.
-
 check_is_gear <- function(gear) {
   if (!inherits(gear, "codend_gear")) {
     abort_argument(
@@ -12,14 +10,15 @@ check_is_gear <- function(gear) {
 check_is_settled <- function(state) {
   check_is_state(state)
   if (!is.null(state$time) || !isTRUE(state$report$converged)) {
-    abort_argument("{.arg state} must be settled, not a moment of a tow.")
+    abort_argument("{.arg state} must be a settled state ({.fn settle}), not a moment of a tow.")
   }
 }
 
-check_is_state <- function(state) {
+# name: the argument as the user typed it.
+check_is_state <- function(state, name = "state") {
   if (!inherits(state, "codend_state")) {
     abort_argument(
-      "{.arg state} must be a state, as {.fn settle} returns, not {.cls {class(state)}}."
+      "{.arg {name}} must be a state, as {.fn settle} returns, not {.cls {class(state)}}."
     )
   }
 }

@@ -1,31 +1,36 @@
-#' Errors and their classes
+#' Error and warning classes
 #'
-#' Every error of codend has class `codend_error` and one more that says what is wrong, so that a
+#' Every error of codend has class `codend_error` and a second class that names the kind of error. A
 #' program can distinguish them with [tryCatch()].
 #'
-#' | class | what is wrong | fields of the condition |
+#' | class | cause | fields of the condition |
 #' |---|---|---|
-#' | `codend_error_plan` | a field of a plan | `path`, `value`; of a file `line`, `column` |
-#' | `codend_error_argument` | an argument of a function | |
-#' | `codend_error_file` | a file that cannot be read or written | `file`; of a tow `trajectory` |
-#' | `codend_error_not_converged` | no balance is found | `report`; of a tow `trajectory` |
-#' | `codend_error_energy` | of those, a motion that gains or loses energy | as above |
-#' | `codend_error_engine` | the engine, or a check of its arrays, finds it wrong | `field` |
-#' | `codend_error_package` | a package that is not installed | |
+#' | `codend_error_plan` | a plan's field is wrong | `path`, `value`; for a file `line`, `column` |
+#' | `codend_error_argument` | an argument of a function is wrong | |
+#' | `codend_error_file` | a file cannot be read or written | `file`; for a tow `trajectory` |
+#' | `codend_error_not_converged` | the solver did not converge | `report`; for a tow `trajectory` |
+#' | `codend_error_energy` | the same, because a motion gains or loses energy | the same |
+#' | `codend_error_engine` | the engine, or a check of its arrays, reports an error | `field` |
+#' | `codend_error_package` | a package is not installed | |
 #' | `codend_error_usage` | a command of the command line is used wrongly | |
 #'
-#' Warnings have class `codend_warning`; those of [settle()] about an otter board also
-#' `codend_warning_board_stalled`, `_back_winded`, `_fallen_over`, `_unstable` or `_flutter`, of a
-#' pole `codend_warning_pole_unstable` and of netting full of catch `codend_warning_catch_unstable`.
+#' @section Warnings:
+#' Every warning has class `codend_warning` and often a second class:
 #'
-#' A study has `codend_warning_conditions_not_kept` ([optimise_gear()]),
-#' `codend_warning_hauls_left_out` ([calibrate()]) and `codend_warning_few_draws`
-#' ([sample_posterior()]).
+#' - [settle()], otter boards: `codend_warning_board_stalled`, `_back_winded`, `_fallen_over`,
+#'   `_unstable` or `_flutter`;
+#' - [settle()], poles: `codend_warning_pole_unstable`;
+#' - [settle()], netting full of catch: `codend_warning_catch_unstable`;
+#' - [optimise_gear()]: `codend_warning_conditions_not_kept`;
+#' - [calibrate()]: `codend_warning_hauls_left_out`;
+#' - [sample_posterior()]: `codend_warning_few_draws`.
 #'
-#' A file is written next to its place, forced to the disk and renamed. Where that fails, on a full
-#' disk too, the old file stays.
+#' @section Files:
+#' All files are written atomically: codend writes a new file in the same folder, forces it to the
+#' disk and renames it. If this fails, for example on a full disk, the old file remains.
 #'
 #' @name codend-conditions
+#' @seealso [settle()], [write_result()]; the guide `vignette("when-it-does-not-settle", "codend")`.
 #' @examples
 #' tryCatch(read_gear("no_such_plan"), codend_error_plan = function(e) conditionMessage(e))
 NULL

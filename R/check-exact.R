@@ -1,10 +1,10 @@
-# Fields are read by their whole name. R's own `$` takes a field whose name only begins with what is
-# asked for, such as `towing` for `tow` where a plan has no `tow`.
+# Fields are read by their full name. Base R's `$` also matches partially: it returns `towing` for
+# `tow` if a plan has no `tow`.
 
-# `$` of all of codend's code.
+# Replaces `$` within the package.
 #
-# x: a list, an environment or NULL; name: of a field. Returns the field, NULL where there is none.
-# What has a class is read as its `[[` does, a data frame as the list that it is.
+# x: a list, an environment or NULL; name: name of a field. Returns the field, or NULL if absent. An
+# object with a class uses its `[[` method; a data frame is read as a list.
 `$` <- function(x, name) {
   if (is.object(x) || is.environment(x)) {
     if (inherits(x, "data.frame")) return(.subset2(x, substitute(name)))
@@ -13,13 +13,13 @@
   .subset2(x, substitute(name))
 }
 
-# What a script finds by `$` in a gear: as it is, but that each list of fields is read exactly too.
+# Marks a plain list so that scripts also read its fields by their full name, at every depth.
 exact_fields <- function(value) {
   if (is.list(value) && !is.object(value)) class(value) <- "codend_fields"
   value
 }
 
-# The plain lists that exact_fields() was given, at all depths.
+# Removes the class that `exact_fields()` added, at every depth.
 plain_fields <- function(value) {
   if (!is.list(value) || (is.object(value) && !inherits(value, "codend_fields"))) return(value)
   value <- unclass(value)
@@ -27,7 +27,7 @@ plain_fields <- function(value) {
   value
 }
 
-# R would put these methods to the `$` above
+# `@export` would register these methods for the package's own `$`, not for `base::"$"`.
 #' @rawNamespace S3method(base::"$",codend_fields)
 `$.codend_fields` <- function(x, name) exact_fields(.subset2(x, name))
 

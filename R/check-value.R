@@ -1,4 +1,4 @@
-# What a value is, and what to take where there is none.
+# Type checks and defaults of values.
 
 is_text <- function(value) is.character(value) && length(value) == 1 && !is.na(value)
 
@@ -8,16 +8,15 @@ is_map <- function(value) {
 
 first_of <- function(value, otherwise) if (is.null(value)) otherwise else value
 
-# Rows of a table, numbered anew.
 table_rows <- function(table, rows = seq_len(nrow(table))) {
   table <- table[rows, , drop = FALSE]
   row.names(table) <- NULL
   table
 }
 
-# A function that keeps its last result: gears of a study have most of their parts in common. `make`
-# is given by its name: R compiles functions that have one when the package is installed, any other
-# while it runs, which takes longer than a gear takes to settle.
+# Returns a function that caches its last result: the gears of a study share most of their parts.
+# `make` must be a named function, which R compiles when the package is installed. R compiles an
+# anonymous function at run time, which takes longer than settling a gear.
 remembered <- function(make) {
   last <- result <- NULL
   function(...) {
@@ -30,7 +29,7 @@ remembered <- function(make) {
   }
 }
 
-# The known name most like `name`, or NULL when none is near.
+# Returns the known name that is most similar to `name`, or NULL if none is similar.
 nearest <- function(name, known) {
   if (length(known) == 0 || !nzchar(name) || nchar(name) > 100) return(NULL)
   distance <- utils::adist(name, known, ignore.case = TRUE)[1, ]
@@ -38,8 +37,8 @@ nearest <- function(name, known) {
   if (distance[best] <= max(2, nchar(name) / 3)) known[best] else NULL
 }
 
-# One of several words that an argument may be; the first where nobody chose. choices: as the
-# argument's default lists them.
+# Returns the chosen value of an argument, by default the first choice. choices: as listed in the
+# argument's default.
 chosen <- function(value, choices) {
   argument <- deparse(substitute(value))
   if (identical(value, choices)) return(choices[1])
@@ -48,7 +47,7 @@ chosen <- function(value, choices) {
   choices[k]
 }
 
-# The words that an argument names, all where it is NULL.
+# Returns the names in an argument, or all known names if it is NULL.
 chosen_some <- function(values, known, argument = deparse(substitute(values))) {
   if (is.null(values)) return(known)
   if (!is.character(values) || !length(values) || !all(values %in% known)) {
@@ -62,18 +61,19 @@ abort_unknown_word <- function(argument, value, known, must) {
   near <- if (is_text(value)) nearest(value, known)
   hint <- if (length(near)) " Did you mean {.val {near}}?"
   abort_argument(paste0(
-    "{.arg {argument}} is {said_value(value)}; it must be ", must, " {.or {.val {known}}}.", hint
+    "{.arg {argument}} is {describe_value(value)}; it must be ", must, " {.or {.val {known}}}.",
+      hint
   ))
 }
 
-# A wrong value as messages show it: of what has none to show its class.
-said_value <- function(value) {
+# Formats a wrong value for a message: the value, or its class.
+describe_value <- function(value) {
   if (!length(value)) return("empty")
   said <- if (is.atomic(value)) value else class(value)
   cli::format_inline("{.val {said}}")
 }
 
-# TRUE for one finite number without a class: a units object or a date is none.
+# TRUE for one finite number without a class (FALSE for a units object or a date).
 is_plain_number <- function(value) {
   is.numeric(value) && !is.object(value) && length(value) == 1L && is.finite(value)
 }
@@ -81,6 +81,6 @@ is_plain_number <- function(value) {
 check_count <- function(name, value, least = 1) {
   good <- is_plain_number(value) && value == round(value) && value >= least && value < 2^31
   if (good) return(invisible())
-  abort_argument("{.arg {name}} is {said_value(value)}; it must be a whole number, {least} or
+  abort_argument("{.arg {name}} is {describe_value(value)}; it must be a whole number, {least} or
     more.")
 }

@@ -1,12 +1,10 @@
-# A picture's file.
-
 picture_types <- c(".png", ".pdf", ".svg")
 
-# page: width and height, inches; draw: a function(page) that draws on the open device.
+# page: width and height, inches; draw: function(page) that draws on the open device.
 write_picture <- function(file, page, title, draw) {
   extension <- check_file_path(file, picture_types)
   write_file(file, function(path) {
-    # devices take % for the number of a page
+    # Devices replace % by a page number.
     path <- gsub("%", "%%", path, fixed = TRUE)
     before <- grDevices::dev.cur()
     switch(extension,
@@ -30,8 +28,8 @@ check_inches <- function(name, value) {
   }
 }
 
-# A picture of x on the current device, or in a file where one is given; x, invisibly.
-# draw: a function(page) of the page's size, inches; height: of the file's page, NULL for `fitting`.
+# Draws on the current device, or to a file if given. Returns x, invisibly. `draw`: function(page),
+# with the page size in inches. `height`: of the page in a file, `fitting` if NULL.
 show_picture <- function(x, draw, file, width, height, title, fitting) {
   check_inches("width", width)
   if (!is.null(height)) check_inches("height", height)

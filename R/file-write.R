@@ -1,9 +1,9 @@
-# The one way to write a file: the path is checked before anything is computed; the file is written
-# next to its place, forced to the disk and renamed. On any failure the old file stays. A link is
-# followed: what it leads to is written.
+# Atomic file writing. The path is checked before any computation. The file is written next to the
+# target, forced to the disk and renamed. On failure the old file remains. For a symbolic link, the
+# target is written.
 
-# Stops unless file is one path with one of the extensions (such as ".png"; none for any name) in a
-# folder that can be written. Returns the extension in lower case.
+# Raises an error unless `file` is a single path with an allowed extension in a writable folder.
+# extensions: such as ".png"; none allows any name. Returns the extension in lower case.
 check_file_path <- function(file, extensions = character()) {
   given <- is_text(file) && nzchar(basename(file))
   extension <- if (given) tolower(sub("^.*(?=[.])", "", basename(file), perl = TRUE))
@@ -15,13 +15,13 @@ check_file_path <- function(file, extensions = character()) {
     }, extensions = extensions)
   }
   folder <- dirname(file)
-  if (!dir.exists(folder)) abort_file(file, "must lie in a folder that exists.")
-  if (file.access(folder, 2L) != 0L) abort_file(file, "must lie in a folder that can be written.")
+  if (!dir.exists(folder)) abort_file(file, "must be in a folder that exists.")
+  if (file.access(folder, 2L) != 0L) abort_file(file, "must be in a writable folder.")
   extension
 }
 
-# write: a function(path) that writes a file, or a folder of files, at that path. Returns file,
-# invisibly.
+# Writes a file atomically. write: function(path) that writes a file, or a folder of files, at that
+# path. Returns `file`, invisibly.
 write_file <- function(file, write) {
   given <- file
   file <- linked_file(file)
@@ -33,13 +33,13 @@ write_file <- function(file, write) {
   }
   tryCatch(write(path), error = function(e) {
     if (inherits(e, "codend_error")) stop(e)
-    # the system says better than a writer why it failed
+    # The system reports the cause more precisely than the writer.
     if (file.exists(path)) check_all()
     abort_unwritten(file, conditionMessage(e))
   })
   check_all()
   if (dir.exists(path) && dir.exists(file)) {
-    # no folder can be renamed onto one that holds files
+    # A folder cannot be renamed onto a folder that contains files.
     old <- unwritten_path(file)
     check_written(file, file_replace(file, old))
     on.exit({
@@ -51,7 +51,7 @@ write_file <- function(file, write) {
   invisible(given)
 }
 
-# Where a file is that is given by a link, or the file itself. A link to nothing is followed too.
+# Resolves symbolic links, also links to a missing file.
 linked_file <- function(file) {
   for (step in 1:40) {
     target <- Sys.readlink(path.expand(file))
@@ -59,10 +59,10 @@ linked_file <- function(file) {
     absolute <- grepl("^(/|[A-Za-z]:)", target)
     file <- if (absolute) target else file.path(dirname(file), target)
   }
-  abort_file(file, "is a link that leads round in a circle.")
+  abort_file(file, "is a circular link.")
 }
 
-# A name next to a file for what is being written; it says who writes.
+# The temporary name contains the host and process id of the writer.
 unwritten_path <- function(file) {
   remove_leftovers(dirname(file))
   tempfile(sprintf(".codend-%s-%d-", this_host(), Sys.getpid()), tmpdir = dirname(file))
@@ -70,11 +70,12 @@ unwritten_path <- function(file) {
 
 this_host <- function() gsub("[^A-Za-z0-9]+", "-", Sys.info()[["nodename"]])
 
-# Folders in which this session has looked for leftovers, and how old (s) these must be.
+# Folders that this session has already searched for leftovers, and the minimum age (s) of
+# leftovers.
 searched_folders <- new.env(parent = emptyenv())
 leftover_seconds <- 3600
 
-# Removes what processes of this machine left in a folder that were killed as they wrote.
+# Removes partial files of processes on this host that were killed while writing.
 remove_leftovers <- function(folder) {
   key <- normalizePath(folder, mustWork = FALSE)
   if (!is.null(searched_folders[[key]])) return(invisible())
@@ -87,7 +88,7 @@ remove_leftovers <- function(folder) {
   writer <- as.integer(writer[grepl("^[0-9]{1,9}$", writer)])
   age <- as.double(Sys.time()) - as.double(file.mtime(left))
   old <- !is.na(age) & age > leftover_seconds
-  # signal 0 is sent to nobody: it says whether the process is there
+  # Signal 0 only checks that the process exists.
   gone <- vapply(writer, function(id) !isTRUE(tools::pskill(id, 0L)), NA)
   unlink(left[old & gone], recursive = TRUE)
 }
@@ -100,12 +101,10 @@ write_text <- function(text, file) {
   })
 }
 
-# why: "" or the system's reason.
 check_written <- function(file, why) if (nzchar(why)) abort_unwritten(file, why)
 
-# trajectory: what a tow had done.
 abort_unwritten <- function(file, why, trajectory = NULL) {
-  done <- if (!is.null(trajectory)) " What is done is the condition's {.field trajectory}."
+  done <- if (!is.null(trajectory)) " The condition's {.field trajectory} has the completed part."
   abort_file(file, paste0("could not be written: {why}.", done),
     why = sub("[.[:space:]]+$", "", why), trajectory = trajectory)
 }
@@ -115,24 +114,24 @@ check_file_exists <- function(file) {
   abort_file(as.character(file)[1L], "does not exist.")
 }
 
-# what: the rest of the sentence, for cli with the values in `...`, which the condition has as
-# fields.
-abort_file <- function(file, what, ...) {
+# Raises an error about a file. `what` completes the sentence, for cli, with the values in `...`.
+# These values are also fields of the condition. `argument`: its name as the user typed it.
+abort_file <- function(file, what, ..., argument = "file") {
   values <- c(list(file = file), list(...))
-  abort_as("file", paste("{.arg file} is {said_value(file)}; it", what), !!!values,
+  abort_as("file", paste0("{.arg ", argument, "} is {describe_value(file)}; it ", what), !!!values,
     envir = list2env(values, parent = environment(abort_file)))
 }
 
 write_csv <- function(table, file) {
-  # exponents would follow the session's taste
+  # Makes the notation of numbers independent of the session's options.
   kept <- options(scipen = 0)
   on.exit(options(kept))
   table <- without_formulas(table)
   write_file(file, function(path) utils::write.csv(table, path, row.names = FALSE, na = ""))
 }
 
-# A table whose texts and column names no spreadsheet runs as formulas: those that begin with =, +,
-# - or @ get an apostrophe first (OWASP, CSV injection). Quantities such as "-5 deg" stay.
+# Prevents spreadsheets from running strings and column names as formulas (OWASP, CSV injection).
+# Strings that start with =, +, - or @ get an apostrophe, except quantities such as "-5 deg".
 without_formulas <- function(table) {
   plain <- function(text) {
     quantity <- "^[-+]?[0-9.]+(e[-+]?[0-9]+)?[A-Za-z0-9 /%]*$"

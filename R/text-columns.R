@@ -1,6 +1,6 @@
-# Numbers as text, to four figures, and columns of text.
+# Numbers as strings with four digits, and columns of strings.
 
-# Numbers as text to four figures at most four decimals, never in powers of ten.
+# Returns numbers with four digits and at most four decimals, without scientific notation.
 figures <- function(x) {
   size <- ifelse(is.na(x) | x == 0, 0, floor(log10(abs(x))))
   decimals <- pmin(pmax(3 - size, 0), 4)
@@ -11,8 +11,8 @@ figures <- function(x) {
   as.character(text)
 }
 
-# Discretisation errors as text, rounded up to one figure, to two where it begins with 1; "" for NA.
-# Readers get them as "computed to 0.6": a sign of plus and minus they take for the whole
+# Returns discretisation errors rounded up to one digit, or two digits if the first digit is 1; ""
+# for NA. The text is "computed to 0.6", because readers take a plus-minus sign for the whole
 # uncertainty (JCGM 100:2008, 7.2.2).
 error_text <- function(error) {
   known <- is.finite(error)
@@ -33,13 +33,13 @@ format_each <- function(x, decimals) {
     MoreArgs = list(format = "f", decimal.mark = ".")))
 }
 
-# Ends of intervals to two figures of the standard uncertainty of each.
+# Returns ends of intervals to two digits of their standard uncertainty.
 interval_ends <- function(x, uncertainty) {
   decimals <- pmin(ifelse(uncertainty > 0, 1 - floor(log10(uncertainty)), 3), 6)
   format_each(round(x, decimals), pmax(0, decimals))
 }
 
-# A column of numbers with as many decimals as its largest needs for four figures.
+# The largest number of the column determines the decimals that give it four digits.
 column_figures <- function(x) {
   size <- max(abs(x), 0, na.rm = TRUE)
   decimals <- if (size == 0) 0 else min(max(3 - floor(log10(size)), 0), 4)
@@ -49,13 +49,13 @@ column_figures <- function(x) {
   align_points(text)
 }
 
-# Numbers as text, padded so that their decimal points stand below each other.
+# Pads numbers so that their decimal points are aligned.
 align_points <- function(text) {
   decimals <- nchar(sub("^[^.]*", "", text))
   paste0(text, strrep(" ", max(decimals) - decimals))
 }
 
-# Lines of a table: columns of text, the first aligned left and the others right unless `left`.
+# Returns the lines of a table. Columns in `left` are aligned left, others right.
 align_columns <- function(columns, left = 1L) {
   cells <- lapply(seq_along(columns), function(k) {
     format(columns[[k]], justify = if (k %in% left) "left" else "right")
@@ -63,18 +63,17 @@ align_columns <- function(columns, left = 1L) {
   sub(" +$", "", paste0("  ", do.call(paste, c(cells, sep = "  "))))
 }
 
-# The same printed.
 cat_columns <- function(columns, left = 1L) {
   cat(paste0(align_columns(columns, left), "\n"), sep = "")
 }
 
-# Groups of sources of uncertainty as readers see them.
+# Labels of groups of sources of uncertainty.
 group_words <- c(
   coefficients = "coefficients", plan = "plan", conditions = "conditions",
-  lattice = "discretisation", model = "model"
+  mesh = "discretisation", model = "model"
 )
 
-# Of each measure's variance what comes from each group, in percent: measures x groups.
+# Returns the contribution of each group to each measure's variance [%]: measures x groups.
 group_percent <- function(table) {
   variance <- as.matrix(table[names(group_words)])^2
   100 * variance / pmax(rowSums(variance), .Machine$double.xmin)

@@ -1,7 +1,7 @@
-# How text may look where it is read: bold on a terminal.
+# Bold text on a terminal.
 
-# Whether cli has anything to say on it: loading it takes as long as settling a small gear, and
-# where a script's output goes to a file or another program the answers are known.
+# TRUE if cli must decide on colours and Unicode. Loading cli takes as long as settling a small
+# gear, and output to a file or another program has neither.
 cli_knows_more <- function() {
   wishes <- list(getOption("cli.num_colors"), getOption("cli.unicode"))
   interactive() || isatty(stdout()) || any(lengths(wishes) > 0L) ||

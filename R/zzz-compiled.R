@@ -1,10 +1,10 @@
 # Written by tools/compiled.R; do not edit.
 
 compiled_functions <- c(
-  "begun_shape", "board_modes", "board_table", "bottom_trawl_measures",
+  "initial_shape", "board_modes", "board_table", "bottom_trawl_measures",
   "bottom_trawl_net", "by_method", "cage_frame", "cage_measures", "cage_moorings", "cage_net",
   "cage_outline", "chain_ends", "check_boards", "check_cage", "check_given",
-  "check_held_between", "check_held_edges", "check_joined", "check_lattice_size", "check_list",
+  "check_held_between", "check_held_edges", "check_joined", "check_mesh_size", "check_list",
   "check_map", "check_marks", "check_number", "check_places", "check_points", "check_presence",
   "check_seams", "check_section_names", "check_taken", "check_text", "check_through",
   "check_wing_ends", "choose_node", "complete_counts", "complete_meshes", "conditions_text",
@@ -15,7 +15,7 @@ compiled_functions <- c(
   "finding_rows", "flow_axes", "found_by", "gather_trajectory", "gear_division", "gear_numbers",
   "ground_gear_rope", "has_field", "hung_line", "join_sections", "joined_labels",
   "line_properties", "link_numbers", "load_table", "loose_netting",
-  "map_named", "mesh_places", "model_numbers", "multiplied_numbers", "name_parts", "new_lattice",
+  "map_named", "mesh_places", "model_numbers", "multiplied_numbers", "name_parts", "new_mesh",
   "new_state", "panel_numbers", "parse_place", "part_map", "part_table", "part_weight",
   "piece_area", "piece_body", "piece_numbers", "plain_groups", "plain_tree", "plan_field",
   "plan_of_bytes", "print.codend_state", "questions_of", "read_gear", "rigged_net",
@@ -25,6 +25,6 @@ compiled_functions <- c(
   "state_lines", "state_shape", "state_values", "tension_table", "trawl_boards",
   "trawl_fittings", "trawl_grids", "trawl_legs", "trawl_lines", "trawl_measures", "trawl_net",
   "trawl_rig", "trawl_wings", "twine_materials", "uncertain_number", "uncertain_share",
-  "uncertain_shares", "unit_size", "usual_opening_stiffness", "vessel_way", "warn_of_boards",
-  "warn_of_laws", "wing_corners", "wing_pair"
+  "uncertain_shares", "unit_size", "usual_opening_stiffness", "vessel_path", "warn_of_boards",
+  "warn_of_drag_models", "wing_corners", "wing_pair"
 )

@@ -1,4 +1,4 @@
-# Names of fields that codend's own `$` reads, which R's checks would take for variables.
+# Declares names after `$` in codend's code, because R CMD check mistakes them for variables.
 
 names_after_dollar <- function(e) {
   if (is.function(e)) e <- call("{", formals(e), body(e))
@@ -11,8 +11,8 @@ utils::globalVariables(unique(unlist(
   lapply(mget(ls(topenv(), all.names = TRUE), topenv()), names_after_dollar)
 )))
 
-# Byte code has three times the size of a function. So DESCRIPTION leaves functions to R, which
-# compiles them at their second call, except those that nearly every session calls.
+# Byte code is three times as large as its function. DESCRIPTION therefore leaves functions to R,
+# which compiles them at their second call, except functions that nearly every session calls.
 #' @importFrom compiler cmpfun
 NULL
 
