@@ -1,16 +1,16 @@
-# Single elements in the engine, all held, for the forces that a solve would find on them.
+# Evaluates the engine's forces on single elements whose nodes are all fixed.
 
 specimen_density <- 1000
 specimen_viscosity <- 1e-6
 
-# Fields of a mesh with no element: points (3 x n, m) in still water.
+# Returns the fields of a mesh without elements: points (3 x n, m) in still water.
 specimen <- function(points, materials = twine_materials(list())) {
   n <- ncol(points)
   bare <- gear("Nothing",
     water = list(density = specimen_density, viscosity = specimen_viscosity),
     held_point = gear_point(position = list(0, 0, 0), held = "fixed")
   )
-  fields <- engine_mesh_fields(build_lattice(gear_si(bare))$mesh)
+  fields <- engine_model_fields(build_mesh(gear_si(bare))$model)
   fields$nodes <- n
   fields$held <- rep(TRUE, n)
   fields$load <- numeric(3L * n)
@@ -20,33 +20,34 @@ specimen <- function(points, materials = twine_materials(list())) {
   list(position = points, fields = fields)
 }
 
-# What the engine finds where elements of so many points move through still water at their speeds
-# (m/s; one for all will do) towards -x: the flow comes along x.
+# Evaluates the forces on elements of `points` nodes each. They move towards -x in still water.
+# speed: m/s, one per element or one for all.
 evaluate_specimen <- function(specimen, speed, points) {
   velocity <- rbind(-rep_len(rep(speed, each = points), specimen$fields$nodes), 0, 0)
-  engine_evaluate(engine_mesh(specimen$fields), as.double(specimen$position), as.double(velocity))
+  engine_evaluate(engine_model(specimen$fields), as.double(specimen$position), as.double(velocity))
 }
 
-# Force (3 x n, N) over 1/2 rho U^2 times an area (m2): drag along the flow, lift across it to y.
+# Returns list(drag, lift): force (3 x n, N) along x and y over 1/2 rho U^2 and an area (m2).
 drag_and_lift <- function(force, speed, area) {
   per <- 0.5 * specimen_density * speed^2 * area
   force <- matrix(force, 3L)
   list(drag = force[1, ] / per, lift = force[2, ] / per)
 }
 
-# Twines of 1 m, 2 mm thick, at angles (rad) to the flow, on diameter times length.
+# Coefficients of twines 1 m long and 2 mm thick at angles (rad) to the flow. Reference area:
+# diameter times length.
 twine_specimens <- function(coefficients, angle, reynolds, solidity) {
   diameter <- 0.002
   n <- length(angle)
   line <- list(
     axial_stiffness = 1, diameter = diameter, volume_per_length = 0,
-    coefficients = drag_law(coefficients), added_mass = c(normal = 0, tangential = 0)
+    coefficients = drag_model(coefficients), added_mass = c(normal = 0, tangential = 0)
   )
   materials <- twine_materials(list(line))
   materials$solidity <- solidity
   ends <- matrix(0, 3L, 2L * n)
   second <- 2L * seq_len(n)
-  # Its normal part of the flow is towards y.
+  # The normal component of the flow then points along +y.
   ends[, second] <- rbind(cos(angle), -sin(angle), 0)
   held <- specimen(ends, materials)
   held$fields$bars <- list(
@@ -58,14 +59,14 @@ twine_specimens <- function(coefficients, angle, reynolds, solidity) {
   drag_and_lift(found$forces$bar_drag, speed, diameter)
 }
 
-# Square netting of 20 bars by 20 of 2 mm twine, knotless, that turns about its bars along z; angle
-# (rad) between its normal and the flow. On its area.
+# Coefficients of square knotless netting, 20 by 20 bars of 2 mm twine. angle (rad): between its
+# normal and the flow. Reference area: the netting.
 netting_specimens <- function(law, angle, reynolds, solidity) {
   diameter <- 0.002
   n <- length(angle)
   count <- 20
-  # Sn = 2 d/a - (d/a)^2 counts crossings once, as the sum over twines does not.
-  bar <- if (law %in% c("twines", "blended")) {
+  # Sn = 2 d/a - (d/a)^2 counts each crossing once; the sum over twines counts it twice.
+  bar <- if (law %in% c("morison", "blended")) {
     2 * diameter / solidity
   } else {
     diameter / (1 - sqrt(1 - solidity))
@@ -73,7 +74,7 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
   side <- count * bar
   line <- list(
     axial_stiffness = 1, twine_diameter = diameter, twine_count = 1, mesh_size = 2 * bar,
-    orientation = "square", volume_per_length = 0, coefficients = drag_law("bessonneau_marichal"),
+    orientation = "square", volume_per_length = 0, coefficients = drag_model("bessonneau_marichal"),
     added_mass = c(normal = 0, tangential = 0)
   )
   materials <- twine_materials(list(line))
@@ -89,7 +90,7 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
     node = node, twine = twine, rest = rep(bar, n), multiplicity = rep(1, n),
     height = rep(diameter, n), material = rep(1L, n)
   )
-  if (law == "twines") {
+  if (law == "morison") {
     held$fields$cells <- c(
       common, list(straight = numeric(n), inner = integer(n))
     )
@@ -105,12 +106,12 @@ netting_specimens <- function(law, angle, reynolds, solidity) {
   }
   speed <- reynolds * specimen_viscosity / diameter
   found <- evaluate_specimen(held, speed, 4L)
-  which <- c(twines = "cell_drag", blended = "blended_force")
+  which <- c(morison = "cell_drag", blended = "blended_force")
   force <- found$forces[[if (law %in% names(which)) which[[law]] else "screen_force"]]
   drag_and_lift(force, speed, side^2)
 }
 
-# Otter boards of 1 m2, upright, by their angle of attack (rad), on their area.
+# Coefficients of upright otter boards of 1 m2 by angle of attack (rad). Reference area: the board.
 board_specimens <- function(polar, angle, aspect_ratio) {
   span <- sqrt(aspect_ratio)
   board <- list(
@@ -130,7 +131,7 @@ board_specimens <- function(polar, angle, aspect_ratio) {
   drag_and_lift(found$forces$plate_force, speed, 1)
 }
 
-# Knots or smooth spheres, by their Reynolds number, on their projected area.
+# Coefficients of knots or smooth spheres by Reynolds number. Reference area: projected area.
 sphere_specimens <- function(reynolds, smooth = FALSE) {
   n <- length(reynolds)
   diameter <- 0.002

@@ -1,40 +1,45 @@
-# The coefficients that forces are computed with, as the engine returns them.
-
-#' Coefficients of the forces
+#' Compute force coefficients of the drag models
 #'
-#' Every named law's coefficients by angle or by Reynolds number, found by putting single twines,
-#' pieces of netting, otter boards, kites and spheres into the same code that settles a gear, next
-#' to what is published for them.
+#' Computes the coefficients of every drag model by angle or Reynolds number and lists published
+#' values next to them. The values come from the code that settles a gear, applied to single twines,
+#' pieces of netting, otter boards, kites and spheres.
 #'
-#' @section What is computed:
-#' Drag is along the flow, lift across it in the plane of the flow and the axis or the normal.
+#' @section Computed values:
+#' Drag is along the flow. Lift is across the flow, in the plane of the flow and the axis or normal.
 #'
-#' | force | angle | coefficients on |
+#' | force | angle | reference area |
 #' |---|---|---|
 #' | `twine` | between the axis and the flow | diameter times length |
 #' | `netting` | between the normal and the flow | area of the netting |
 #' | `otter_board`, `kite` | of attack, between the chord and the flow | its area |
 #' | `sphere` | none | projected area |
-#' | `wake` | between the normal and the flow | `speed`: of the flow behind over that before it |
+#' | `wake` | between the normal and the flow | `speed`: flow speed behind over speed ahead |
 #'
-#' Twines across the flow (90 deg) and spheres are also given by their Reynolds number. Netting is
-#' square and knotless, of twine of 2 mm; `twines` and `blended` sum over twines of the set
-#' `bessonneau_marichal`.
+#' - Twines across the flow (90 deg) and spheres are also listed by Reynolds number.
+#' - Netting is square and knotless, with twine of 2 mm.
+#' - `morison` and `blended` use the coefficients `bessonneau_marichal`.
 #'
-#' @section What is published:
-#' Formulas: the values of the same formulas in H. Cheng's program (github.com/hui-aqua/hydromodel),
-#' which share no code with codend. `takagi` is printed with a jump at a Reynolds number of 200 and
-#' `choo_casarella` with small ones at 1, 30 and 2.33e5, which codend does without. Otter boards and
-#' kites: see [board_polar()]; of some only the largest lift is printed. Spheres: measured ones,
-#' whose drag falls beyond a Reynolds number of 2e5; codend's knots never reach that.
+#' @section Published values:
+#' - Formulas: H. Cheng's program (github.com/hui-aqua/hydromodel) evaluates the same formulas and
+#'   shares no code with codend. The published `takagi` jumps at a Reynolds number of 200, and
+#'   `choo_casarella` has small jumps at 1, 30 and 2.33e5. codend's versions are continuous.
+#' - Otter boards and kites: see [board_polar()]. For some polars only the largest lift is
+#'   published.
+#' - Spheres: measured values, whose drag falls beyond a Reynolds number of 2e5. codend's knots stay
+#'   below that number.
 #'
-#' @param reynolds Reynolds number of twines and netting by angle, on the twine's diameter and the
-#'   free flow.
-#' @param solidity Of netting, 0.01 to 0.5: any number of values.
-#' @return A data frame of class `codend_coefficients`, a row per value: `force`, `law`, `by`
-#'   (`"angle"` or `"reynolds"`), `angle_deg`, `reynolds`, `solidity` (NA where they do not matter),
-#'   `coefficient` (`"drag"`, `"lift"` or `"speed"`), `value`, and `source`: NA where the engine
-#'   computed it. [plot()][codend_charts] draws it.
+#' @param reynolds Reynolds number of twines and netting listed by angle, one number above 0. It
+#'   refers to the twine diameter and the free flow. Default 1000.
+#' @param solidity Solidity of the netting: one or more numbers from 0.01 to 0.5. Default 0.2.
+#' @return A data frame of class `codend_coefficients`, one row per value. [plot()][codend_charts]
+#'   draws it. Its columns are
+#'
+#'   - `force`, `law` (the drag model) and `by` (`"angle"` or `"reynolds"`);
+#'   - `angle_deg`, `reynolds` and `solidity`, `NA` if irrelevant;
+#'   - `coefficient` (`"drag"`, `"lift"` or `"speed"`) and `value`;
+#'   - `source`, `NA` if the engine computed the value.
+#' @seealso [board_polar()], [netting], [codend_charts]; the guide
+#'   `vignette("drag-models", "codend")`.
 #' @export
 #' @examples
 #' found <- force_coefficients()
@@ -44,14 +49,14 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
   degree <- seq(0, 90, by = 2.5)
   radian <- function(x) from_unit(x, "deg")
   table <- c(
-    lapply(law_names("twine"), function(law) {
+    lapply(drag_model_names("twine"), function(law) {
       found <- twine_specimens(law, radian(degree), reynolds, solidity[1])
       coefficient_rows("twine", law, "angle", degree, reynolds,
         if (law == "cifuentes_kim") solidity[1] else NA, found)
     }),
-    lapply(law_names("twine"), function(law) twine_by_reynolds(law, solidity[1])),
+    lapply(drag_model_names("twine"), function(law) twine_by_reynolds(law, solidity[1])),
     unlist(lapply(solidity, function(sn) {
-      lapply(law_names("netting"), function(law) {
+      lapply(drag_model_names("netting"), function(law) {
         found <- netting_specimens(law, radian(degree), reynolds, sn)
         coefficient_rows("netting", law, "angle", degree, reynolds, sn, found)
       })
@@ -66,7 +71,7 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
     coefficient_rows("sphere", "smooth_sphere", "reynolds", NA, reynolds_range(-1, 6), NA,
       sphere_specimens(reynolds_range(-1, 6), smooth = TRUE)["drag"])),
     unlist(lapply(solidity, function(sn) {
-      lapply(law_names("wake"), function(law) {
+      lapply(drag_model_names("wake"), function(law) {
         speed <- engine_speed_reduction(
           law, rep(sn, length(degree)), cos(radian(degree))
         )
@@ -78,7 +83,7 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
   structure(table, class = c("codend_coefficients", "data.frame"))
 }
 
-# Ten a decade, between powers of ten.
+# Returns a logarithmic series between two powers of ten, ten values per decade.
 reynolds_range <- function(from, to) 10^seq(from, to, by = 0.1)
 
 polar_force <- function(name) if (name == "fabric_kite") "kite" else "otter_board"
@@ -90,7 +95,7 @@ twine_by_reynolds <- function(law, solidity) {
     if (law == "cifuentes_kim") solidity else NA, found["drag"])
 }
 
-# found: list(coefficient = values).
+# found: list of values, named by coefficient.
 coefficient_rows <- function(force, law, by, angle, reynolds, solidity, found) {
   do.call(rbind, lapply(names(found), function(coefficient) {
     data.frame(
@@ -101,7 +106,7 @@ coefficient_rows <- function(force, law, by, angle, reynolds, solidity, found) {
   }))
 }
 
-# What is printed, of netting at these solidities.
+# Returns the published values, for netting only at the given solidities.
 published_coefficients <- function(solidity) {
   file <- system.file("extdata", "published-coefficients.csv", package = "codend")
   printed <- utils::read.csv(file)
@@ -129,7 +134,7 @@ check_coefficient_arguments <- function(reynolds, solidity) {
   good <- is.numeric(solidity) && length(solidity) >= 1L && all(is.finite(solidity)) &&
     all(solidity >= 0.01 & solidity <= 0.5)
   if (!good) {
-    abort_argument("{.arg solidity} is {said_value(solidity)}; it must be numbers from 0.01 to
+    abort_argument("{.arg solidity} is {describe_value(solidity)}; it must be numbers from 0.01 to
       0.5.")
   }
 }
