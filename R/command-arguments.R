@@ -1,6 +1,6 @@
-# The arguments of a command, as its words in inst/commands.yaml say them.
+# The arguments of commands, as described in inst/commands.yaml.
 
-# What every command takes and does (inst/commands.yaml), {name} replaced by what R knows.
+# Returns the commands in inst/commands.yaml, with values for placeholders such as {kinds}.
 command_words <- remembered(function() {
   text <- readLines(system.file("commands.yaml", package = "codend"), encoding = "UTF-8")
   known <- list(
@@ -14,8 +14,8 @@ command_words <- remembered(function() {
   words[names(words) != "shared"]
 })
 
-# list(plan = what is no option, options = by name), or the text of the command's help where that is
-# asked for. Of an option that is given twice the last counts, of --set and --slider all do.
+# Returns list(plan = positional arguments, options = by name), or the help text of the command. The
+# last value of a repeated option counts; --set and --slider collect all values.
 parse_command <- function(name, words, arguments) {
   if (any(arguments %in% c("--help", "-h"))) return(command_help(name, words))
   flags <- names(words$options)[lengths(words$options) == 1L]
@@ -48,7 +48,7 @@ parse_command <- function(name, words, arguments) {
   list(plan = plan, options = options)
 }
 
-# The value of an option, by what its help calls it: whole numbers as such, other texts as they are.
+# Checks an option's value by its placeholder in the help. Whole numbers become numbers.
 option_value <- function(option, called, text) {
   check <- function(good, must) {
     if (!good) abort_usage("--", option, " is ", text, "; it must be ", must, ".")
@@ -57,13 +57,12 @@ option_value <- function(option, called, text) {
     N = , I = check(grepl("^[1-9][0-9]{0,8}$", text), "a whole number, 1 or more"),
     NAME = check(text %in% c("bars", "cells"), "bars or cells"),
     SIZE = check(text %in% names(sheet_sizes), paste("one of", toString(names(sheet_sizes)))),
-    DIR = check(may_write(nearest_existing(text)), "a folder that can be written")
+    DIR = check(may_write(nearest_existing(text)), "a writable folder")
   )
   if (called %in% c("N", "I")) as.numeric(text) else text
 }
 
-# Whether as many arguments are given as a command takes: names in brackets may be left out, and
-# dots stand for more.
+# Checks the number of arguments. Names in brackets are optional, and dots allow further arguments.
 check_arguments_taken <- function(words, given) {
   names <- strsplit(words$takes, " ")[[1L]]
   least <- sum(!startsWith(names, "["))
@@ -89,8 +88,8 @@ command_help <- function(name, words) {
   ), collapse = "\n")
 }
 
-# Texts of NAME=VALUE as values by name, of two for the same name the last; what, form: how they are
-# called where one is not so.
+# Converts strings NAME=VALUE to values by name; the last value of a name counts. `what`, `form`:
+# strings for the error message.
 named_values <- function(texts, what, form) {
   wrong <- grep("^[^=]+=.", texts, invert = TRUE)
   if (length(wrong)) abort_usage(what, " ", texts[wrong[1L]], "; it must be ", form, ".")
@@ -98,7 +97,7 @@ named_values <- function(texts, what, form) {
   values[!duplicated(names(values), fromLast = TRUE)]
 }
 
-# A bare number is SI, yes and no are truth values, as in a plan file; all else is text.
+# A bare number is in SI; yes and no are logical values, as in a plan file.
 plan_value <- function(text) {
   if (grepl("^[-+]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?$", text)) return(as.numeric(text))
   if (tolower(text) %in% c("yes", "true")) return(TRUE)

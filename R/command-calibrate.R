@@ -1,8 +1,8 @@
 run_calibrate <- function(plan, options) {
   check_plan_out(options$out)
   check_place(options$predicted, "--predicted")
-  if (is.null(options$data)) abort_usage("--data must be a CSV file.")
-  if (is.null(options$match)) abort_usage("--match must say which column is which measure.")
+  if (is.null(options$data)) abort_usage("--data is missing; it must be a CSV file.")
+  if (is.null(options$match)) abort_usage("--match is missing; it must be COLUMN ~ MEASURE.")
   match <- lapply(parts_of(options$match), function(text) {
     found <- tryCatch(str2lang(text), error = function(e) NULL)
     if (!(is.call(found) && identical(found[[1L]], as.name("~")) && length(found) == 3L)) {
@@ -13,7 +13,7 @@ run_calibrate <- function(plan, options) {
   data <- read_csv_option(options$data, "--data")
   others <- if (!is.null(options$predict)) read_csv_option(options$predict, "--predict")
   arguments <- list(read_changed(plan, options), data, option_ranges(options$change), match)
-  found <- do.call(calibrate, c(arguments, lattice_arguments(options)))
+  found <- do.call(calibrate, c(arguments, mesh_arguments(options)))
   print(summary(found))
   if (options$explain) print(explain_misfit(found))
   if (!is.null(others)) give_csv(stats::predict(found, others), options$predicted)

@@ -4,5 +4,5 @@ run_draw <- function(given, options) {
   for (file in files) check_place(file, NULL, drawing_types)
   gear <- read_changed(plan, options)
   for (file in files) plot(gear, file = file, page = first_of(options$page, "A4"))
-  tell(0L, "Written: ", toString(files))
+  write_output(0L, "Written: ", toString(files))
 }

@@ -3,7 +3,8 @@ run_export <- function(given, options) {
   files <- given[-1L]
   kept <- grepl("[.]nc$", plan)
   if (kept && length(unlist(options[c("set", "nodes", "netting")]))) {
-    abort_usage("--set, --nodes and --netting change a plan, not what is kept in ", plan, ".")
+    abort_usage("--set, --nodes and --netting cannot change the result file ", plan,
+      "; give a PLAN.")
   }
   for (file in files) check_place(file, NULL, vapply(export_formats, `[[`, "", "extension"))
   shown <- if (kept) read_result(plan)
@@ -19,5 +20,5 @@ run_export <- function(given, options) {
   }
   if (!kept) shown <- settle_changed(plan, options)
   for (file in files) write_result(shown, file)
-  tell(0L, "Written: ", paste(files, collapse = ", "))
+  write_output(0L, "Written: ", paste(files, collapse = ", "))
 }

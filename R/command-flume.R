@@ -1,4 +1,4 @@
-# Ends with an interrupt. Only this machine's own browsers reach the page.
+# Runs until an interrupt. Only browsers on this computer can reach the page.
 run_flume <- function(plan, options) {
   port <- options$port
   if (!is.null(port) && !port %in% 1024:65535) {
@@ -7,6 +7,6 @@ run_flume <- function(plan, options) {
   changed <- length(options$set) > 0L
   gear <- if (length(plan)) read_changed(plan, options)
   if (is.null(gear) && changed) abort_usage("--set changes a plan: give PLAN too.")
-  app <- do.call(flume, c(list(gear = gear, folder = options$folder), lattice_arguments(options)))
+  app <- do.call(flume, c(list(gear = gear, folder = options$folder), mesh_arguments(options)))
   shiny::runApp(app, host = "127.0.0.1", launch.browser = FALSE, port = port)
 }

@@ -1,22 +1,22 @@
-# Options that several commands take, and what is checked of them before anything is computed: a
-# long solve must not end in a folder that cannot be written.
+# Options of several commands. They are checked before a computation, so that a long solve does not
+# end at a folder that is not writable.
 
-# The gear of a plan with the fields that --set changes.
+# Reads a plan and applies --set.
 read_changed <- function(plan, options) {
   gear <- read_gear(plan)
   for (field in names(options$set)) gear <- set_field(gear, field, options$set[[field]])
   gear
 }
 
-# The arguments of settle() and tow() that options give.
-lattice_arguments <- function(options) options[intersect(c("nodes", "netting"), names(options))]
+# Returns the options for settle() and tow().
+mesh_arguments <- function(options) options[intersect(c("nodes", "netting"), names(options))]
 
 settle_changed <- function(plan, options) {
-  do.call(settle, c(list(read_changed(plan, options)), lattice_arguments(options)))
+  do.call(settle, c(list(read_changed(plan, options)), mesh_arguments(options)))
 }
 
-# That a file can be written, with one of some ends of its name; "-" is standard output. option:
-# that names it, or NULL.
+# Throws a usage error if a file is not writable or does not end in `ends`. "-" is standard output.
+# option: name of the option, or NULL.
 check_place <- function(file, option = "--out", ends = NULL) {
   if (is.null(file) || is.null(ends) && file == "-") return(invisible())
   ended <- is.null(ends) || any(endsWith(tolower(file), ends))
@@ -25,7 +25,7 @@ check_place <- function(file, option = "--out", ends = NULL) {
     if (is.null(option)) file else paste0(option, " is ", file, "; it"), " must ",
     if (is.null(ends)) "be a file in" else {
       paste("end in", if (length(ends) > 1L) "one of", toString(ends), "and lie in")
-    }, " a folder that can be written."
+    }, " a writable folder."
   )
 }
 
@@ -36,7 +36,7 @@ nearest_existing <- function(path) {
   path
 }
 
-# Tables of a state or a trajectory as CSV files of their names. Returns these.
+# Writes tables of a state or a trajectory as CSV and returns their file names.
 write_tables <- function(of, tables, folder) {
   files <- paste0(tables, ".csv")
   for (k in seq_along(tables)) {
@@ -45,22 +45,21 @@ write_tables <- function(of, tables, folder) {
   files
 }
 
-# The parts of an option between semicolons, or NULL.
+# Splits an option at semicolons.
 parts_of <- function(text) {
   if (!is.null(text)) Filter(nzchar, trimws(strsplit(text, ";", fixed = TRUE)[[1L]]))
 }
 
-# What --change has, by the fields' paths: of each of its parts what `read` makes of the text after
-# the equals sign, which has the pattern `values`. what, form: the words for that and for a part.
+# Returns the values in --change by path. `read` converts the text after an equals sign, which has
+# the pattern `values`. `what`, `form`: strings for error messages.
 changed_fields <- function(text, what, values, form, read) {
   parts <- parts_of(text)
-  if (!length(parts)) abort_usage("--change must have fields with their ", what, ".")
+  if (!length(parts)) abort_usage("--change is empty; it must list fields with their ", what, ".")
   wrong <- grep(paste0("^[^=]+=", values, "$"), parts, invert = TRUE, value = TRUE)
   if (length(wrong)) abort_usage("--change has ", wrong[1L], "; it must be ", form, ".")
   setNames(lapply(sub("^[^=]+=", "", parts), read), trimws(sub("=.*", "", parts)))
 }
 
-# A table that an option names.
 read_csv_option <- function(file, option) {
   if (!file.exists(file) || dir.exists(file)) {
     abort_usage(option, " is ", file, "; it must be a CSV file that exists.")
@@ -68,7 +67,7 @@ read_csv_option <- function(file, option) {
   read_designs(file)
 }
 
-# A table as CSV: on standard output, or in a file.
+# out: a file; "-" or NULL is standard output.
 give_csv <- function(table, out) {
   if (is.null(out) || out == "-") {
     table <- without_formulas(table)

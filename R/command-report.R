@@ -3,5 +3,5 @@ run_report <- function(plan, options) {
   if (is.null(file)) file <- paste0(sub("[.][^.]*$", "", basename(plan)), ".html")
   check_place(file, "--out", ".html")
   report(settle_changed(plan, options), file)
-  tell(0L, "Written: ", file)
+  write_output(0L, "Written: ", file)
 }

@@ -17,11 +17,11 @@ print_settled <- function(state, how_sure) {
   print(summary(state, uncertainty = how_sure))
   for (name in if (!is.null(how_sure)) main_rows(how_sure, NULL)) {
     cat("", bold(paste0(name, ": largest sources")), source_lines(how_sure, name),
-      narrow_lines(how_sure, name), sep = "\n")
+      next_measurement_lines(how_sure, name), sep = "\n")
   }
 }
 
-# What JSON has of it: the interval and the standard uncertainties of every measure.
+# Returns the interval and the standard uncertainties of every measure for JSON.
 uncertainty_record <- function(how_sure) {
   if (is.null(how_sure)) return(NULL)
   table <- how_sure$measures
@@ -42,20 +42,19 @@ write_settled <- function(state, folder) {
   pictures <- paste0(planes, ".png")
   for (k in 1:3) plot(state, planes = planes[k], file = file.path(folder, pictures[k]))
   view_3d(state, file = file.path(folder, "view.html"))
-  tell(0L, "Written to ", folder, ": ",
+  write_output(0L, "Written to ", folder, ": ",
     paste(c(tables, pictures, "view.html"), collapse = ", "))
 }
 
-# What the command line writes as JSON: whether and how the gear settled, the lattice's size, and
-# the measures by name, and what is worth a look.
+# Returns the JSON record of a state: convergence, size of the model, measures and findings.
 state_record <- function(state) {
-  mesh <- state$lattice$mesh
+  model <- state$mesh$model
   found <- measures(state)
   list(
     converged = state$report$converged, iterations = state$report$iterations,
     residual = state$report$residual,
-    nodes = mesh$nodes, bars = length(mesh$bars$rest),
-    cells = length(mesh$cells$rest),
+    nodes = model$nodes, bars = length(model$bars$rest),
+    cells = length(model$cells$rest),
     cpu_seconds = state$report$cpu_seconds,
     measures = as.list(found), errors = as.list(attr(found, "error")),
     main_error = main_error(found),
@@ -63,5 +62,5 @@ state_record <- function(state) {
   )
 }
 
-# A list for each row of a data frame: a JSON array of objects, empty where there are no rows.
+# Returns a list for each row, for a JSON array of objects.
 row_records <- function(table) lapply(seq_len(nrow(table)), function(k) as.list(table[k, ]))

@@ -5,11 +5,10 @@ run_share <- function(plan, options) {
   check_can_share()
   options$nodes <- first_of(options$nodes, usual_nodes)
   share(settle_changed(plan[1L], options), file, asked$sliders, asked$ranges)
-  tell(0L, "Written: ", file)
+  write_output(0L, "Written: ", file)
 }
 
-# Sliders and ranges of the texts that --slider was given: list(sliders, ranges), NULL where none
-# is.
+# Converts values of --slider to list(sliders, ranges); `ranges` is NULL if there are no ranges.
 slider_options <- function(given) {
   if (is.null(given)) return(list())
   texts <- trimws(given)

@@ -1,13 +1,12 @@
-# What a command says at its end, with the status that it returns (0: done, 1: not, 2: was asked
-# wrongly).
+# The output at the end of a command, with its exit status (0: success, 1: failure, 2: wrong usage).
 
-# ...: a line for the error stream.
-tell <- function(status, ...) {
+# ...: a line for standard error.
+write_output <- function(status, ...) {
   cat(..., "\n", sep = "", file = stderr())
   status
 }
 
-# ...: texts for the output, as they are.
+# ...: strings for standard output.
 cat_and <- function(status, ...) {
   cat(..., sep = "")
   status

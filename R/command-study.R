@@ -7,14 +7,14 @@ run_study_command <- function(given, options) {
   }
   if ((action == "new") != (length(given) == 3L)) {
     abort_usage(if (action == "new") "new takes a STORE and a PLAN." else {
-      paste(action, "takes a STORE alone.")
+      paste(action, "takes only a STORE.")
     })
   }
   store <- given[2L]
   switch(action,
     new = {
       do.call(write_study, c(
-        list(given[3L], study_designs(options), store), lattice_arguments(options)
+        list(given[3L], study_designs(options), store), mesh_arguments(options)
       ))
       print(study_status(store))
     },
@@ -23,7 +23,7 @@ run_study_command <- function(given, options) {
       of <- first_of(options$of, 1)
       if (task > of) abort_usage("--task is ", task, "; it must be at most --of, ", of, ".")
       done <- run_study(store, task, of)
-      tell(0L, done, " designs settled in task ", task, " of ", of, ".")
+      write_output(0L, done, " designs settled in task ", task, " of ", of, ".")
     },
     status = print(study_status(store)),
     plot = {
@@ -31,7 +31,7 @@ run_study_command <- function(given, options) {
         abort_usage("plot needs --out FILE.png, .pdf or .svg.")
       }
       plot(read_study(store), parts_of(options$measures), file = options$out)
-      tell(0L, "Written: ", options$out)
+      write_output(0L, "Written: ", options$out)
     },
     {
       check_place(options$out)
@@ -43,7 +43,7 @@ run_study_command <- function(given, options) {
   )
 }
 
-# Designs of a table, or of ranges and values.
+# Returns the designs of a table, or of ranges and values.
 study_designs <- function(options) {
   if (is.null(options$designs) == is.null(options$change)) {
     abort_usage("new needs either --designs FILE.csv or --change RANGES.")
@@ -53,7 +53,7 @@ study_designs <- function(options) {
     seed = first_of(options$seed, 1))))
 }
 
-# "a = 1 m .. 2 m; b = 3, 4" as ranges and values by paths.
+# Converts "a = 1 m .. 2 m; b = 3, 4" to ranges and values by path.
 study_axes <- function(text) {
   form <- "FIELD = FROM .. TO or FIELD = A, B"
   changed_fields(text, "ranges or values", ".+", form, function(said) {

@@ -2,23 +2,23 @@ run_tow <- function(plan, options) {
   gear <- read_changed(plan, options)
   given <- Filter(Negate(is.null), options[c("until", "every", "accuracy")])
   file <- record_file(options$out)
-  trajectory <- do.call(tow, c(list(gear, file = file), given, lattice_arguments(options)))
+  trajectory <- do.call(tow, c(list(gear, file = file), given, mesh_arguments(options)))
   print(trajectory)
   print(summary(trajectory))
   if (!is.null(options$out)) {
     write_towed(trajectory, options$out, if (!is.null(file)) basename(file))
   }
-  # what an interrupt leaves is written, but the tow is not done
+  # an interrupted tow is written, but the command does not succeed
   if (trajectory$end == "interrupted") {
     stop(structure(class = c("interrupt", "condition"), list(message = "", call = NULL)))
   }
 }
 
-# Where a tow is recorded, in a folder that is made for it; nowhere without RNetCDF.
+# Returns the file that records a tow, in a new folder. Returns NULL without a folder or RNetCDF.
 record_file <- function(folder) {
   if (is.null(folder)) return(NULL)
   if (!requireNamespace("RNetCDF", quietly = TRUE)) {
-    warning("trajectory.nc takes the R package RNetCDF, which is not installed.", call. = FALSE)
+    warning("trajectory.nc needs the R package RNetCDF, which is not installed.", call. = FALSE)
     return(NULL)
   }
   dir.create(folder, showWarnings = FALSE, recursive = TRUE)
@@ -30,6 +30,6 @@ write_towed <- function(trajectory, folder, recorded) {
   tables <- write_tables(trajectory, c("measures", "conditions", "tensions"), folder)
   plot(trajectory, file = file.path(folder, "measures.png"))
   view_3d(trajectory, file = file.path(folder, "view.html"))
-  tell(0L, "Written to ", folder, ": ",
+  write_output(0L, "Written to ", folder, ": ",
     paste(c(tables, "measures.png", "view.html", recorded), collapse = ", "))
 }

@@ -1,10 +1,10 @@
-# The command line: `exec/codend` hands its arguments over and ends with the status.
+# The command line: `exec/codend` passes its arguments and exits with the returned status.
 
-# arguments: text, as a shell hands them over. Results go to standard output, everything else to
-# standard error. Returns the exit status: 0 done, 1 the plan is wrong or the gear does not settle,
-# 2 the command is used wrongly, 130 interrupted.
+# arguments: strings from a shell. Results go to standard output, all else to standard error.
+# Returns the exit status: 0 success, 1 invalid plan or gear that does not settle, 2 wrong usage,
+# 130 interrupted.
 run_command <- function(arguments) {
-  if (!length(arguments)) return(tell(2L, command_usage()))
+  if (!length(arguments)) return(write_output(2L, command_usage()))
   name <- arguments[1]
   if (name %in% c("--help", "-h")) return(cat_and(0L, command_usage(), "\n"))
   if (name == "--version") {
@@ -12,7 +12,7 @@ run_command <- function(arguments) {
   }
   known <- command_words()
   if (!name %in% names(known)) {
-    return(tell(2L, "codend: there is no command ", name, "; the commands are ",
+    return(write_output(2L, "codend: there is no command ", name, "; the commands are ",
       toString(names(known)), "."))
   }
   tryCatch(
@@ -24,19 +24,19 @@ run_command <- function(arguments) {
         0L
       },
       warning = function(w) {
-        tell(0L, "Warning: ", conditionMessage(w))
+        write_output(0L, "Warning: ", conditionMessage(w))
         invokeRestart("muffleWarning")
       }
     ),
     codend_error_usage = function(e) {
-      tell(2L, "codend ", name, ": ", conditionMessage(e), " See codend ", name, " --help.")
+      write_output(2L, "codend ", name, ": ", conditionMessage(e), " See codend ", name, " --help.")
     },
-    error = function(e) tell(1L, conditionMessage(e)),
-    interrupt = function(e) tell(130L, "Interrupted.")
+    error = function(e) write_output(1L, conditionMessage(e)),
+    interrupt = function(e) write_output(130L, "Interrupted.")
   )
 }
 
-# What runs each command of inst/commands.yaml: functions of its arguments and its options by name.
+# Returns a function of arguments and options for each command in inst/commands.yaml.
 command_runs <- function() {
   list(
     check = run_check, gears = run_gears, settle = run_settle, tow = run_tow, report = run_report,
@@ -60,7 +60,7 @@ command_usage <- function() {
   )
 }
 
-# ---- commands of a few lines ---------------------------------------------------------------------
+# ---- short commands ------------------------------------------------------------------------------
 
 run_check <- function(plan, options) {
   gear <- read_changed(plan, options)
