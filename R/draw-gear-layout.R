@@ -1,12 +1,11 @@
-# The netting of a gear laid flat: where each panel's trapezium lies. Lengths in metres, x to the
-# right, y down from the front.
+# Layout of flat netting. Lengths are in metres, x to the right, y down from the front.
 #
-# As in the FAO Catalogue of Fishing Gear Designs panels are as deep as their netting is stretched,
-# and half as wide as it is stretched (a hanging ratio of 0.5); what hangs between two ropes of
-# known hanging ratio is as wide as these. Square netting has its own width.
+# The layout follows the FAO Catalogue of Fishing Gear Designs: stretched depth and half the
+# stretched width (hanging ratio 0.5). Exceptions: netting between two ropes of known hanging ratio
+# has the hung width, and square netting has its own width.
 
-# Panels flat: a data frame with a row per panel: name, upper and lower (widths), depth, shift (of
-# the lower left corner from the upper left).
+# Returns a data frame, one row per panel: name, upper and lower (widths), depth, shift (x of the
+# lower left corner minus x of the upper left corner).
 flat_panels <- function(si, joints) {
   hung <- hung_widths(si, joints)
   rows <- lapply(names(si$panels), function(name) {
@@ -24,9 +23,9 @@ flat_panels <- function(si, joints) {
   do.call(rbind, rows)
 }
 
-# Widths of upper and lower edges (2 x panels, m) of what hangs between two ropes: a tapered panel
-# from each of its ropes, panels without taper, one below the other, all from the upper rope. NA for
-# all others.
+# Returns the widths of upper and lower edges (2 x panels, m) of netting that hangs between two
+# ropes, otherwise NA. A tapered panel takes each width from the rope on that edge. Panels without
+# taper that follow each other all take the width at the upper rope.
 hung_widths <- function(si, joints) {
   ratio <- hanging_ratios(si)
   width <- ratio * NA
@@ -51,13 +50,13 @@ hung_widths <- function(si, joints) {
   width
 }
 
-# Stretched depth of a panel: that of an edge without taper.
+# Returns the stretched depth (m): the length of an edge without taper.
 panel_depth <- function(panel) {
   panel$lower <- panel$upper
   edge_length(panel, "left")
 }
 
-# Hanging ratios of the panels' upper and lower edges (2 x panels), NA where no rope runs along the
+# Returns the hanging ratios of upper and lower edges (2 x panels), NA unless a rope runs along the
 # whole edge.
 hanging_ratios <- function(si) {
   found <- matrix(NA_real_, 2L, length(si$panels),
@@ -73,7 +72,6 @@ hanging_ratios <- function(si) {
 
 rope_hanging_ratio <- function(rope, panels) rope$length / chain_length(rope$along, panels)
 
-# The place of a fraction of an edge of a flat panel (a row that has x and y): c(x, y).
 edge_point <- function(panel, edge, fraction) {
   switch(edge,
     upper = c(panel$x + fraction * panel$upper, panel$y),
@@ -86,7 +84,7 @@ edge_point <- function(panel, edge, fraction) {
   )
 }
 
-# Whether two flat panels cover common netting, by the widths they span at five depths.
+# TRUE if two flat panels overlap, checked by their spans at five depths.
 panels_overlap <- function(a, b) {
   top <- max(a$y, b$y)
   bottom <- min(a$y + a$depth, b$y + b$depth)
@@ -103,11 +101,11 @@ panels_overlap <- function(a, b) {
   }, NA))
 }
 
-# Lays panels out in columns: those that follow each other lower edge to upper edge, in one column;
-# columns that fit side by side (walls of straight panels) in one.
+# Lays out the panels in columns. Panels that follow each other share a column. Columns that fit
+# side by side (walls of straight panels) are joined.
 #
-# Returns list(panels (flat_panels() with x, y and column), columns (data frame: heading, alike =
-# which they are, count, symmetric), laced (laced_edges()), joints (seam_joints())).
+# Returns list(panels (`flat_panels()` with x, y and column), columns (data frame: heading, alike,
+# count, symmetric), laced (`laced_edges()`), joints (`seam_joints()`)).
 flat_layout <- function(si) {
   joints <- seam_joints(si)
   panels <- flat_panels(si, joints)
@@ -122,8 +120,8 @@ flat_layout <- function(si) {
   order_columns(panels, joints, si, laced)
 }
 
-# Places, from the first panel that has no column yet, all that hang together along upper and lower
-# edges.
+# Starts a column with the first panel that has none and adds all panels that connect to it along
+# upper and lower edges.
 lay_column <- function(panels, joints, column) {
   waiting <- which(panels$column == 0L)[1L]
   panels$column[waiting] <- column
@@ -151,7 +149,7 @@ lay_column <- function(panels, joints, column) {
   panels
 }
 
-# Side by side: joints of a right with a left edge, whole and alike.
+# Returns the joints of a right edge with a left edge of another column.
 side_joints <- function(panels, joints) {
   joints <- joints[joints$edge == "right" & joints$other_edge == "left", , drop = FALSE]
   column <- panels$column[match(joints$panel, panels$name)]
@@ -159,8 +157,8 @@ side_joints <- function(panels, joints) {
   joints[column != other, , drop = FALSE]
 }
 
-# Columns in the order of their side seams, levelled along them, joined where they fit, and those
-# that are alike drawn once.
+# Orders columns by their side seams, levels them along these seams and joins them if they fit.
+# Identical columns are drawn once.
 order_columns <- function(panels, joints, si, laced) {
   beside <- side_joints(panels, joints)
   beside$column <- panels$column[match(beside$panel, panels$name)]
@@ -182,7 +180,7 @@ order_columns <- function(panels, joints, si, laced) {
   panels <- rest_on_top(level_covers(panels, joints))
   kind <- column_kinds(panels, si, laced)
   closed <- any(beside$column == max(panels$column) & beside$other_column == 1L)
-  # A ring of equal columns is drawn as one of them, not unrolled.
+  # A ring of equal columns is drawn as a single column, not unrolled.
   if (!(closed && all(kind == kind[1L]))) {
     panels <- join_columns(panels, beside)
     kind <- column_kinds(panels, si, laced)
@@ -191,7 +189,7 @@ order_columns <- function(panels, joints, si, laced) {
     alike <- which(kind == k)
     list(
       column = alike[1L], count = length(alike),
-      words = column_words(lapply(alike, function(c) panels$name[panels$column == c]))
+      words = column_strings(lapply(alike, function(c) panels$name[panels$column == c]))
     )
   })
   first <- vapply(columns, `[[`, 0L, "column")
@@ -210,7 +208,6 @@ order_columns <- function(panels, joints, si, laced) {
   )
 }
 
-# Moves the other column up or down so that the joint is level.
 level_column <- function(panels, joint) {
   here <- panels[match(joint$panel, panels$name), ]
   other <- panels[match(joint$other, panels$name), ]
@@ -221,11 +218,12 @@ level_column <- function(panels, joint) {
   panels
 }
 
-# Moves columns that lie over another one, such as a liner, to where their front edge is laced.
+# Moves a column that covers another one, such as a liner, to the depth at which its front edge is
+# laced.
 level_covers <- function(panels, joints) {
   for (column in unique(panels$column)) {
     mine <- panels$column == column
-    # a column with one panel in front, whose upper edge meets a lower edge of another column
+    # The front panel of such a column has an upper edge that meets a lower edge of another column.
     joint <- joints[joints$panel == panels$name[mine][which.min(panels$y[mine])] &
       joints$edge == "upper" & joints$other_edge == "lower" &
       !joints$other %in% panels$name[mine], ]
@@ -236,7 +234,7 @@ level_covers <- function(panels, joints) {
   panels
 }
 
-# Columns that no seam levels start with the others at the top; x starts at 0 in each.
+# Columns without a side seam start at the top; x starts at 0 in each column.
 rest_on_top <- function(panels) {
   panels$y <- panels$y - min(panels$y)
   for (column in unique(panels$column)) {
@@ -246,7 +244,6 @@ rest_on_top <- function(panels) {
   panels
 }
 
-# Joins columns whose side edges meet wherever a seam joins them.
 join_columns <- function(panels, beside) {
   repeat {
     column <- panels$column[match(beside$panel, panels$name)]
@@ -272,7 +269,8 @@ join_columns <- function(panels, beside) {
   rest_on_top(panels)
 }
 
-# How far to move the other column of these joints so that all of them meet, NA where they cannot.
+# Returns the shift in x (m) of the other column at which all these joints meet, NA if there is
+# none.
 fitting_shift <- function(panels, joints) {
   ends <- do.call(rbind, lapply(seq_len(nrow(joints)), function(k) {
     joint <- joints[k, ]
@@ -293,8 +291,8 @@ any_overlap <- function(a, b) {
   }, NA))
 }
 
-# What tells columns apart: their panels, where these lie, and the ropes along them; a column and
-# its mirror image are alike. One text per column.
+# Returns one string per column that identifies its panels, their positions and the ropes along
+# them. A column and its mirror image get the same string.
 column_kinds <- function(panels, si, laced) {
   vapply(sort(unique(panels$column)), function(column) {
     mine <- panels[panels$column == column, ]
@@ -302,7 +300,6 @@ column_kinds <- function(panels, si, laced) {
   }, "")
 }
 
-# A column turned over about its own upright middle.
 mirrored <- function(panels) {
   right <- max(panels$x + panels$upper, panels$x + panels$shift + panels$lower)
   panels$x <- right - (panels$x + panels$upper)
@@ -330,7 +327,6 @@ column_text <- function(panels, si, laced, mirror = FALSE) {
   paste(sort(rows), collapse = "\n")
 }
 
-# Kinds and edges of the ropes along a panel.
 ropes_along_panel <- function(name, laced, mirror) {
   mine <- laced[laced$panel == name, ]
   if (mirror) {
@@ -342,12 +338,12 @@ ropes_along_panel <- function(name, laced, mirror) {
   sort(paste(mine$kind, mine$edge, format_places(mine$from), format_places(mine$to)))
 }
 
-# Numbers as text that does not tell rounding errors apart; adding 0 turns -0 into 0.
-# What is added keeps lengths that are half a millimetre over from going either way.
+# Formats lengths (m) so that rounding errors do not change the string. Adding 0 turns -0 into 0.
+# The small offset gives lengths at half a millimetre a definite rounding direction.
 format_places <- function(x) sprintf("%.3f", round(x + 1.2345e-5, 3) + 0)
 
-# Which ropes run along which edges, on both sides of seams: a data frame with rope, kind, panel,
-# edge, from and to (from <= to).
+# Returns the edges that ropes run along, on both sides of seams: a data frame with rope, kind,
+# panel, edge, from and to (from <= to).
 laced_edges <- function(si, joints) {
   own <- do.call(rbind, lapply(names(si$ropes), function(rope) {
     along <- si$ropes[[rope]]$along
@@ -379,7 +375,6 @@ laced_edges <- function(si, joints) {
   merge_ranges(rbind(own, do.call(rbind, opposite)))
 }
 
-# Ranges of one rope on one edge that follow each other as one.
 merge_ranges <- function(laced) {
   laced <- laced[order(laced$panel, laced$edge, laced$rope, laced$from), ]
   key <- paste(laced$panel, laced$edge, laced$rope)
@@ -391,13 +386,13 @@ merge_ranges <- function(laced) {
   merged
 }
 
-# What alike columns are called, by the names of their panels: the words common to all as heading,
-# or what the panels of the first are called where these have none; and which they are, "starboard,
-# port" or "16 alike".
-column_words <- function(names) {
+# Returns c(heading, alike) for identical columns. `heading`: the words common to their panels'
+# names, otherwise the panel names of the first column. `alike`: the words that differ ("starboard,
+# port") or the number ("16 alike").
+column_strings <- function(names) {
   n <- length(names)
   numbered <- if (n > 1L) paste(n, "alike") else ""
-  # in the order of the first
+  # Keeps the order of the first.
   shared <- function(lists) Reduce(function(a, b) a[a %in% b], lists)
   own <- lapply(names, function(each) {
     grep("^[0-9]+$", shared(strsplit(each, "_", fixed = TRUE)), invert = TRUE, value = TRUE)

@@ -1,18 +1,16 @@
-# The lists of a plan drawing: ropes, netting and pieces as words, those alike together.
+# Lists of a plan drawing: ropes, netting and pieces, with identical items merged.
 
-# Names of materials as net makers write them: abbreviations where there are such.
-material_words <- function(material) {
+material_text <- function(material) {
   short <- names(material_abbreviations)[match(material, material_abbreviations)]
   ifelse(is.na(short), gsub("_", " ", material), short)
 }
 
-# A number without needless zeros.
 short_number <- function(x, digits = 4) {
   vapply(x, function(one) format(signif(one, digits), trim = TRUE, drop0trailing = TRUE), "")
 }
 
-# Meshes: quarters by their signs, other parts of a mesh to tenths: a plan may divide a round net
-# into them.
+# Formats a number of meshes: quarters as fraction signs, other fractions to one decimal. A plan may
+# divide a round net into fractional meshes.
 mesh_number <- function(meshes) {
   whole <- floor(meshes + 1e-6)
   quarters <- round(4 * (meshes - whole))
@@ -26,48 +24,46 @@ orientation_words <- c(
   hexagonal_turned = "hexagonal T90"
 )
 
-# What is special about a panel's meshes: "knotless", "square", "T90, knotless" or "".
-mesh_words <- function(panel) {
+mesh_text <- function(panel) {
   words <- c(orientation_words[[panel$orientation]], if (panel$knot_diameter == 0) "knotless")
   paste(words[nzchar(words)], collapse = ", ")
 }
 
-# What tells the netting of a panel from that of others, as one text.
+# Returns a string that is equal for panels with identical netting.
 panel_netting <- function(panel) {
   size <- short_number(in_unit(unlist(panel[c("mesh_size", "twine_diameter")]), "mm"))
-  paste(c(size, panel$twine_count, panel$material, mesh_words(panel)), collapse = " ")
+  paste(c(size, panel$twine_count, panel$material, mesh_text(panel)), collapse = " ")
 }
 
-# A name without the words that tell its side or number.
 general_name <- function(name) {
   words <- strsplit(name, "_", fixed = TRUE)[[1L]]
   kept <- words[!words %in% c("port", "starboard") & !grepl("^[0-9]+$", words)]
   paste(if (length(kept)) kept else words, collapse = " ")
 }
 
-# What ropes have in common that are one item of the list: name and make.
+# Returns a string that is equal for ropes in the same list item: same name and make.
 rope_kind <- function(name, si) {
   rope <- si$ropes[[name]]
-  words <- if (is.na(rope$role)) general_name(name) else rope_words(name, rope$role)
+  words <- if (is.na(rope$role)) general_name(name) else rope_text(name, rope$role)
   make <- sprintf("%.6g", c(rope$length, rope$diameter, rope$axial_stiffness, rope$mass_per_length))
   paste(c(words, make), collapse = "|")
 }
 
-# A role, with "upper" or "lower" where the name has it: hand ropes differ by it.
-rope_words <- function(name, role) {
+# Returns a role, with "upper", "middle" or "lower" if the rope's name contains it. This
+# distinguishes hand ropes.
+rope_text <- function(name, role) {
   tier <- intersect(c("upper", "middle", "lower"), strsplit(name, "_", fixed = TRUE)[[1L]])
   paste(c(tier[!tier %in% strsplit(role, "_", fixed = TRUE)[[1L]]], gsub("_", " ", role)),
     collapse = " ")
 }
 
-# The ropes of a gear: a data frame with a row per item: item (number), name, count, length (m),
-# diameter (m), material (words), hanging (ratio, NA), strength (N, NA), laced (TRUE along netting),
-# kind (rope_kind()), first (name of the
-# first of them in the assembly).
+# Returns a data frame, one row per item of the rope list. Columns: item (number), name, count,
+# length (m), diameter (m), material, hanging (ratio, NA), strength (N, NA), laced (TRUE along
+# netting), kind (`rope_kind()`), first (name of the first such rope in the assembly).
 rope_items <- function(si) {
   kind <- vapply(names(si$ropes), rope_kind, "", si = si)
   first <- which(!duplicated(kind))
-  # Ropes between points, from the held ones on, come before those along netting.
+  # Ropes between points are listed before ropes along netting.
   laced <- !vapply(si$ropes[first], function(rope) is.null(rope$along), NA)
   first <- c(first[!laced], first[laced])
   do.call(rbind, lapply(seq_along(first), function(k) {
@@ -77,15 +73,16 @@ rope_items <- function(si) {
     data.frame(
       item = k, name = sub("[|].*", "", kind[[first[k]]]), count = sum(kind == kind[first[k]]),
       length = rope$length, diameter = rope$diameter,
-      material = if (is.na(rope$material)) "" else material_words(rope$material),
+      material = if (is.na(rope$material)) "" else material_text(rope$material),
       hanging = if (along) rope_hanging_ratio(rope, si$panels) else NA_real_,
       strength = rope$strength, laced = along, kind = kind[[first[k]]], first = name
     )
   }))
 }
 
-# Of the list: name, length (m), diameter (mm) with material, hanging ratio.
-rope_item_words <- function(item) {
+# Returns the columns of the rope list: name, length (m), diameter (mm) with material, hanging
+# ratio.
+rope_item_text <- function(item) {
   c(
     name = paste0(item$name, if (item$count > 1) paste0(", ", item$count, " off")),
     length = format(round(item$length, 2), nsmall = 2, trim = TRUE),
@@ -94,19 +91,19 @@ rope_item_words <- function(item) {
   )
 }
 
-# Weights, floats, boards and other pieces: a data frame with a row per item: item (letter), name,
-# count, words (what each is), parts (names, in one text), role, ref (path of
-# the first in the assembly).
+# Returns a data frame, one row per item of the list of weights, floats, boards and other pieces.
+# Columns: item (letter), name, count, words (description of one piece), role, parts (names), ref
+# (path of the first piece in the assembly).
 piece_items <- function(si) {
   each <- c(
     lapply(names(si$pieces), function(name) {
       piece <- si$pieces[[name]]
-      list(part = name, role = piece$role, count = piece$number, words = piece_words(piece, si),
+      list(part = name, role = piece$role, count = piece$number, words = piece_text(piece, si),
         ref = paste0("pieces.", name))
     }),
     lapply(names(si$otter_boards), function(name) {
       board <- si$otter_boards[[name]]
-      list(part = name, role = board$role, count = 1, words = board_words(board),
+      list(part = name, role = board$role, count = 1, words = board_text(board),
         ref = paste0("otter_boards.", name))
     })
   )
@@ -130,8 +127,7 @@ item_letters <- function(n) {
   paste0(LETTERS[k %% 26L + 1L], ifelse(k < 26L, "", k %/% 26L + 1L))
 }
 
-# What one piece is: its weight or buoyancy in water, and what the water acts on.
-piece_words <- function(piece, si) {
+piece_text <- function(piece, si) {
   float <- gear_gravity * (si$water$density * piece$volume - piece$mass)
   kilograms <- function(force) paste(short_number(abs(force) / 9.80665, 3), "kgf")
   said <- c(
@@ -147,6 +143,6 @@ piece_words <- function(piece, si) {
   paste(said, collapse = ", ")
 }
 
-board_words <- function(board) {
+board_text <- function(board) {
   paste0(short_number(board$area), " m2, ", short_number(board$mass), " kg")
 }

@@ -1,22 +1,23 @@
-# The netting of a drawing: columns of trapezia with their counts, cutting rates and ropes, and
-# their netting in columns beside them. Gear in metres, the sheet in millimetres.
+# Netting of a plan drawing: columns of panel trapezia with labels and a table next to them. Gear is
+# in metres, the sheet in millimetres.
 
-# A wall this many times as long as deep has a scale of its own along it, and how many times.
+# A wall longer than `longest_wall` times its depth gets different scales along and deep. Their
+# ratio is at most `steepest_scale`.
 longest_wall <- 6
 steepest_scale <- 20
 
-# The columns of a layout ready to draw, the upper panel first: a list of list(panels (with corners
-# ul, ur, lr, ll, rates and whether they have labels), words and counts (what is said of each panel:
-# matrices with a column for each), laced (what runs along them), heading, remark, half ("",
-# "left", "right": which half of a symmetric column), wall, outer (the side that labels stand on),
-# rows (whether its netting is told beside it), joined (drawn from the centre line of the column
-# before)).
-#
-# true_size: nothing is drawn shorter than it is.
+# Returns the columns of a layout, the upper panel first. true_size: TRUE to draw panels at full
+# length. Each column is a list. `panels`: data frame with corners (ul, ur, lr, ll), cutting rates
+# and `labelled`. `words`, `counts`: matrices of labels, one column per panel. `laced`: ropes and
+# pieces along the panels. `heading`, `remark`, `number`: texts above the column, and its number.
+# `half`: "left" or "right" if half of a symmetric column is drawn, otherwise "". `outer`: the side
+# with the labels. `rows`: TRUE for a table of netting next to it. `named`: TRUE for names only.
+# `wall`: TRUE for panels side by side. `joined`: TRUE if it shares the centre line of the previous
+# column. `turned`: TRUE if mirrored.
 net_columns <- function(figure, true_size = FALSE) {
   layout <- figure$layout
   flat <- layout$panels
-  wall <- any(vapply(unique(flat$column), function(c) any(beside_another(flat[flat$column == c, ])),
+  wall <- any(vapply(unique(flat$column), function(c) any(shares_row(flat[flat$column == c, ])),
     NA))
   flat <- if (true_size || wall) cbind(flat, broken = FALSE) else shorten_longest(flat)
   said <- layout$columns$heading
@@ -32,7 +33,7 @@ net_columns <- function(figure, true_size = FALSE) {
       columns[[k]]$heading <- sub(word, names[[word]], columns[[k]]$heading, fixed = TRUE)
     }
     columns[[k]]$remark <- sub("back, belly", "upper, lower", columns[[k]]$remark, fixed = TRUE)
-    columns[[k]]$words <- told_words(columns[[k]], figure$si)
+    columns[[k]]$words <- panel_labels(columns[[k]], figure$si)
     columns[[k]]$counts <- vapply(columns[[k]]$panels$name, function(name) {
       mesh_number(unlist(figure$si$panels[[name]][c("upper", "lower")]))
     }, character(2))
@@ -52,8 +53,7 @@ net_columns <- function(figure, true_size = FALSE) {
   columns
 }
 
-# Panels with the longest drawn shorter where it makes up most of the length of several: `broken`
-# marks it.
+# Shortens the longest panel if it makes up most of the length of several; `broken` marks it.
 shorten_longest <- function(panels) {
   panels$broken <- FALSE
   whole <- max(panels$y + panels$depth)
@@ -73,14 +73,15 @@ shorten_longest <- function(panels) {
   panels
 }
 
-# Symmetric columns of panels that taper are drawn as their right half, x from their middle.
+# Prepares a column. For a symmetric column with tapered panels only the right half remains, with x
+# from the middle.
 flat_column <- function(panels, column, figure) {
   si <- figure$si
-  wall <- any(beside_another(panels))
+  wall <- any(shares_row(panels))
   tapers <- any(abs(panels$upper - panels$lower) > 1e-9 * panels$upper)
   half <- column$symmetric && !wall && tapers
   middle <- max(panels$x + panels$upper, panels$x + panels$shift + panels$lower) / 2
-  # Of two mirror images the right one has the labels.
+  # Labels appear on the right panel of a mirrored pair.
   panels$labelled <- !column$symmetric |
     panels$x + (panels$upper + panels$shift + panels$lower) / 2 > middle - 1e-6 * middle
   if (half) {
@@ -99,7 +100,7 @@ flat_column <- function(panels, column, figure) {
   })
   panels$outer_rate <- vapply(rates, `[[`, "", "right")
   inner <- vapply(rates, `[[`, "", "left")
-  # Of a whole panel that is cut alike on both sides it is told once.
+  # A whole panel with equal cutting rates on both sides is labelled once.
   panels$inner_rate <- ifelse(inside | (!half & inner == panels$outer_rate), "", inner)
   list(
     panels = panels, half = if (half) "right" else "", wall = wall, outer = "right",
@@ -108,7 +109,6 @@ flat_column <- function(panels, column, figure) {
   )
 }
 
-# A right half as the left half that is its mirror image.
 turned_half <- function(column) {
   p <- column$panels
   column$panels[c("ul", "ur", "lr", "ll")] <- -p[c("ur", "ul", "ll", "lr")]
@@ -117,8 +117,7 @@ turned_half <- function(column) {
   column
 }
 
-# Which panels touch another along a side edge.
-beside_another <- function(panels) {
+shares_row <- function(panels) {
   vapply(seq_len(nrow(panels)), function(k) {
     p <- panels[k, ]
     room <- 1e-6 * p$depth
@@ -128,11 +127,11 @@ beside_another <- function(panels) {
   }, NA)
 }
 
-# What is said of every panel of a column (panel_words()): panels of one part that differ, such as a
-# wing and its jib, are told by the last words of their names.
-told_words <- function(column, si) {
+# Returns the label texts of every panel of a column (`panel_text()`). Different panels of the same
+# part, such as a wing and its jib, get the last word of their names.
+panel_labels <- function(column, si) {
   name <- column$panels$name
-  words <- vapply(name, panel_words, character(4), si = si)
+  words <- vapply(name, panel_text, character(4), si = si)
   told <- which(column$panels$labelled)
   for (part in unique(words["part", told])) {
     mine <- told[words["part", told] == part]
@@ -143,7 +142,6 @@ told_words <- function(column, si) {
   words
 }
 
-# Panels of a column that have a row beside them: those that have labels.
 column_rows <- function(column) {
   told <- column$panels$labelled
   p <- column$panels[told, ]
@@ -151,7 +149,7 @@ column_rows <- function(column) {
   data.frame(name = p$name, y = p$y, depth = p$depth, words = words)
 }
 
-# Whether all rows stand beside the first column too.
+# TRUE if every row label also appears next to the first column.
 same_rows <- function(rows, first) {
   key <- function(r) paste(round(r$y, 3), round(r$depth, 3), r$words)
   all(key(rows) %in% key(first))
@@ -159,7 +157,7 @@ same_rows <- function(rows, first) {
 
 # ---- all columns ---------------------------------------------------------------------------------
 
-# Columns with their netting in a list elsewhere: beside panels stand their names alone.
+# Returns columns whose netting is listed elsewhere on the sheet: only names appear next to panels.
 listed_columns <- function(columns) {
   lapply(columns, function(column) {
     column$rows <- FALSE
@@ -168,8 +166,7 @@ listed_columns <- function(columns) {
   })
 }
 
-# That list: a data frame with a row for each make of netting: panel (one of them), name, deep, mesh
-# and twine.
+# Returns the netting list: a data frame, one row per make of netting.
 netting_items <- function(columns) {
   rows <- do.call(rbind, lapply(columns, function(column) {
     told <- column$panels$labelled
@@ -190,8 +187,8 @@ netting_items <- function(columns) {
   rows[!duplicated(make), ]
 }
 
-# Draws all columns from the left at a scale (mm of sheet in a metre, along and deep), their top at
-# y = top. Returns the right end, mm.
+# Draws all columns from the left. scale: mm of sheet per metre of gear, along and deep; top: y of
+# their top. Returns x of the right end, mm.
 draw_columns <- function(sheet, columns, figure, scale, left, top, look, use) {
   for (k in seq_along(columns)) {
     column <- columns[[k]]
@@ -210,14 +207,14 @@ draw_columns <- function(sheet, columns, figure, scale, left, top, look, use) {
 columns_width <- function(columns, figure, scale, look) {
   each <- vapply(columns, column_reach, numeric(2), figure = figure, scale = scale, look = look)
   joined <- vapply(columns, `[[`, NA, "joined")
-  # of a joined pair, left of the first and right of the second
+  # A joined pair extends left of the first and right of the second column.
   each[1, joined] <- 0
   each[2, which(joined) - 1L] <- 0
   sum(each[2, ] - each[1, ]) + 4 * look$gap * sum(!joined[-1L])
 }
 
-# A width that columns are never drawn narrower than, found without drawing them: their netting, and
-# beside it the cutting rates and what else is told there.
+# Returns a lower bound of the columns' width (mm) without drawing them: netting, cutting rates and
+# netting table.
 least_width <- function(columns, scale, look) {
   each <- vapply(columns, function(column) {
     told <- column$panels$labelled
@@ -241,7 +238,8 @@ columns_height <- function(columns) {
   max(vapply(columns, function(c) max(c$panels$y + c$panels$depth), 0))
 }
 
-# How far a column reaches left and right of its x = 0, mm.
+# Returns the extent of a column to the left and right of its x = 0 (mm), cached per scale and text
+# size.
 column_reach <- function(column, figure, scale, look) {
   key <- paste(column$number, column$named, look$t, paste(signif(scale, 12), collapse = " "))
   known <- figure$reaches[[key]]
@@ -259,7 +257,8 @@ drawn_reach <- function(column, figure, scale, look) {
   c(min(boxes[1, ]), max(boxes[3, ]))
 }
 
-# Lines that stand above the netting: two of headings, one over the columns beside it.
+# Height of the headings above the netting, in text lines: two lines of heading and the table's
+# head.
 heading_lines <- 4.2
 
 draw_column <- function(sheet, column, figure, scale, at, look, use) {
@@ -302,7 +301,7 @@ draw_column <- function(sheet, column, figure, scale, at, look, use) {
   place_balloons(sheet, laced, look, use)
 }
 
-# Headings stand at the centre line of a half, at the left of what is whole.
+# Draws the heading at the centre line of a half column, or at the left edge of a whole column.
 draw_heading <- function(sheet, column, x, across, top, look, use) {
   remark <- c(if (nzchar(column$half)) paste(column$half, "half"), column$remark)
   wide <- max(text_width(column$heading, look$t, TRUE), text_width(paste(remark, collapse = ", "),
@@ -330,7 +329,6 @@ draw_break <- function(sheet, left, right, y) {
   })
 }
 
-# A text that takes its place.
 put_text <- function(sheet, use, x, y, text, look, across, component, ref = "", layer = "NAMES") {
   on_sheet(sheet, component = component, ref = ref, layer = layer,
     draw = sheet_text(sheet, x, y, text, look$t, across))
@@ -339,7 +337,6 @@ put_text <- function(sheet, use, x, y, text, look, across, component, ref = "", 
     y + look$line / 2))
 }
 
-# Counts, cutting rates and what stands beside the panels of a column.
 label_column <- function(sheet, column, figure, scale, at, look, use) {
   panels <- column$panels
   sign <- if (column$outer == "left") -1 else 1
@@ -348,7 +345,7 @@ label_column <- function(sheet, column, figure, scale, at, look, use) {
   inner <- put_inner_rates(sheet, column, scale, at, look, use)
   rows <- which(panels$labelled)
   middle <- at[2] - scale[2] * (panels$y[rows] + panels$depth[rows] / 2)
-  # Side by side, as two wings of a whole panel, they share a line.
+  # Panels side by side, such as two wings of a whole panel, share a text line.
   line <- match(round(middle, 3), round(middle, 3))
   y <- middle
   firsts <- unique(line)
@@ -390,7 +387,6 @@ label_column <- function(sheet, column, figure, scale, at, look, use) {
     at[2], look, use)
 }
 
-# The outermost x of a column's netting between two heights, mm.
 outer_edge <- function(column, scale, at, heights) {
   p <- column$panels
   right <- column$outer == "right"
@@ -408,7 +404,8 @@ outer_edge <- function(column, scale, at, heights) {
   if (right) max(found) else min(found)
 }
 
-# Meshes across at upper and lower edges, within panels that have the room. Returns which had.
+# Draws mesh counts at the upper and lower edges of panels with enough space. Returns TRUE for each
+# panel that needs no further count.
 put_counts <- function(sheet, column, scale, at, look, use) {
   panels <- column$panels
   vapply(seq_len(nrow(panels)), function(k) {
@@ -417,7 +414,6 @@ put_counts <- function(sheet, column, scale, at, look, use) {
     texts <- column$counts[, k]
     deep <- scale[2] * p$depth
     down <- 0.95 * look$t
-    # widths of the panel where the counts stand
     wide <- function(share) scale[1] * ((1 - share) * (p$ur - p$ul) + share * (p$lr - p$ll))
     share <- c(1.6 * look$t / deep, 1 - 1.6 * look$t / deep)
     fits <- deep > 4.2 * look$t && all(
@@ -437,8 +433,9 @@ put_counts <- function(sheet, column, scale, at, look, use) {
   }, NA)
 }
 
-# Rates of edges that face the centre line, or the left edge of a whole panel: beside the edge, or
-# within the panel. Returns those that have no room there, "" of all others.
+# Draws the cutting rates of edges that face the centre line, or of the left edge of a whole panel.
+# The text goes next to the edge or inside the panel. Returns the rates without free space, "" for
+# all other panels.
 put_inner_rates <- function(sheet, column, scale, at, look, use) {
   panels <- column$panels
   left_over <- rep("", nrow(panels))
@@ -462,9 +459,9 @@ put_inner_rates <- function(sheet, column, scale, at, look, use) {
       cbind(edge + sign * away, y), cbind(edge - sign * away, y)[within(away), ],
       cbind(edge + sign * near, y), cbind(edge - sign * near, y)[within(near), ]
     )
-    # beyond the centre line another half may stand
+    # The space beyond the centre line is reserved for the other half.
     own <- !nzchar(column$half) | -sign * (places[, 1] - at[1]) >= size[1] / 2
-    where <- find_room(use, places[own, , drop = FALSE], size)
+    where <- find_space(use, places[own, , drop = FALSE], size)
     if (is.null(where)) {
       left_over[k] <- text
       next
@@ -475,7 +472,6 @@ put_inner_rates <- function(sheet, column, scale, at, look, use) {
   left_over
 }
 
-# The columns beside panels: part, meshes deep, mesh size and twine.
 put_rows <- function(sheet, column, rows, y, top, near, look) {
   words <- column$words[, rows, drop = FALSE]
   wide <- column_widths(words, panel_columns$heading, look)
@@ -485,21 +481,20 @@ put_rows <- function(sheet, column, rows, y, top, near, look) {
     sheet_text(sheet, at[c], top + 1.2 * look$line, panel_columns$heading[c], look$t,
       panel_columns$across[c], italic = TRUE)
   })
-  put_words(sheet, words, panel_columns, paste0("panels.", column$panels$name[rows]), at, y, look)
+  put_string(sheet, words, panel_columns, paste0("panels.", column$panels$name[rows]), at, y, look)
 }
 
 # ---- walls ---------------------------------------------------------------------------------------
 
-# Panels side by side: what each is stands in it, or below (and above) the wall with a line to it.
+# Labels panels that are side by side: inside the panel, or below or above the wall with a leader.
 label_wall <- function(sheet, column, figure, x, y, look, use) {
   panels <- column$panels
-  words <- lapply(panels$name, wall_words, si = figure$si)
+  words <- lapply(panels$name, wall_text, si = figure$si)
   middle <- x((panels$ul + panels$ur + panels$ll + panels$lr) / 4)
   room <- x(pmin(panels$ur, panels$lr)) - x(pmax(panels$ul, panels$ll)) - 2 * look$gap
   deep <- y(panels$y) - y(panels$y + panels$depth)
   out <- integer()
   for (k in seq_len(nrow(panels))) {
-    # in as many lines as there is height for
     for (lines in list(1:4, c(1, 1, 2, 2), c(1, 1, 1, 1))) {
       wide <- vapply(split(words[[k]], lines), function(w) {
         sum(text_width(w, look$t)) + (length(w) - 1) * 2 * look$gap
@@ -512,13 +507,13 @@ label_wall <- function(sheet, column, figure, x, y, look, use) {
       next
     }
     top <- (y(panels$y[k]) + y(panels$y[k] + panels$depth[k]) + max(lines) * look$line) / 2
-    put_wall_words(sheet, use, panels$name[k], words[[k]], lines, middle[k], top, look)
+    put_wall_text(sheet, use, panels$name[k], words[[k]], lines, middle[k], top, look)
   }
-  if (length(out)) lead_wall_words(sheet, use, panels, words, out, x, y, look)
+  if (length(out)) lead_wall_text(sheet, use, panels, words, out, x, y, look)
 }
 
-# The words of a panel of a wall in lines around x, under y = top; lines: on which line each is.
-put_wall_words <- function(sheet, use, name, words, lines, x, top, look) {
+# lines: the line number of each text; top: y of the first line.
+put_wall_text <- function(sheet, use, name, words, lines, x, top, look) {
   ref <- paste0("panels.", name, c("", ".meshes.upper", ".mesh_size", ".twine.diameter"))
   component <- c("panel", "meshes", "mesh_size", "twine")
   for (l in unique(lines)) {
@@ -533,16 +528,15 @@ put_wall_words <- function(sheet, use, name, words, lines, x, top, look) {
   }
 }
 
-# The words of panels that have no room for them, in rows below and above the wall, each with a line
-# to its panel.
-lead_wall_words <- function(sheet, use, panels, words, out, x, y, look) {
+# Draws the labels that do not fit into their panels in rows below and above the wall, with leaders.
+lead_wall_text <- function(sheet, use, panels, words, out, x, y, look) {
   wide <- vapply(words, function(w) max(text_width(w, look$t)), 0) + 2 * look$gap
   middle <- x((panels$ul + panels$ur + panels$ll + panels$lr) / 4)
   high <- 4 * look$line
   out <- out[order(middle[out], panels$y[out])]
   span <- range(x(c(panels$ul, panels$ll)), x(c(panels$ur, panels$lr)))
   step <- max(wide[out])
-  # what lies in the upper half of the wall has its words above
+  # Panels in the upper half of the wall are labelled above it.
   centre <- panels$y + panels$depth / 2
   sides <- 1L + (centre[out] < mean(range(panels$y, panels$y + panels$depth)) - 1e-6)
   for (side in unique(sides)) {
@@ -552,11 +546,10 @@ lead_wall_words <- function(sheet, use, panels, words, out, x, y, look) {
     top <- if (side == 1L) edge - 3 * look$line else edge + 3 * look$line + high
     for (k in seq_along(mine)) {
       p <- panels[mine[k], ]
-      put_wall_words(sheet, use, p$name, words[[mine[k]]], 1:4, cx[k], top, look)
-      # the line ends in its panel, straight over its words if it may
+      put_wall_text(sheet, use, p$name, words[[mine[k]]], 1:4, cx[k], top, look)
+      # The leader ends inside its panel and is vertical if possible.
       side_of <- x(c(max(p$ul, p$ll), min(p$ur, p$lr)))
       start <- c(cx[k], if (side == 1L) top else top - high)
-      # its middle before its edges
       end <- clear_end(use, start, side_of[1] + diff(side_of) * c(0.5, 0.35, 0.65, 0.2, 0.8),
         y(p$y + p$depth / 2))
       on_sheet(sheet, component = "leader", layer = "NAMES", draw = {
@@ -568,8 +561,8 @@ lead_wall_words <- function(sheet, use, panels, words, out, x, y, look) {
   }
 }
 
-# The first of the places straight over a start, where that is one, and of x, at a height, to which
-# a line from the start crosses no text.
+# Returns the end of a leader at height y that crosses no text: straight above or below its start if
+# possible, otherwise at the first suitable x. The first candidate is the fallback.
 clear_end <- function(use, start, x, y) {
   if (start[1] >= min(x) && start[1] <= max(x)) x <- c(start[1], x)
   inner <- use$boxes + rep(c(0.3, 0.3, -0.3, -0.3), each = nrow(use$boxes))
@@ -582,7 +575,7 @@ clear_end <- function(use, start, x, y) {
 
 # ---- scale ---------------------------------------------------------------------------------------
 
-# Scales that a rule is used with: 1 : these, times powers of ten.
+# Usual drawing scales: 1 to these numbers times powers of ten.
 scale_steps <- c(1, 1.25, 1.5, 1.75, 2, 2.5, 3, 3.5, 4, 4.5, 5, 6, 7, 8, 9)
 
 scale_series <- function(least) {
@@ -590,9 +583,9 @@ scale_series <- function(least) {
   all[all >= least * (1 - 1e-9)]
 }
 
-# The largest scale of the series at which the columns have room: mm of sheet in a metre, along and
-# deep; NULL where none of it is useful. true_size: the same along and deep. least: what the product
-# of both must be above.
+# Returns the largest usual scale at which the columns fit: mm of sheet per metre of gear, along and
+# deep. NULL if they do not fit or the product of both does not exceed `least`. true_size: TRUE for
+# equal scales.
 fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE, least = 0) {
   deepest <- columns_height(columns)
   wall <- any(vapply(columns, `[[`, NA, "wall"))
@@ -612,7 +605,8 @@ fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE
     return(c(long, min(deep, steepest_scale * long)))
   }
   tried <- scale_series(1000 * max(deepest / height, across / room))
-  # What fits at one scale need not at a smaller one, where counts no longer stand within panels.
+  # Columns that fit at a scale may not fit at a smaller one, because counts move out of small
+  # panels.
   for (one in utils::head(tried, 14L)) {
     scale <- rep(1000 / one, 2L)
     if (prod(scale) <= least) break
@@ -622,7 +616,6 @@ fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE
   NULL
 }
 
-# How wide the netting is drawn, in words.
 width_rule <- function(figure) {
   hung <- !is.na(colSums(hung_widths(figure$si, figure$layout$joints)))
   square <- vapply(figure$si$panels, function(p) p$orientation == "square", NA) & !hung

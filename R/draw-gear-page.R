@@ -1,25 +1,23 @@
-# The page of a drawing: frame, title, legend, the netting's place and that of lists and rigging.
-
-# Margins of ISO 5457, mm: for filing at the left.
+# Margins of ISO 5457 (mm), the left one for filing.
 sheet_margin <- c(left = 20, other = 10)
 
-# Heights of text (ISO 3098, mm) that a sheet may have, the largest first.
+# Allowed text heights (ISO 3098, mm), largest first.
 sheet_text_sizes <- list(
   A4 = 1.8, A3 = c(2.5, 1.8), A2 = c(3.5, 2.5), A1 = c(5, 3.5, 2.5)
 )
 
-# A gear's drawing on a sheet of a size ("A4"), on its side or upright as it has more room.
-# true_size: netting at one scale, without breaks.
+# Returns a gear's drawing on a sheet of a size ("A4"), landscape or portrait. true_size: TRUE for
+# netting at equal scales without breaks.
 gear_sheet <- function(gear, page, true_size = FALSE) {
   figure <- plan_figure(gear)
   columns <- if (!is.null(figure$layout)) net_columns(figure, true_size)
   best <- NULL
   ways <- list(columns, if (!is.null(columns)) listed_columns(columns))
   for (way in unique(ways)) {
-    # Netting is told beside the panels unless it would be drawn much larger without.
+    # Prefer labels next to the panels unless a separate list lets the netting be much larger.
     before <- best
     for (t in sheet_text_sizes[[page]]) {
-      # Larger letters are worth a little of the netting's size.
+      # Larger letters justify slightly smaller netting.
       much <- if (identical(best, before)) 2 else 1.5
       least <- if (is.null(best)) 0 else much * best$worth
       found <- best_draft(figure, way, sheet_sizes[[page]], drawing_look(t), true_size, least)
@@ -35,9 +33,9 @@ gear_sheet <- function(gear, page, true_size = FALSE) {
   draw_draft(best, figure, best$columns)
 }
 
-# The best of the arrangements that have room: sheet on its side or upright, lists beside or below
-# the netting; NULL where none has. worth: the netting's scale, or how evenly the sheet is filled;
-# least: what it must be above.
+# Returns the best arrangement that fits on the sheet, NULL if there is none. The sheet is landscape
+# or portrait; lists are next to or below the netting. `worth` measures the netting's scale, or the
+# evenness of the filling without netting; it must exceed `least`.
 best_draft <- function(figure, columns, size, look, true_size, least = 0) {
   best <- NULL
   for (page in list(rev(size), size)) {
@@ -55,7 +53,7 @@ best_draft <- function(figure, columns, size, look, true_size, least = 0) {
 
 # ---- lists, ropes laid straight and rigging as blocks --------------------------------------------
 
-# Blocks in the order in which they stand: list(wide, high (mm), grows, draw = function(sheet, left,
+# Returns the blocks in drawing order: list(wide, high (mm), grows, draw = function(sheet, left,
 # top, wide, high)).
 info_blocks <- function(figure, columns, look) {
   straight <- if (!is.null(figure$ropes)) straight_ropes(figure)
@@ -92,16 +90,17 @@ rigging_block <- function(figure, look) {
   )
 }
 
-# Widths of columns, by their words (a row for each). bold: whether the first is.
+# words: one row per column. bold: TRUE if the first column is bold.
 column_widths <- function(words, heading, look, bold = FALSE) {
   vapply(seq_along(heading), function(c) {
     max(text_width(c(heading[c], words[c, ]), look$t, bold && c == 1L))
   }, 0)
 }
 
-# Words in columns (a row for each) of items at heights y; columns: data frame of component, field
-# and across, as panel_columns; refs: whose fields these are; mark: draws what else shows item k.
-put_words <- function(sheet, words, columns, refs, at, y, look, mark = function(k) NULL) {
+# Draws a table of texts at heights y. `words`: one row per column. `columns`: data frame of
+# component, field and across, as `panel_columns`. `refs`: assembly field of each item. `mark`:
+# function that draws the symbol of item k.
+put_string <- function(sheet, words, columns, refs, at, y, look, mark = function(k) NULL) {
   for (k in seq_along(y)) {
     for (c in seq_len(nrow(columns))) {
       on_sheet(sheet, component = columns$component[c], ref = paste0(refs[k], columns$field[c]),
@@ -113,9 +112,9 @@ put_words <- function(sheet, words, columns, refs, at, y, look, mark = function(
   }
 }
 
-# A list of such words as a block. pitch: mm from item to item; first: mm before the words, in which
-# mark(sheet, x, y, k) draws.
-words_block <- function(words, columns, refs, look, pitch = look$line, first = 0, mark = NULL) {
+# Returns such a table as a block. pitch: mm between items; first: mm in front of the text, reserved
+# for mark(sheet, x, y, k).
+text_block <- function(words, columns, refs, look, pitch = look$line, first = 0, mark = NULL) {
   wide <- column_widths(words, columns$heading, look, bold = TRUE)
   gap <- 1.5 * look$gap
   n <- length(wide)
@@ -131,7 +130,7 @@ words_block <- function(words, columns, refs, look, pitch = look$line, first = 0
         }
       })
       y <- top - look$line - (seq_len(ncol(words)) - 0.5) * pitch
-      put_words(sheet, words, columns, refs, at, y, look, function(k) {
+      put_string(sheet, words, columns, refs, at, y, look, function(k) {
         if (!is.null(mark)) mark(sheet, left, y[k], k)
       })
     }
@@ -146,10 +145,10 @@ rope_list_columns <- data.frame(
 
 rope_list <- function(rows, figure, look) {
   items <- figure$ropes[rows, ]
-  words <- vapply(seq_len(nrow(items)), function(k) rope_item_words(items[k, ]), character(4))
+  words <- vapply(seq_len(nrow(items)), function(k) rope_item_text(items[k, ]), character(4))
   columns <- rope_list_columns
   if (!any(nzchar(words["hanging", ]))) columns$heading[4L] <- ""
-  words_block(words, columns, paste0("ropes.", items$first), look, 2 * look$balloon + 0.6,
+  text_block(words, columns, paste0("ropes.", items$first), look, 2 * look$balloon + 0.6,
     2 * look$balloon + look$gap, function(sheet, x, y, k) {
       draw_balloon(sheet, x + look$balloon, y, items$item[k], look)
     })
@@ -158,7 +157,7 @@ rope_list <- function(rows, figure, look) {
 netting_list <- function(items, look) {
   columns <- panel_columns
   columns$heading[1L] <- "Netting"
-  words_block(t(as.matrix(items[c("name", "deep", "mesh", "twine")])), columns,
+  text_block(t(as.matrix(items[c("name", "deep", "mesh", "twine")])), columns,
     paste0("panels.", items$panel), look)
 }
 
@@ -168,7 +167,7 @@ piece_list <- function(rows, figure, look) {
   wide <- 42 * look$t
   lines <- lapply(seq_len(nrow(items)), function(k) {
     name <- paste0(items$name[k], if (items$count[k] > 1) paste0(", ", items$count[k], " off"))
-    wrap_words(paste0(name, if (nzchar(items$words[k])) paste0(": ", items$words[k])),
+    wrap_text(paste0(name, if (nzchar(items$words[k])) paste0(": ", items$words[k])),
       wide - first, look$t)
   })
   pitch <- pmax(lengths(lines) * look$line, 2 * look$balloon) + 0.6
@@ -190,8 +189,8 @@ piece_list <- function(rows, figure, look) {
 
 # ---- arrangements --------------------------------------------------------------------------------
 
-# Blocks in n columns of one width and height, in their order: list(column (of each block), high),
-# the least high there is.
+# Distributes blocks over n columns of equal width in their order. Returns list(column (of each
+# block), high) with the least possible height.
 packed_blocks <- function(blocks, n, gap) {
   high <- vapply(blocks, `[[`, 0, "high")
   fill <- function(most) {
@@ -208,7 +207,7 @@ packed_blocks <- function(blocks, n, gap) {
     }
     column
   }
-  # only sums of blocks that follow each other can be the least height
+  # The least height is always a sum of consecutive blocks.
   ends <- cumsum(high + gap)
   sums <- sort(unique(as.vector(outer(ends, c(0, ends), "-"))) - gap)
   for (most in sums[sums >= max(high) - 1e-6]) {
@@ -217,9 +216,9 @@ packed_blocks <- function(blocks, n, gap) {
   }
 }
 
-# The arrangement that is worth most, NULL where none that is worth more than `least` has room:
-# list(worth, scale, net (left, bottom, right, top), blocks, place (of the blocks: left, bottom,
-# right, top), packed).
+# Returns the arrangement with the highest worth above `least`, NULL if no such arrangement fits:
+# list(worth, scale, net, blocks, place, packed). `net` and `place` are the areas of netting and
+# blocks (left, bottom, right, top).
 best_arrangement <- function(figure, columns, blocks, inner, look, true_size, least = 0) {
   gap <- 2 * look$line
   wide <- if (length(blocks)) max(vapply(blocks, `[[`, 0, "wide")) else 0
@@ -240,7 +239,7 @@ best_arrangement <- function(figure, columns, blocks, inner, look, true_size, le
       if (!length(blocks) || n * wide + (n - 1) * gap > room[1]) next
       pack <- packed_blocks(blocks, n, gap)
       if (is.null(pack) || pack$high > room[2]) next
-      # as near to filled as may be, no column left empty
+      # Prefer blocks that fill the width, without counting empty columns.
       used <- max(pack$column)
       add(1 / (1 + abs(room[1] / used / wide - 1)), NULL, NULL, inner, pack)
     }
@@ -287,7 +286,7 @@ draw_draft <- function(draft, figure, columns) {
   if (!is.null(columns)) {
     sheet$scale <- 1000 / draft$scale[2]
     net <- draft$net
-    # what room is left is shared out around the netting
+    # Centre the netting in its area.
     spare <- net[3] - net[1] - columns_width(columns, figure, draft$scale, look)
     deep <- columns_height(columns) * draft$scale[2]
     wall <- any(vapply(columns, `[[`, NA, "wall"))
@@ -301,8 +300,8 @@ draw_draft <- function(draft, figure, columns) {
   sheet
 }
 
-# Blocks at their places, all columns as wide as there is room for; blocks that grow and the gaps
-# between them take what height is left.
+# Draws the blocks. Columns share the available width equally. Growing blocks and the gaps between
+# blocks take up the remaining height.
 draw_blocks <- function(sheet, draft) {
   if (is.null(draft$packed)) return(invisible())
   gap <- 2 * draft$look$line
@@ -310,7 +309,7 @@ draw_blocks <- function(sheet, draft) {
   n <- max(column)
   place <- draft$place
   wide <- (place[3] - place[1] - (n - 1) * gap) / n
-  # without netting the rigging is the drawing
+  # Without netting, the rigging is the main drawing and may grow without limit.
   most <- if (is.null(draft$net)) Inf else 0.8
   for (c in seq_len(n)) {
     mine <- draft$blocks[column == c]
@@ -330,7 +329,7 @@ draw_blocks <- function(sheet, draft) {
 
 # ---- title and legend ----------------------------------------------------------------------------
 
-legend_words <- function(figure) {
+legend_text <- function(figure) {
   c(
     if (!is.null(figure$layout)) {
       c(
@@ -339,14 +338,14 @@ legend_words <- function(figure) {
       )
     },
     if (any(figure$ropes$laced)) "E hanging ratio.",
-    if (!is.null(figure$ropes)) "Lengths of ropes are of one."
+    if (!is.null(figure$ropes)) "Rope lengths are for one rope."
   )
 }
 
 legend_lines <- function(figure, frame, look) {
-  words <- legend_words(figure)
+  words <- legend_text(figure)
   if (!length(words)) return(character())
-  wrap_words(paste(words, collapse = " "), frame[3] - frame[1] - 4, look$t)
+  wrap_text(paste(words, collapse = " "), frame[3] - frame[1] - 4, look$t)
 }
 
 foot_title_height <- function(look) 3.4 * look$line + 2
@@ -355,7 +354,6 @@ foot_height <- function(figure, frame, look) {
   foot_title_height(look) + length(legend_lines(figure, frame, look)) * look$line + 1
 }
 
-# The strip at the foot of the sheet: name and source, scale with its bar, units, sheet.
 draw_foot <- function(sheet, figure, draft) {
   frame <- draft$frame
   look <- draft$look
@@ -378,13 +376,12 @@ draw_foot <- function(sheet, figure, draft) {
   }
   row <- function(k) top - 1 - (k - 0.5) * 1.13 * look$line
   room <- cells - 4
-  # as large as there is room for
   large <- if (text_width(figure$title, 1.4 * t, TRUE) <= room[1]) 1.4 * t else t
   on_sheet(sheet, component = "name", ref = "name", layer = "TITLE", draw = sheet_text(sheet,
     left[1] + 2, row(1), cut_text(figure$title, room[1], large, TRUE), large, bold = TRUE))
   on_sheet(sheet, component = "source", layer = "TITLE", draw = {
     source <- if (nzchar(figure$source)) paste("Source:", figure$source) else ""
-    said <- wrap_words(source, room[1], t)
+    said <- wrap_text(source, room[1], t)
     if (length(said) > 2L) {
       said <- c(said[1], cut_text(paste0(said[2], " and more in the plan"), room[1], t))
       if (!endsWith(said[2], "plan")) {
@@ -401,7 +398,6 @@ draw_foot <- function(sheet, figure, draft) {
   })
 }
 
-# Scale in figures and as a bar, and the units.
 draw_scale_bar <- function(sheet, scale, left, row, room, look) {
   t <- look$t
   ratio <- function(s) paste("1 :", short_number(1000 / s, 5))

@@ -1,8 +1,5 @@
-# Which field of a plan the drawing shows where: from a field of the assembly that is drawn to that
-# of the short form that somebody wrote.
-
-# A function that gives the path in a gear's plan of a field of its assembly, "" where no field of
-# the plan is that one.
+# Returns a function that maps a field of the assembly to its path in the plan, "" if the plan has
+# no such field.
 path_finder <- function(gear) {
   plan <- gear$plan
   tree <- first_of(gear_checked(gear)$tree, plan)
@@ -14,13 +11,13 @@ path_finder <- function(gear) {
   }
 }
 
-# Fields that a wing's panel has by other names in its short form.
+# Names of a wing panel's fields in the short form.
 wing_fields <- c(upper = "tip", lower = "base")
 
 drawn_path <- function(ref, plan, tree, leaves) {
   steps <- path_steps(ref)
   if (steps[1] == "panels" && steps[length(steps)] == "cutting") {
-    # a rate need not be given to be asked for
+    # The plan may omit the cutting rate, so its path is derived from the mesh size of the panel.
     part <- drawn_path(sub("cutting$", "mesh_size", ref), plan, tree, leaves)
     path <- sub("mesh_size$", "cutting", part)
     return(if (nzchar(part) && !is.null(path_node(plan, path))) path else "")
@@ -28,7 +25,7 @@ drawn_path <- function(ref, plan, tree, leaves) {
   has <- function(path) !is.null(path) && !is.null(plan_field(plan, path))
   if (has(ref)) return(ref)
   value <- tryCatch(tree[[steps]], error = function(e) NULL)
-  # of a part as a whole, what the first of its fields belongs to
+  # A whole part maps to the plan group that contains its first known field.
   if (is.list(value) || is.null(value) && length(steps) == 2L) {
     for (name in intersect(part_marks, names(value))) {
       path <- drawn_path(paste(ref, name, sep = "."), plan, tree, leaves)
@@ -53,6 +50,6 @@ drawn_path <- function(ref, plan, tree, leaves) {
   ""
 }
 
-# The fields by which a part is found in a short form, those that tell it best first.
+# Fields that identify a part in a short form, most distinctive first.
 part_marks <- c("mesh_size", "diameter", "mass", "area", "buoyancy", "length", "material",
   "mass_per_length", "drag_area", "volume")

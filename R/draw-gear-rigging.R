@@ -1,12 +1,11 @@
-# The rigging of a plan drawing: ropes between points as a schematic, from the towing points to the
-# netting. What is alike, such as both sides of a trawl, is one.
+# Rigging of a plan drawing: a schematic of the ropes between points. Identical ropes are drawn
+# once.
 
-# Places that ropes join, taken together where they are alike, or NULL without ropes between points.
+# Returns the rigging as a graph with identical nodes merged, or NULL without ropes between points.
+# `nodes`: data frame of layer, order, held, motion (text), netting, letters (of pieces). `ropes`:
+# data frame of from, to (rows of nodes), item (NA for a frame), length.
 #
-# frames: struts that no rope of the list is, such as those of a beam trawl's shoes.
-#
-# Returns list(nodes (data frame: layer, order, held, motion (words), netting, letters (of pieces)),
-# ropes (data frame: from, to (rows of nodes), item (NA of a frame), length)).
+# frames: struts that the rope list omits, such as the shoes of a beam trawl.
 plan_rigging <- function(si, ropes, pieces, frames = list()) {
   free <- Filter(function(rope) !is.null(rope$from), si$ropes)
   if (!length(free)) return(NULL)
@@ -15,7 +14,8 @@ plan_rigging <- function(si, ropes, pieces, frames = list()) {
   on_free <- vapply(lapply(found$places, parse_place), function(p) {
     if (p$kind == "rope" && p$name %in% names(free)) p$name else ""
   }, "")
-  # A rope that slides through places, or has some along it, runs from either end to all of them.
+  # A rope that slides through points, or has points along it, runs from either end to each such
+  # point.
   stretches <- do.call(rbind, lapply(seq_along(free), function(k) {
     rope <- free[[k]]
     by <- c(rope$through, found$places[on_free == names(free)[k]])
@@ -25,7 +25,8 @@ plan_rigging <- function(si, ropes, pieces, frames = list()) {
       data.frame(rope = k, from = rope$to, to = by)
     )
   }))
-  # Braces from a frame to a rope, or across to its like, keep a model stiff: nobody makes them.
+  # Braces from a frame to a rope, or across to its mirror image, only stiffen the model. They do
+  # not exist on the gear and are left out.
   frames <- frame_stretches(frames, found$of, found$places[on_free != ""])
   stretches <- rbind(stretches, frames)
   free <- c(free, list(list(length = NA_real_)))
@@ -53,16 +54,16 @@ plan_rigging <- function(si, ropes, pieces, frames = list()) {
   list(nodes = nodes, ropes = edges)
 }
 
-# Struts as stretches of no rope, without those that end at a place along one.
+# Returns struts as stretches without a rope number, except struts that end at a point along a rope.
 frame_stretches <- function(frames, of, on_rope) {
   ends <- function(end) of(vapply(frames, `[[`, "", end))
   out <- data.frame(rope = rep(NA_integer_, length(frames)), from = ends("from"), to = ends("to"))
   out[!(out$from %in% on_rope | out$to %in% on_rope), ]
 }
 
-# The places of ropes' ends and of pieces: list(places (texts); held, motion (how held, in words)
-# and netting of each; of = function that gives the place of a text). All points of a free otter
-# board are one place.
+# Returns the positions of rope ends and pieces: list(places (strings), held, motion (support in
+# words), netting, of = function that returns the position of a string). All points of a free otter
+# board share the same position.
 rigging_places <- function(si) {
   board_of <- unlist(lapply(names(si$otter_boards), function(board) {
     points <- si$otter_boards[[board]]$points
@@ -93,7 +94,6 @@ rigging_places <- function(si) {
   )
 }
 
-# The letters of the pieces at every place, in one text.
 piece_letters <- function(found, pieces, si) {
   letters <- rep("", length(found$places))
   add <- function(place, name) {
@@ -109,8 +109,8 @@ piece_letters <- function(found, pieces, si) {
   letters
 }
 
-# What tells places apart: what they are, and the kinds of ropes that meet there with what is at
-# their other ends.
+# Returns a string per position that is equal for identical positions. It contains the position's
+# properties and the ropes that meet there with the properties at their other ends.
 place_kinds <- function(found, letters, from, to, item) {
   own <- paste(found$held, found$netting, letters)
   met <- split(c(paste(item, own[to]), paste(item, own[from])),
@@ -118,7 +118,8 @@ place_kinds <- function(found, letters, from, to, item) {
   paste(own, vapply(met, function(m) paste(sort(unique(m)), collapse = ";"), ""))
 }
 
-# Ropes from the nearest held place (or the first place) to every other.
+# Returns the number of ropes between each node and the nearest fixed node, or the first node if
+# none is fixed.
 rigging_layers <- function(nodes, edges) {
   layer <- ifelse(nodes$held, 0, Inf)
   if (all(layer > 0)) layer[1L] <- 0
@@ -130,11 +131,11 @@ rigging_layers <- function(nodes, edges) {
     }
     if (identical(known, layer)) break
   }
-  # What no rope joins to them: pieces on the netting, behind all else.
+  # Nodes without a path to them, such as pieces on the netting, go into the last layer.
   ifelse(is.finite(layer), layer, max(layer[is.finite(layer)]) + 1)
 }
 
-# Place of every node in its layer, near the mean of its neighbours before it.
+# Returns the order of every node in its layer, near the mean of its neighbours in previous layers.
 rigging_order <- function(nodes, edges) {
   order <- numeric(nrow(nodes))
   for (layer in sort(unique(nodes$layer))) {
@@ -152,8 +153,7 @@ rigging_order <- function(nodes, edges) {
   order
 }
 
-# The order with the nodes of one layer changed about so that the fewest ropes cross; layers of many
-# nodes stay as they are.
+# Permutes the nodes of a layer to minimise crossings. Layers of more than five nodes are unchanged.
 uncrossed_layer <- function(order, mine, layer, edges) {
   if (length(mine) > 5L) return(order)
   least <- crossings(order, layer, edges)
@@ -175,7 +175,6 @@ permutations <- function(x) {
   do.call(c, lapply(seq_along(x), function(k) lapply(permutations(x[-k]), function(r) c(x[k], r))))
 }
 
-# How many pairs of ropes between the same two layers cross.
 crossings <- function(order, layer, edges) {
   a <- ifelse(layer[edges$from] <= layer[edges$to], edges$from, edges$to)
   b <- edges$from + edges$to - a
@@ -184,21 +183,20 @@ crossings <- function(order, layer, edges) {
   sum(same & outer(order[a], order[a], "-") * outer(order[b], order[b], "-") < 0) / 2
 }
 
-# How high and wide the rigging needs to be drawn, mm.
 rigging_size <- function(rigging, look) {
   most <- max(table(rigging$nodes$layer))
   c(
     (max(rigging$nodes$layer) + 1.5) * (8 * look$t + 2 * look$balloon),
-    3 * look$line + max(most, 2) * 4.2 * look$line + sum(next_room(rigging, look))
+    3 * look$line + max(most, 2) * 4.2 * look$line + sum(next_space(rigging, look))
   )
 }
 
-# Ropes from a place to its like, such as a tickler chain from shoe to shoe, leave it upwards or
-# downwards, one beyond the other: how far apart, mm.
+# Distance (mm) between ropes that join a node to its mirror image, such as a tickler chain from
+# shoe to shoe. They leave the node upwards or downwards.
 next_pitch <- function(look) 2 * look$balloon + look$gap
 
-# The room that these take above and below all places, mm.
-next_room <- function(rigging, look) {
+# Returns the height (mm) that ropes to mirror images need above and below all nodes.
+next_space <- function(rigging, look) {
   within <- rigging$ropes$from[rigging$ropes$from == rigging$ropes$to]
   count <- as.vector(table(factor(within, seq_len(nrow(rigging$nodes)))))
   up <- rigging$nodes$order < 0
@@ -213,7 +211,7 @@ draw_rigging <- function(sheet, figure, frame, look) {
   on_sheet(sheet, component = "heading", layer = "NAMES", draw = {
     sheet_text(sheet, frame[1], frame[4] - look$line / 2, "Rigging", look$t, bold = TRUE)
     sheet_text(sheet, frame[1] + text_width("Rigging  ", look$t, TRUE), frame[4] - look$line / 2,
-      "not to scale; what is alike is drawn once", look$t, italic = TRUE)
+      "not to scale; identical parts are drawn once", look$t, italic = TRUE)
   })
   netting <- any(nodes$netting)
   last <- max(nodes$layer)
@@ -221,7 +219,7 @@ draw_rigging <- function(sheet, figure, frame, look) {
   right <- frame[3] - if (netting) bag + 4 * look$gap else 5 * look$t
   left <- frame[1] + text_width("towing point", look$t) / 2
   x <- if (last == 0L) rep(left, nrow(nodes)) else left + (right - left) * nodes$layer / last
-  beyond <- next_room(rigging, look)
+  beyond <- next_space(rigging, look)
   middle <- (frame[2] + beyond[["down"]] + frame[4] - beyond[["up"]] - 1.5 * look$line) / 2
   most <- max(table(nodes$layer))
   step <- (frame[4] - frame[2] - sum(beyond) - 4.5 * look$line) / max(1, most - 1)
@@ -263,7 +261,6 @@ draw_rigging <- function(sheet, figure, frame, look) {
 
 rope_of <- function(item, figure) figure$ropes$first[match(item, figure$ropes$item)]
 
-# The netting as a bag behind the places that are on it.
 draw_net_box <- function(sheet, nodes, x, y, right, wide, look, use) {
   on <- nodes$netting
   left <- right - wide
@@ -285,14 +282,14 @@ draw_net_box <- function(sheet, nodes, x, y, right, wide, look, use) {
   }
 }
 
-# A straight line, or an arc where it joins places of one layer or is one of several between two.
+# Returns a straight line, or an arc within a layer or between nodes with several ropes.
 rope_curve <- function(a, b, within, number) {
   bend <- if (within) 0.35 else 0.16 * (number - 1)
   if (bend == 0) return(rbind(a, (a + b) / 2, b))
   s <- seq(0, 1, length.out = 17L)
   across <- c(-(b[2] - a[2]), b[1] - a[1])
   across <- across / sqrt(sum(across^2))
-  # Arcs within a layer bend towards the layer before it.
+  # Arcs within a layer bend towards the previous layer.
   if (within && across[1] > 0) bend <- -bend
   bend <- bend * min(1, 20 / sqrt(sum((b - a)^2))) * sqrt(sum((b - a)^2))
   cbind(
@@ -301,12 +298,10 @@ rope_curve <- function(a, b, within, number) {
   )
 }
 
-# A rope from a place to its like: away from it, and then along.
 rope_to_next <- function(at, far, look) {
   cbind(at[1] + c(0, 0, 4.5 * look$balloon), at[2] + c(0, far, far))
 }
 
-# Its number on it, an open end, and its length behind that.
 label_rope_to_next <- function(sheet, line, rope, figure, look, use) {
   ref <- paste0("ropes.", rope_of(rope$item, figure))
   end <- line[3, ]
@@ -321,8 +316,8 @@ label_rope_to_next <- function(sheet, line, rope, figure, look, use) {
   metres <- paste(short_number(rope$length), "m")
   for (text in c(paste(metres, "to the next"), metres)) {
     size <- c(text_width(text, look$t), look$line)
-    where <- find_room(use, rbind(end + c(r + look$gap + size[1] / 2, 0)), size)
-    # the list of ropes has it too
+    where <- find_space(use, rbind(end + c(r + look$gap + size[1] / 2, 0)), size)
+    # The rope list also contains the length.
     if (is.null(where)) next
     on_sheet(sheet, component = "length", ref = paste0(ref, ".length"), layer = "RIGGING",
       draw = sheet_text(sheet, where[1], where[2], text, look$t, 0.5))
@@ -330,7 +325,6 @@ label_rope_to_next <- function(sheet, line, rope, figure, look, use) {
   }
 }
 
-# Points at fractions of a line's length.
 line_points <- function(line, share) {
   long <- c(0, cumsum(sqrt(rowSums(diff(line)^2))))
   cbind(
@@ -339,11 +333,10 @@ line_points <- function(line, share) {
   )
 }
 
-# The number of a rope on its line, and its length beside it.
 label_rope <- function(sheet, line, rope, figure, frame, look, use) {
   places <- line_points(line, c(0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1))
   size <- rep(2 * look$balloon + 0.4, 2L)
-  at <- find_room(use, places, size, lines = FALSE)
+  at <- find_space(use, places, size, lines = FALSE)
   if (is.null(at)) at <- places[1L, ]
   ref <- paste0("ropes.", rope_of(rope$item, figure))
   on_sheet(sheet, component = "rope", ref = ref, layer = "RIGGING",
@@ -358,8 +351,8 @@ label_rope <- function(sheet, line, rope, figure, frame, look, use) {
   )
   inside <- beside[, 1] - size[1] / 2 >= frame[1] & beside[, 1] + size[1] / 2 <= frame[3] &
     beside[, 2] + size[2] / 2 <= frame[4] - look$line & beside[, 2] - size[2] / 2 >= frame[2]
-  where <- find_room(use, beside[inside, , drop = FALSE], size)
-  # the list of ropes has it too
+  where <- find_space(use, beside[inside, , drop = FALSE], size)
+  # The rope list also contains the length.
   if (is.null(where)) return(invisible())
   on_sheet(sheet, component = "length", ref = paste0(ref, ".length"), layer = "RIGGING",
     draw = sheet_text(sheet, where[1], where[2], text, look$t, 0.5))
@@ -371,7 +364,7 @@ draw_node <- function(sheet, node, x, y, figure, look, use) {
     on_sheet(sheet, component = "held", layer = "RIGGING", draw = {
       sheet_polygon(sheet, x + 2.2 * r * c(-1, 1, 0), y + 2 * r * c(-1, -1, 1), "white")
       size <- c(text_width(node$motion, look$t), look$line)
-      where <- find_room(use, cbind(x, y + c(-1, 1) * 2 * look$line), size)
+      where <- find_space(use, cbind(x, y + c(-1, 1) * 2 * look$line), size)
       if (!is.null(where)) {
         sheet_text(sheet, where[1], where[2], node$motion, look$t, 0.5, italic = TRUE)
       }
@@ -384,8 +377,8 @@ draw_node <- function(sheet, node, x, y, figure, look, use) {
   far <- 2.2 * look$balloon
   for (letter in letters) {
     places <- cbind(x + far * c(0, 0, 1, -1, 1, -1, 0, 0), y + far * c(-1, 1, 0, 0, -1, -1, -2, 2))
-    at <- find_room(use, places, rep(2 * look$balloon + 0.4, 2L))
-    if (is.null(at)) at <- find_room(use, places, rep(2 * look$balloon + 0.4, 2L), lines = FALSE)
+    at <- find_space(use, places, rep(2 * look$balloon + 0.4, 2L))
+    if (is.null(at)) at <- find_space(use, places, rep(2 * look$balloon + 0.4, 2L), lines = FALSE)
     if (is.null(at)) next
     on_sheet(sheet, component = "piece", ref = figure$pieces$ref[match(letter, figure$pieces$item)],
       layer = "PIECES", draw = draw_balloon(sheet, at[1], at[2], letter, look, square = TRUE))

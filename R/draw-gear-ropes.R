@@ -1,7 +1,5 @@
-# Ropes and pieces that run along the netting of a plan drawing.
-
-# What runs along a column's panels, as straight lines in its metres: a data frame with label,
-# square (a piece), thick (a rope), rope, and x0, y0, x1, y1.
+# Returns the ropes and pieces along a column's panels as straight lines. Columns: label, square
+# (TRUE for a piece), thick (TRUE for a rope), rope, x0, y0, x1, y1 (m).
 column_laced <- function(column, figure) {
   ropes <- figure$layout$laced
   ropes$label <- as.character(figure$ropes$item[match(ropes$kind, figure$ropes$kind)])
@@ -13,7 +11,7 @@ column_laced <- function(column, figure) {
   ends <- vapply(seq_len(nrow(all)), function(k) {
     a <- edge_point(panels[k, ], all$edge[k], all$from[k])
     b <- edge_point(panels[k, ], all$edge[k], all$to[k])
-    # In half a column, only what is right of the middle.
+    # Half a column keeps the lines to the right of the middle.
     if (nzchar(column$half)) {
       if (max(a[1], b[1]) < -1e-6) return(rep(NA_real_, 4L))
       if (a[1] < 0) a <- b + (a - b) * b[1] / (b[1] - a[1])
@@ -29,14 +27,13 @@ column_laced <- function(column, figure) {
   lines[!is.na(lines$x0), ]
 }
 
-# These lines on the page, without those that are too short to see there.
 drawn_laced <- function(lines, x, y) {
   lines[c("x0", "x1")] <- lapply(lines[c("x0", "x1")], x)
   lines[c("y0", "y1")] <- lapply(lines[c("y0", "y1")], y)
   lines[sqrt((lines$x1 - lines$x0)^2 + (lines$y1 - lines$y0)^2) > 1e-3, ]
 }
 
-# Pieces spread along ropes or edges, in the form of laced_edges() with their letters.
+# Returns pieces spread along ropes or edges, in the form of `laced_edges()` with their letters.
 laced_pieces <- function(figure) {
   laced <- figure$layout$laced
   rows <- lapply(names(figure$si$pieces), function(name) {
@@ -54,7 +51,7 @@ laced_pieces <- function(figure) {
   do.call(rbind, rows)
 }
 
-# A balloon for each label of a column, on the longest of its lines that has room.
+# Draws a balloon for each label of a column, on its longest line with free space.
 place_balloons <- function(sheet, lines, look, use) {
   for (label in unique(lines$label)) {
     mine <- lines[lines$label == label, ]
@@ -67,14 +64,14 @@ place_balloons <- function(sheet, lines, look, use) {
       )
     }))
     size <- rep(2 * look$balloon + 0.4, 2L)
-    at <- find_room(use, on, size, lines = FALSE)
+    at <- find_space(use, on, size, lines = FALSE)
     if (is.null(at)) {
-      # beside its line, with a line to it
+      # Otherwise the balloon goes next to its line, with a leader.
       far <- 2.6 * look$balloon * rbind(c(-1, 0), c(1, 0), c(0, 1), c(0, -1))
       away <- do.call(rbind, lapply(1:3, function(m) {
         do.call(rbind, lapply(1:4, function(d) on + rep(m * far[d, ], each = nrow(on))))
       }))
-      at <- find_room(use, away, size, from = on)
+      at <- find_space(use, away, size, from = on)
       if (is.null(at)) next
       near <- nearest_point(on, at)
       on_sheet(sheet, component = "leader", layer = "NAMES",
@@ -90,24 +87,25 @@ place_balloons <- function(sheet, lines, look, use) {
 
 # ---- ropes laid straight -------------------------------------------------------------------------
 
-# Ropes along the netting that are drawn straight, with the lengths along each part of the net and
-# what is set along them: a list of list(item (row of the ropes), name, parts (data frame: words,
-# length), pieces (data frame: letter, number, share from, to, role)).
+# Returns the ropes along the netting that are also drawn straight, at most five. Each is a list.
+# `item`, `name`: its row of the rope list and its name. `parts`: data frame of words and length
+# (m), one row per part of the net. `pieces`: data frame of the pieces along it (`pieces_along()`),
+# or NULL.
 straight_ropes <- function(figure) {
   si <- figure$si
   found <- lapply(which(figure$ropes$laced), function(k) {
     item <- figure$ropes[k, ]
     parts <- rope_parts(item$first, si)
     pieces <- pieces_along(item$first, figure)
-    mouth <- grepl("head line|footrope|ground gear|float line|lead line", item$name)
+    mouth <- grepl("headline|footrope|ground gear|float line|lead line", item$name)
     if (is.null(pieces) && (!mouth || nrow(parts) < 2L)) return(NULL)
     list(item = item, name = item$first, parts = parts, pieces = pieces)
   })
   utils::head(Filter(Negate(is.null), found), 5L)
 }
 
-# Lengths (m) of a rope along the parts of the net that follow each other: what is hung alike on
-# edges of one kind is one part.
+# Returns the lengths (m) of a rope along consecutive parts of the net. Edges of the same part are
+# merged.
 rope_parts <- function(name, si) {
   rope <- si$ropes[[name]]
   along <- rope$along
@@ -125,7 +123,6 @@ rope_parts <- function(name, si) {
   )
 }
 
-# Pieces that are spread along a rope, or NULL.
 pieces_along <- function(rope, figure) {
   rows <- lapply(names(figure$si$pieces), function(name) {
     piece <- figure$si$pieces[[name]]
@@ -133,8 +130,8 @@ pieces_along <- function(rope, figure) {
     item <- which(vapply(figure$pieces$parts, function(parts) name %in% parts, NA))[1]
     disc <- figure$discs[[name]]
     data.frame(
-      letter = figure$pieces$item[item], number = piece$number, from = piece$share[1],
-      to = piece$share[2], name = figure$pieces$name[item], ref = paste0("pieces.", name),
+      letter = figure$pieces$item[item], number = piece$number, from = piece$extent[1],
+      to = piece$extent[2], name = figure$pieces$name[item], ref = paste0("pieces.", name),
       ends = piece$end_to_end, diameter = first_of(disc$diameter, NA_real_),
       width = first_of(disc$width, NA_real_)
     )
@@ -142,8 +139,8 @@ pieces_along <- function(rope, figure) {
   do.call(rbind, rows)
 }
 
-# Diameter and width (m) of the discs that a plan has on its ground gear, by the names of their
-# pieces (grouped_pieces()).
+# Returns diameter and width (m) of the discs on a plan's ground gear, by the names of their pieces
+# (`grouped_pieces()`).
 plan_discs <- function(plan) {
   groups <- plan$ground_gear$discs
   if (is.null(groups)) return(list())
@@ -153,18 +150,16 @@ plan_discs <- function(plan) {
   lapply(groups, function(group) lapply(group[c("diameter", "width")], quantity_si, "length"))
 }
 
-# The least width of ropes laid straight, and how high one of them is then, mm.
 straight_width <- function(look) 34 * look$t
 straight_height <- function(rope, look) {
   (5.2 + length(piece_lines(rope, straight_width(look), look))) * look$line
 }
 
-# One rope laid straight, from x on, `wide` long, under y = top.
 draw_straight <- function(sheet, rope, x, top, wide, look) {
   on_sheet(sheet, component = "rope", ref = paste0("ropes.", rope$name), layer = "ROPES", draw = {
     draw_balloon(sheet, x + look$balloon, top - look$line / 2, rope$item$item, look)
     sheet_text(sheet, x + 2 * look$balloon + look$gap, top - look$line / 2,
-      cut_text(straight_words(rope), wide - 2 * look$balloon - look$gap, look$t), look$t)
+      cut_text(straight_text(rope), wide - 2 * look$balloon - look$gap, look$t), look$t)
   })
   y <- top - 3.4 * look$line
   end <- x + wide
@@ -191,14 +186,15 @@ draw_straight <- function(sheet, rope, x, top, wide, look) {
   draw_pieces_along(sheet, rope, x, y, wide, look)
 }
 
-straight_words <- function(rope) {
+straight_text <- function(rope) {
   item <- rope$item
   make <- trimws(paste0(item$material, " \u00d8", short_number(in_unit(item$diameter, "mm"))))
   paste0(item$name, "  ", short_number(round(item$length, 2), 6), " m  ", make,
     if (!is.na(item$hanging)) sprintf("  E %.2f", item$hanging))
 }
 
-# A disc as it is seen from ahead, in proportion to the largest on its rope; step: mm to the next.
+# Draws a disc as seen from ahead, in proportion to the largest on its rope. step: mm to the next
+# disc.
 draw_disc <- function(sheet, x, y, disc, largest, step, look) {
   high <- 0.95 * look$t * disc$diameter / largest
   half <- max(min(high * disc$width / disc$diameter, step / 3), 0.2)
@@ -206,7 +202,7 @@ draw_disc <- function(sheet, x, y, disc, largest, step, look) {
     width = sheet_width[["thin"]])
 }
 
-# Pieces at their places, each where they stand apart, and how many and how far apart below.
+# Draws the pieces along a rope, each separately if space allows, with number and spacing below.
 draw_pieces_along <- function(sheet, rope, x, y, wide, look) {
   pieces <- rope$pieces
   if (is.null(pieces)) return(invisible())
@@ -233,11 +229,10 @@ draw_pieces_along <- function(sheet, rope, x, y, wide, look) {
     draw = sheet_lines(sheet, x, y - 1.3 * look$line, lines, look))
 }
 
-# The shares of a rope between pieces along it: from end to end, or each in the middle of its own,
-# as the lattice has them.
+# Returns the spacing of pieces as a fraction of the rope: from end to end, or each in the middle of
+# its own stretch, as in the mesh.
 share_apart <- function(pieces) (pieces$to - pieces$from) / (pieces$number - pieces$ends)
 
-# What is said of the pieces along a rope, in lines of a width; none without pieces.
 piece_lines <- function(rope, wide, look) {
   pieces <- rope$pieces
   if (is.null(pieces)) return(character())
@@ -245,9 +240,9 @@ piece_lines <- function(rope, wide, look) {
     paste0(" \u00d8", short_number(in_unit(pieces$diameter, "mm"))))
   each <- ifelse(pieces$number > 1, paste0(", ", pieces$number, " off, ",
     short_number(rope$item$length * share_apart(pieces), 3), " m apart"), "")
-  # groups that are alike, such as those of both wings
+  # Merge identical groups, such as those on both wings.
   said <- paste0(pieces$letter, ": ", pieces$name, size, each)
   alike <- table(factor(said, unique(said)))
   said <- paste0(names(alike), ifelse(alike > 1, paste0(", ", alike, " groups"), ""))
-  wrap_words(paste(said, collapse = "; "), wide, look$t)
+  wrap_text(paste(said, collapse = "; "), wide, look$t)
 }

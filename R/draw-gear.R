@@ -1,41 +1,50 @@
-# The plan of a gear drawn flat, as net makers draw it.
-
 #' Draw the plan of a gear
 #'
-#' The gear's netting laid flat, its ropes laid straight, its rigging and the lists of its ropes and
-#' pieces on one sheet, as in the FAO Catalogue of Fishing Gear Designs (FAO, 1972 and 1978; drawing
-#' after ISO 3169). Panels that follow each other are drawn in columns, front edge up, as deep as
-#' their netting is stretched and half as wide as it is stretched, at one scale. What hangs between
-#' two ropes of known hanging ratio is as wide as these; square netting has its own width. Of
-#' symmetric columns that taper one half is drawn: the left half of the upper panel and the right
-#' half of the lower one, at one centre line. Of columns that are alike one is drawn. Straight
-#' panels that are joined side by side, such as those of a seine, are drawn as one wall.
+#' Draws the gear's flat netting, its ropes, its rigging and lists of ropes and pieces on a single
+#' sheet. The form follows the FAO Catalogue of Fishing Gear Designs (FAO, 1972 and 1978) and ISO
+#' 3169.
 #'
-#' Next to every panel are its part, meshes deep, mesh size, and twine (Rtex after ISO 858,
-#' material, what is special about its meshes); at its upper and lower edges the meshes across (of
-#' the whole panel); and at
-#' its sides the cutting rate after ISO 1532: points (N), meshes (T) and bars (B) in one cycle, such
-#' as 1N2B, or all of one kind (AN, AB, AT). It is the plan's own where it has one, otherwise the
-#' simplest that ends within half a mesh of the counts (a mesh, where the edge loses more than ten);
-#' where no one cycle does, the two nearest follow each other: 9(1N2B)+1(1N3B). Meshes that seams
-#' take up are not counted. Ropes have numbers and pieces have letters, which the lists explain; E
-#' is a rope's hanging ratio. The rigging is not to scale; what is alike on both sides is drawn
-#' once, and a rope from a place to its like, such as a tickler chain from shoe to shoe, ends in an
-#' open circle.
+#' @section Netting:
+#' - Panels that follow each other are drawn in columns, front edge up, at a single scale.
+#' - A panel is drawn at its stretched depth and half its stretched width. Netting between two ropes
+#'   of known hanging ratio has its hung width. Square netting has its own width.
+#' - A symmetric column with taper is drawn as one half: the left half of the upper panel and the
+#'   right half of the lower panel share a centre line.
+#' - Identical columns are drawn once.
+#' - Straight panels joined side by side, such as a seine's, are drawn as a wall.
+#' - A panel that makes up most of the length of a net is shortened, with a break. A wall much
+#'   longer than deep has two scales, which the title strip states. A DXF has neither.
 #'
-#' A panel that makes up most of the length of a net is drawn shortened, with a break; a wall much
-#' longer than deep is drawn at two scales, and says so. A DXF has neither. Texts have the heights
-#' of ISO 3098, 1.8 mm at least, larger on larger sheets; scales are round.
+#' @section Labels:
+#' - Next to every panel are its part, meshes deep, mesh size and twine (Rtex after ISO 858,
+#'   material, special meshes).
+#' - Its upper and lower edges show the meshes across the whole panel, without meshes that seams
+#'   take up.
+#' - Its sides show the cutting rate after ISO 1532: points (N), meshes (T) and bars (B) in one
+#'   cycle, such as 1N2B, or a single kind (AN, AB, AT).
+#' - A rate that the plan omits is the simplest cycle that ends within half a mesh of the counts
+#'   (one mesh if the edge loses more than ten). If no cycle does, two cycles follow each other:
+#'   9(1N2B)+1(1N3B).
+#' - Ropes have numbers and pieces have letters, which the lists explain. E is a rope's hanging
+#'   ratio.
+#' - The rigging is not to scale. Both sides are drawn once. A rope to its mirror image, such as a
+#'   tickler chain from shoe to shoe, ends in an open circle.
+#' - Text heights follow ISO 3098, with at least 1.8 mm and more on larger sheets.
+#'
+#' @section Files:
+#' - Files are written atomically.
+#' - A DXF has the gear's true size in millimetres and a layer for each kind of object.
+#' - In an SVG every group (`g`) for a part or field has `data-component`, its kind. If the plan has
+#'   that field, `data-path` is its path, as used by [update()][update.codend_gear()].
 #'
 #' @param x A gear ([read_gear()], [gear()]).
-#' @param file `NULL` for the current graphics device, or a file to write, ending in `.svg`, `.pdf`,
-#'   `.png` or `.dxf`. It is written whole or not at all. A DXF has the gear's true size in
-#'   millimetres, and a layer for each kind of thing. In an SVG every group (`g`) that shows a part
-#'   of the gear or a field of it has `data-component`, what it shows, and `data-path`, the path of
-#'   its field in the plan, as [update()][update.codend_gear()] takes it.
-#' @param page Size of the sheet: `"A4"`, `"A3"`, `"A2"` or `"A1"`.
+#' @param file Path of a file that ends in `.svg`, `.pdf`, `.png` or `.dxf`, or `NULL` (default) for
+#'   the current graphics device.
+#' @param page Size of the sheet: `"A4"` (default), `"A3"`, `"A2"` or `"A1"`.
 #' @param ... Not used.
 #' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @seealso [plot.codend_state()] for the settled shape, [netting]; the guide
+#'   `vignette("from-drawing-to-plan", "codend")`.
 #' @examples
 #' plot(read_gear("midwater_trawl"))
 #' @export
@@ -60,18 +69,18 @@ write_sheet <- function(sheet, gear, file) {
   )
 }
 
-# The drawing of a gear as the text of an SVG.
 drawing_svg <- function(gear, page = "A4") {
   with_plain_numbers(
     paste(sheet_svg(gear_sheet(gear, page), gear$plan$name, path_finder(gear)), collapse = "\n")
   )
 }
 
-# What the drawing shows, before any page is known: list(title, si, layout (NULL without netting),
-# ropes, pieces (items, or NULL), rigging (NULL for none), panels (checked fields)).
+# Returns the content of the drawing, independent of the page. Elements: title, si, layout (NULL
+# without netting), ropes and pieces (items, or NULL), rigging (or NULL), panels (checked fields),
+# discs, source, reaches (cache).
 plan_figure <- function(gear) {
   si <- gear_si(gear)
-  # Struts that weigh nothing are the edges of stiff pieces, no ropes.
+  # Struts without mass are edges of stiff pieces, not ropes.
   stiff <- vapply(si$ropes, function(rope) rope$strut && rope$mass_per_length == 0, NA)
   frames <- si$ropes[stiff]
   si$ropes <- si$ropes[!stiff]
@@ -86,7 +95,6 @@ plan_figure <- function(gear) {
   )
 }
 
-# Where the plan comes from: its sources in one text, or the name of its file.
 plan_source <- function(gear) {
   sources <- gear$plan$sources
   if (length(sources)) {

@@ -1,8 +1,6 @@
-# A sheet as DXF (release 12 in ASCII, which every CAD reads): the gear's true size in millimetres,
-# so that netting can be measured in it; plotted at the sheet's scale it is the sheet. Groups and
-# codes are of Autodesk's DXF reference.
+# A sheet as DXF (release 12 in ASCII, which every CAD program reads). It has the gear's true size
+# in millimetres, so that netting can be measured in it. Group codes: Autodesk, DXF reference.
 
-# Layers: what each kind of thing lies on, and its colour index.
 dxf_layers <- c(
   NETTING = 7, CENTRE_LINES = 1, ROPES = 5, PIECES = 3, RIGGING = 5, COUNTS = 7, CUTTING = 7,
   NAMES = 7, TABLES = 7, TITLE = 7, SHEET = 8
@@ -18,7 +16,6 @@ sheet_dxf <- function(sheet) {
       dxf_codes(9, "$EXTMAX", 10, size[1], 20, size[2], 30, 0),
       dxf_codes(9, "$LIMMIN", 10, 0, 20, 0), dxf_codes(9, "$LIMMAX", 10, size[1], 20, size[2]),
       dxf_codes(9, "$LTSCALE", 40, scale),
-      # metric
       dxf_codes(9, "$MEASUREMENT", 70, 1)
     )),
     dxf_section("TABLES", c(
@@ -40,7 +37,6 @@ sheet_dxf <- function(sheet) {
   )
 }
 
-# Codes and values in turn as lines of text.
 dxf_codes <- function(...) {
   vapply(list(...), function(value) {
     if (is.character(value)) value else dxf_number(value)
@@ -55,7 +51,7 @@ dxf_section <- function(name, lines) {
   c(dxf_codes(0, "SECTION", 2, name), lines, dxf_codes(0, "ENDSEC"))
 }
 
-# entries: what follows the name of each.
+# entries: the codes after the name of each entry.
 dxf_table <- function(name, entries) {
   c(
     dxf_codes(0, "TABLE", 2, name, 70, length(entries)),
@@ -102,7 +98,7 @@ dxf_text <- function(item, head, scale) {
   )
 }
 
-# Characters beyond ISO 8859-1 by their number; signs that CAD takes for its own.
+# Escapes characters beyond ISO 8859-1 by their number, and `%%`, which CAD programs interpret.
 dxf_string <- function(text) {
   code <- utf8ToInt(enc2utf8(text))
   each <- intToUtf8(code, multiple = TRUE)
@@ -110,7 +106,6 @@ dxf_string <- function(text) {
   gsub("%%", "% %", paste(each, collapse = ""), fixed = TRUE)
 }
 
-# Writes a sheet's DXF, in the code page that it names.
 write_dxf <- function(sheet, file) {
   text <- paste(sheet_dxf(sheet), collapse = "\n")
   bytes <- iconv(enc2utf8(text), "UTF-8", "latin1", toRaw = TRUE)[[1]]

@@ -1,12 +1,12 @@
-# A sheet as SVG: one unit a millimetre; what shows one component of the gear is one group, which
-# names its field.
+# A sheet as SVG: one unit is a millimetre, and each component of the gear is a group.
 
-# The text of the SVG. find_path: a function that gives the path in the plan of a field of the
-# assembly, or "".
+# Returns the lines of the SVG. find_path: a function that maps a field of the assembly to its path
+# in the plan, or "".
 #
-# Each group is <g data-path="..." data-component="...">: the component is a kind of thing ("panel",
-# "rope", "piece", "mesh_size", "twine", "meshes", "cutting", "length", "diameter", "material",
-# "name"), the path that of the field for update(), left out where no field of the plan is shown.
+# Each group is <g data-path="..." data-component="...">. The component is a kind of object
+# ("panel", "rope", "piece", "mesh_size", "twine", "meshes", "cutting", "length", "diameter",
+# "material", "name"). The path is the plan's field for update(), omitted if the plan has no such
+# field.
 sheet_svg <- function(sheet, title, find_path = function(ref) ref) {
   high <- sheet$page[2]
   key <- vapply(sheet$items, function(item) paste(item$component, item$ref, item$layer), "")
@@ -45,7 +45,7 @@ svg_number <- function(x) {
 svg_item <- function(item, high) {
   n <- svg_number
   if (item$kind == "text") {
-    # the width as it was laid out, whatever font there is
+    # Every viewer must use the laid out width, in any font.
     return(paste0(
       "<text x=\"", n(item$x), "\" y=\"", n(high - item$y + item$size / 2), "\" font-size=\"",
       n(item$size / capital_height), "\" textLength=\"", n(item$wide),

@@ -1,18 +1,18 @@
-# The sheet of a drawing before it is on any device: lines, circles and texts in millimetres from
-# the lower left corner, y up. Devices, SVG and DXF take it from here, so that all show the same and
-# whether anything overlaps can be told without drawing.
+# A sheet independent of any device: lines, circles and texts in millimetres from the lower left
+# corner, y up. Devices, SVG and DXF draw the same items, and overlaps can be checked without
+# drawing.
 
-# ISO 216, trimmed sheets, mm, the short side first.
+# Trimmed sheets of ISO 216 (mm), the short side first.
 sheet_sizes <- list(
   A4 = c(210, 297), A3 = c(297, 420), A2 = c(420, 594), A1 = c(594, 841)
 )
 
 sheet_ink <- "#202428"
 sheet_fill <- "#F2F4F6"
-# Widths of lines, mm, of the series of ISO 128-2.
+# Line widths (mm) from the series of ISO 128-2.
 sheet_width <- c(thin = 0.18, middle = 0.25, thick = 0.5)
 
-# page: width and height, mm. scale: mm of gear in a mm of sheet, NA before it is known.
+# page: width and height, mm. scale: mm of gear per mm of sheet, NA until it is set.
 new_sheet <- function(page) {
   sheet <- new.env(parent = emptyenv())
   sheet$page <- page
@@ -22,8 +22,8 @@ new_sheet <- function(page) {
   sheet
 }
 
-# Evaluates what draws one component of the gear. component: its kind of thing ("panel", "rope",
-# "mesh_size"); ref: the field of the assembly that it shows, "" for none; layer: of a DXF.
+# Evaluates `draw`, which draws a component of the gear. `component`: its kind ("panel", "rope",
+# "mesh_size"). `ref`: the field of the assembly that it shows, or "". `layer`: its layer in a DXF.
 on_sheet <- function(sheet, draw, component, ref = "", layer = sheet$about$layer) {
   before <- sheet$about
   on.exit(sheet$about <- before)
@@ -37,16 +37,15 @@ add_item <- function(sheet, ...) {
   invisible(sheet)
 }
 
-# A line through points; dash: lengths of strokes and gaps, mm.
+# dash: lengths of strokes and gaps, mm.
 sheet_line <- function(sheet, x, y, width = sheet_width[["thin"]], dash = NULL) {
-  # as on a device, a place that is not known is not drawn: no SVG may say NA
+  # As on a device, unknown points are skipped: an SVG must not contain NA.
   known <- is.finite(x) & is.finite(y)
   if (sum(known) < 2L) return(invisible())
   add_item(sheet, kind = "line", x = x[known], y = y[known], width = width, dash = dash,
     ink = sheet_ink, fill = NA)
 }
 
-# border NA: none.
 sheet_polygon <- function(sheet, x, y, fill = NA, border = sheet_ink,
                           width = sheet_width[["thin"]]) {
   add_item(sheet, kind = "polygon", x = x, y = y, width = width, dash = NULL, ink = border,
@@ -58,8 +57,8 @@ sheet_circle <- function(sheet, x, y, radius, fill = "white") {
     dash = NULL, ink = sheet_ink, fill = fill)
 }
 
-# Text on one line. size: height of its capitals, mm (ISO 3098); across: where x is of the text, 0
-# left to 1 right; y: the middle of its capitals.
+# Adds text on one line. size: height of capitals, mm (ISO 3098); across: position of x in the text,
+# 0 left to 1 right; y: middle of the capitals.
 sheet_text <- function(sheet, x, y, text, size, across = 0, bold = FALSE, italic = FALSE) {
   text <- as.character(text)
   if (is.na(text) || !nzchar(text)) return(invisible(sheet))
@@ -67,7 +66,6 @@ sheet_text <- function(sheet, x, y, text, size, across = 0, bold = FALSE, italic
     bold = bold, italic = italic, ink = sheet_ink, fill = NA, wide = text_width(text, size, bold))
 }
 
-# Texts one below the other, the first at y.
 sheet_lines <- function(sheet, x, y, lines, look, italic = FALSE) {
   for (l in seq_along(lines)) {
     sheet_text(sheet, x, y - (l - 1) * look$line, lines[l], look$t, italic = italic)
@@ -76,11 +74,11 @@ sheet_lines <- function(sheet, x, y, lines, look, italic = FALSE) {
 
 # ---- metrics -------------------------------------------------------------------------------------
 
-# Helvetica's height of capitals over its size; that of Arial and Liberation Sans is the same.
+# Height of capitals divided by font size; equal for Helvetica, Arial and Liberation Sans.
 capital_height <- 0.718
 
-# Widths of Helvetica's characters (thousandths of its size) in ISO 8859-1, from the metrics that
-# come with R; Arial and Liberation Sans have the same widths.
+# Widths of Helvetica's characters in ISO 8859-1 (1/1000 of the font size), from the font metrics
+# that R includes. Arial and Liberation Sans have the same widths.
 character_widths <- remembered(read_character_widths)
 
 read_character_widths <- function() {
@@ -103,25 +101,25 @@ face_widths <- function(face) {
   unname(width[glyphs])
 }
 
-# Width (mm) of texts with capitals of a height (mm).
+# Returns the width (mm) of texts. size: height of capitals (mm).
 text_width <- function(text, size, bold = FALSE) {
   widths <- character_widths()[[if (bold) "bold" else "plain"]]
   thousandths <- vapply(as.character(text), function(one) {
     code <- utf8ToInt(enc2utf8(one))
     each <- widths[pmin(code, 255L) + 1L]
-    # what these fonts have no width for is given that of a wide capital
+    # Characters without a known width get the width of a wide capital.
     each[code > 255L | is.na(each)] <- 833
     sum(each)
   }, 0, USE.NAMES = FALSE)
   thousandths / 1000 * size / capital_height
 }
 
-# The box of an item: left, bottom, right, top. Of texts with what hangs below the line.
+# Returns the box of an item: left, bottom, right, top. For text it includes descenders.
 item_box <- function(item) {
   if (item$kind == "text") {
     along <- item$wide * c(-item$across, 1 - item$across)
     across <- item$size * c(-0.5, 0.5)
-    # descenders of Helvetica: 0.207 of its size
+    # Helvetica's descenders are 0.207 of the font size.
     if (grepl("[gjpqy,;()Q]", item$text)) across[1] <- across[1] - 0.207 / 0.718 * item$size
     return(c(item$x + along[1], item$y + across[1], item$x + along[2], item$y + across[2]))
   }
@@ -132,8 +130,8 @@ item_box <- function(item) {
 
 # ---- on a device ---------------------------------------------------------------------------------
 
-# Draws a sheet on the open device, as large as its page (inches) allows. No text is wider than it
-# is by its metrics, whatever font the device has.
+# Draws a sheet on the open device, as large as its page (inches) allows. Text is never wider than
+# its metrics, whichever font the device has.
 paint_sheet <- function(sheet, page = grDevices::dev.size()) {
   kept <- graphics::par(no.readonly = TRUE)
   on.exit(graphics::par(kept))
@@ -141,7 +139,7 @@ paint_sheet <- function(sheet, page = grDevices::dev.size()) {
   graphics::plot.new()
   small <- min(page * 25.4 / sheet$page)
   graphics::plot.window(c(0, page[1] * 25.4 / small), c(0, page[2] * 25.4 / small))
-  # a line width of 1 is 1/96 inch
+  # A line width of 1 is 1/96 inch.
   line_width <- function(mm) pmax(mm * small * 96 / 25.4, 0.1)
   for (item in sheet$items) paint_item(item, small, line_width)
 }
@@ -152,7 +150,7 @@ paint_item <- function(item, small, line_width) {
     cex <- item$size / capital_height * small / 25.4 * 72 / graphics::par("ps")
     drawn <- graphics::strwidth(item$text, cex = cex, font = font)
     cex <- cex * min(1, item$wide / drawn)
-    # text() counts a height from the line that it stands on
+    # `text()` measures height from the baseline.
     graphics::text(item$x, item$y - item$size / 2, item$text, adj = c(item$across, 0), cex = cex,
       font = font, col = item$ink)
     return(invisible())
@@ -170,7 +168,7 @@ paint_item <- function(item, small, line_width) {
   }
 }
 
-# A dash (mm) as a device takes it: widths of the line, 1 to 15, in hexadecimal.
+# Converts a dash (mm) to the device's form: multiples of the line width, 1 to 15, in hexadecimal.
 device_dash <- function(dash, lwd, line_width) {
   if (is.null(dash)) return("solid")
   steps <- pmin(15L, pmax(1L, as.integer(round(line_width(dash) / max(lwd, 1)))))

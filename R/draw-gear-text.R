@@ -1,36 +1,33 @@
-# What a drawing says of a panel: netting, counts and cutting rates in a net maker's words.
-
-# The columns beside panels: what stands above them, the component and field that each shows, and
-# on which side its words end.
+# The table next to panels: heading, component and field of each column, and its alignment.
 panel_columns <- data.frame(
   name = c("part", "deep", "mesh", "twine"), heading = c("", "deep", "mm", "Rtex"),
   component = c("panel", "meshes", "mesh_size", "twine"),
   field = c("", ".meshes.deep", ".mesh_size", ".twine.diameter"), across = c(0, 1, 1, 0)
 )
 
-# What stands beside a panel, in the order of panel_columns.
-panel_words <- function(name, si) {
+# Returns the table entries of a panel.
+panel_text <- function(name, si) {
   panel <- si$panels[[name]]
   c(
     part = gsub("_", " ", if (is.na(panel$part)) general_name(name) else panel$part),
     deep = mesh_number(panel$deep), mesh = short_number(in_unit(panel$mesh_size, "mm"), 6),
-    twine = trimws(paste(rtex_words(panel), mesh_words(panel)))
+    twine = trimws(paste(rtex_text(panel), mesh_text(panel)))
   )
 }
 
-# "R7680 PE", "2 x R3430 PE": a panel's twine by its mass per length in tex (ISO 858); unit: what
-# follows that.
-rtex_words <- function(panel, unit = "") {
+# Returns a panel's twine by its mass per length in tex (ISO 858), such as "R7680 PE" or "2 x R3430
+# PE". unit: suffix of the number.
+rtex_text <- function(panel, unit = "") {
   each <- panel$mass_per_length / panel$twine_count * 1e6
   paste0(
     if (panel$twine_count > 1) paste0(panel$twine_count, " x "),
     "R", short_number(each, 3), unit,
-    if (!is.na(panel$material)) paste0(" ", material_words(panel$material))
+    if (!is.na(panel$material)) paste0(" ", material_text(panel$material))
   )
 }
 
-# Cutting rates of a panel's left and right edge: as the plan has them, or the simplest that the
-# counts allow. given: the checked fields of the panel.
+# Returns the cutting rates of a panel's left and right edges: from the plan, otherwise the simplest
+# rate that matches the counts. given: the checked fields of the panel.
 drawn_rates <- function(panel, given) {
   loss <- panel$upper - panel$lower
   share <- c(left = panel$taper_left, right = panel$taper_right)
@@ -43,14 +40,13 @@ drawn_rates <- function(panel, given) {
   }, "")
 }
 
-# What a wall's label says of a panel: its name, counts, mesh size and twine.
-wall_words <- function(name, si) {
+wall_text <- function(name, si) {
   panel <- si$panels[[name]]
   across <- unique(mesh_number(c(panel$upper, panel$lower)))
   c(
     name = gsub("_", " ", name),
     meshes = paste(paste(across, collapse = "/"), "x", mesh_number(panel$deep), "meshes"),
     mesh_size = paste(short_number(in_unit(panel$mesh_size, "mm"), 6), "mm"),
-    twine = trimws(paste(rtex_words(panel, "tex"), mesh_words(panel)))
+    twine = trimws(paste(rtex_text(panel, "tex"), mesh_text(panel)))
   )
 }

@@ -1,11 +1,9 @@
-# Room on a drawing: what is taken, and places for what is left.
-
-# How a drawing is written: list(t = height of capitals, mm; line = distance of lines; balloon =
-# radius of a number's circle).
+# Returns text dimensions, mm: t = height of capitals, line = line spacing, gap, balloon = radius of
+# a number's circle.
 drawing_look <- function(t) list(t = t, line = 1.8 * t, gap = 0.8 * t, balloon = 1.15 * t)
 
-# What is taken: an environment with `boxes` (left, bottom, right, top in rows) and `lines` (x0, y0,
-# x1, y1 in rows).
+# Returns an environment of the occupied space: `boxes` (rows of left, bottom, right, top) and
+# `lines` (rows of x0, y0, x1, y1).
 new_page_use <- function() {
   use <- new.env(parent = emptyenv())
   use$boxes <- use$lines <- matrix(0, 0L, 4L)
@@ -29,9 +27,8 @@ is_free <- function(use, box, lines = TRUE) {
   !lines || !any(lines_cross_box(use$lines, box))
 }
 
-# Which lines (x0, y0, x1, y1 in rows) have a point within a box: those whose part between the
-# box's sides also lies between its top and bottom. boxes: one box, or one for each line; one line
-# is told of many boxes (in rows) too.
+# Returns TRUE for lines (rows of x0, y0, x1, y1) that have a point within a box. `boxes`: a single
+# box, or rows with a box per line. A single line may be checked against many boxes.
 lines_cross_box <- function(lines, boxes) {
   if (!is.matrix(boxes)) boxes <- matrix(boxes, 1L)
   across <- crossed_span(lines[, 1], lines[, 3], boxes[, 1], boxes[, 3])
@@ -39,8 +36,8 @@ lines_cross_box <- function(lines, boxes) {
   pmax(across$enter, up$enter, 0) < pmin(across$leave, up$leave, 1)
 }
 
-# The shares of ways at which they enter and leave what lies between low and high: enter is after
-# leave where they never do.
+# Returns the fractions of a line at which it enters and leaves the interval from low to high. If it
+# never does, enter exceeds leave.
 crossed_span <- function(from, to, low, high) {
   d <- to - from
   a <- (low - from) / d
@@ -56,10 +53,10 @@ crossed_span <- function(from, to, low, high) {
   list(enter = enter, leave = leave)
 }
 
-# Places (n x 2) in order of liking: the first that a box of this size (width, height) around it
-# leaves free, which is then taken; NULL where none is. from: points; a line from the nearest of
-# them to the place must cross no box.
-find_room <- function(use, places, size, lines = TRUE, from = NULL) {
+# Reserves and returns the first free position, NULL if there is none. `places`: candidates (n x 2),
+# best first. `size`: width and height of the box around them. `from`: points; the line from the
+# nearest point to the position must cross no box.
+find_space <- function(use, places, size, lines = TRUE, from = NULL) {
   for (k in seq_len(nrow(places))) {
     at <- places[k, ]
     box <- c(at - size / 2, at + size / 2)
@@ -77,8 +74,8 @@ nearest_point <- function(points, to) {
   points[which.min((points[, 1] - to[1])^2 + (points[, 2] - to[2])^2), ]
 }
 
-# Heights of labels that want to be at y and keep this distance between bottom and top: those with
-# the least squares of what they move, by isotonic regression.
+# Spreads labels at heights y to this distance, between bottom and top, by isotonic regression. It
+# minimises the sum of squared shifts.
 spread_labels <- function(y, distance, bottom, top) {
   order <- order(y)
   n <- length(y)
@@ -88,8 +85,7 @@ spread_labels <- function(y, distance, bottom, top) {
   y
 }
 
-# A text as lines no wider than a width (mm).
-wrap_words <- function(text, width, size) {
+wrap_text <- function(text, width, size) {
   words <- strsplit(text, " ", fixed = TRUE)[[1L]]
   lines <- character()
   line <- ""
@@ -105,7 +101,6 @@ wrap_words <- function(text, width, size) {
   c(lines, line)
 }
 
-# A text cut at a width (mm), with an ellipsis where something is left out.
 cut_text <- function(text, width, size, bold = FALSE) {
   if (text_width(text, size, bold) <= width) return(text)
   characters <- strsplit(text, "")[[1]]
@@ -116,7 +111,7 @@ cut_text <- function(text, width, size, bold = FALSE) {
   ""
 }
 
-# A number or letter in a circle (ropes) or a square (pieces), taken on the sheet.
+# Draws a number or letter in a circle (ropes) or a square (pieces).
 draw_balloon <- function(sheet, x, y, text, look, square = FALSE) {
   r <- look$balloon * if (nchar(text) > 2L) 1.4 else 1
   if (square) {
