@@ -1,9 +1,8 @@
-# A glTF 2.0 file: a tree in JSON that says what lies where in one buffer of numbers. The buffer is
-# gathered in a file beside the target, part by part, so that it never lies in memory as a whole.
+# A glTF 2.0 file: a JSON tree that describes the layout of a buffer of numbers. The buffer is
+# collected in a file next to the target, part by part, so that it is never in memory as a whole.
 
-# Returns list(add_places(x, y, z of every place), add_colours(colours, opacity), add_track(numbers
-# of an animation), which give the number of an accessor; views(), accessors(), bytes(), path,
-# remove()).
+# Returns a list of functions. `add_places(x, y, z of points)`, `add_colours(colours, opacity)` and
+# `add_track(numbers of an animation)` return the number of an accessor. `done()` closes the buffer.
 gltf_buffer <- function(folder) {
   path <- tempfile(".export-", tmpdir = folder, fileext = ".bin")
   connection <- base::file(path, "wb")
@@ -27,7 +26,7 @@ gltf_buffer <- function(folder) {
   }
   list(
     add_places = function(x) {
-      # the ends of what the file holds, which is in single precision
+      # Minimum and maximum must match the stored values, which are single precision.
       ends <- apply(matrix(x, 3L), 1L, range)
       ends <- matrix(readBin(writeBin(as.vector(ends), raw(), 4L), "double", 6L, 4L), 2L)
       add(x, 4L, list(
@@ -36,18 +35,17 @@ gltf_buffer <- function(folder) {
       ))
     },
     add_colours = function(colours, opacity = 1) {
-      # few colours are different
       known <- unique(colours)
       share <- rbind(linear_light(grDevices::col2rgb(known) / 255), opacity)
       numbers <- as.integer(round(65535 * share))
       values <- matrix(numbers, 4L)[, match(colours, known)]
-      # two bytes hold 0 to 65535 as R's signed 0 to -1
+      # Two bytes store 0 to 65535 as R's signed integers 0 to -1.
       values <- as.vector(values - 65536L * (values > 32767L))
       add(values, 2L, list(
         componentType = 5123L, normalized = TRUE, count = length(colours), type = "VEC4"
       ))
     },
-    # places (a column each) or single numbers, at the times of an animation
+    # x: points (one column per time) or numbers at the times of an animation.
     add_track = function(x) {
       places <- is.matrix(x)
       ends <- if (places) apply(x, 1L, range) else matrix(range(x))
@@ -67,7 +65,7 @@ gltf_buffer <- function(folder) {
   )
 }
 
-# Shares of light, which glTF wants, from shares as screens take them (sRGB, IEC 61966-2-1).
+# Converts sRGB values (IEC 61966-2-1) to the linear values of glTF.
 linear_light <- function(share) {
   ifelse(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055)^2.4)
 }
@@ -86,8 +84,8 @@ write_gltf_text <- function(path, scene, buffer) {
   writeBin(charToRaw(gltf_json(scene, buffer, gsub("\n", "", uri, fixed = TRUE))), path)
 }
 
-# The binary file: a head of 12 bytes, then the tree and the buffer, each behind its length and kind
-# and filled up to a multiple of four bytes.
+# Writes the binary file: a header of 12 bytes, then tree and buffer. Each has its length and kind
+# in front and is padded to a multiple of four bytes.
 write_glb <- function(path, scene, buffer) {
   buffer$done()
   tree <- charToRaw(gltf_json(scene, buffer))

@@ -1,5 +1,5 @@
-# Writes a state or a trajectory as a scene in glTF 2.0. write: write_glb or write_gltf_text;
-# colours: "tension" or "part". Returns `file`, invisibly.
+# Writes a state or trajectory as a glTF 2.0 scene. write: write_glb or write_gltf_text; colours:
+# "tension" or "part". Returns `file`, invisibly.
 write_gltf <- function(x, file, write, colours = c("tension", "part")) {
   colours <- chosen(colours, c("tension", "part"))
   write_file(file, function(path) {
@@ -10,21 +10,20 @@ write_gltf <- function(x, file, write, colours = c("tension", "part")) {
   })
 }
 
-# Kept times that an animation shows at most.
+# Maximum number of saved times in an animation.
 gltf_times <- 60L
 
-# The states that a scene shows: one, or those of a trajectory.
 gltf_moments <- function(x) {
   if (inherits(x, "codend_state")) return(list(x))
   lapply(x$time[evenly(length(x$time), gltf_times)], function(time) state_at(x, time))
 }
 
-# The scene as glTF's tree, without its buffer; numbers go to the buffer part by part. moments:
-# states of one lattice, the first of which is seen where nothing plays.
+# Returns the glTF tree of a scene without its buffer; numbers go to the buffer part by part.
+# moments: states of the same mesh. Viewers without animation show the first.
 gltf_scene <- function(moments, colours, buffer) {
   state <- moments[[1L]]
   last <- moments[[length(moments)]]
-  parts <- state$lattice$parts
+  parts <- state$mesh$parts
   drawings <- lapply(moments, state_drawing, .Machine$integer.max)
   drawing <- drawings[[1L]]
   scales <- list(
@@ -70,7 +69,7 @@ gltf_scene <- function(moments, colours, buffer) {
         tension_colours(scales[[kind]], lines$tension)
       }
       primitives <- list(line_primitive(ends, colour, buffer))
-      sheet <- which(state$lattice$cell_part == part)
+      sheet <- which(state$mesh$cell_part == part)
       if (length(sheet)) {
         tension <- pmax(state$u_tension[sheet], state$v_tension[sheet])
         colour <- if (colours == "part") {
@@ -131,8 +130,9 @@ gltf_scene <- function(moments, colours, buffer) {
   scene
 }
 
-# The animation of moments: list(morph(node), whose mesh has a target per later moment, carry(node,
-# places), animation() its tree, NULL of one moment).
+# Returns the animation of moments as a list of functions. `morph(node)`: animates a mesh with a
+# target per later moment. `carry(node, places)`: moves a node. `animation()`: returns the tree,
+# NULL for a single moment.
 gltf_motion <- function(moments, buffer) {
   n <- length(moments)
   none <- function(...) invisible()
@@ -141,7 +141,7 @@ gltf_motion <- function(moments, buffer) {
   input <- buffer$add_track(times - times[1L])
   samplers <- list(list(
     input = input, interpolation = "LINEAR",
-    # no target at first, then one after another
+    # The first moment uses no target, each later moment only its own.
     output = buffer$add_track(as.double(cbind(0, diag(n - 1L))))
   ))
   channels <- list()
@@ -162,8 +162,8 @@ gltf_motion <- function(moments, buffer) {
   )
 }
 
-# The places of a primitive at every moment (each x, y, z after x, y, z): those of the first, and of
-# later ones what they differ by.
+# Adds the positions of a primitive at every moment (x, y, z of each point in sequence): absolute at
+# the first moment, differences from the first at later moments.
 gltf_places <- function(places, buffer, ...) {
   targets <- lapply(places[-1L], function(later) {
     list(POSITION = buffer$add_places(later - places[[1L]]))
@@ -182,7 +182,8 @@ part_lines <- function(lines, part) {
   )
 }
 
-# Marks of pieces with the height (m) of each; boards have plates, and supports are no pieces.
+# Returns the marks of pieces with their height (m). Boards have plates, and supports are not
+# pieces.
 gltf_balls <- function(state, marks) {
   height <- vapply(state$si$pieces, `[[`, 0, "height")
   if (!length(height)) return(data.frame(part = character(), role = character()))
@@ -206,7 +207,6 @@ gltf_materials <- function() {
   )
 }
 
-# Modes of glTF.
 gltf_lines <- 1L
 gltf_triangles <- 4L
 
@@ -219,9 +219,8 @@ line_primitive <- function(ends, colour, buffer) {
 
 sheet_opacity <- 0.3
 
-# Cells as two triangles each, or one.
 sheet_primitive <- function(moments, cells, colour, buffer) {
-  corner <- cell_corners(moments[[1L]]$lattice, cells)
+  corner <- cell_corners(moments[[1L]]$mesh, cells)
   four <- which(!has_three_corners(corner))
   node <- cbind(corner[1:3, , drop = FALSE], corner[c(1L, 3L, 4L), four, drop = FALSE])
   colour <- c(colour, colour[four])
@@ -241,7 +240,7 @@ plate_primitive <- function(corners, colour, buffer) {
   )
 }
 
-# A ball of radius 1: an octahedron with every face divided into four.
+# Returns a sphere of radius 1: an octahedron with every face divided into four.
 ball_primitive <- function(colour, buffer) {
   corner <- cbind(diag(3L), -diag(3L))
   faces <- rbind(

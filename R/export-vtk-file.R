@@ -1,12 +1,11 @@
-# A file of an unstructured grid in VTK's XML format (.vtu): a head that says what lies where, then
-# the arrays as they are in memory, low byte first. One array at a time is turned into bytes, so a
-# large gear takes little more memory than it has.
+# An unstructured grid in VTK's XML format (.vtu): a header that describes the layout, then the raw
+# arrays, low byte first. Arrays are converted one at a time to save memory.
 
 vtk_cell_types <- c(vertex = 1L, line = 3L, triangle = 5L, quad = 9L)
 
-# path: where to write; points: 3 x n, m; cells: list(corners (points from 1, cell after cell), size
-# (corners of each cell), type (names of vtk_cell_types)); point_data, cell_data, field_data: named
-# lists of vectors or of matrices with a column per point or cell.
+# Writes the grid to `path`. `points`: 3 x n, m. `cells`: list(corners (points from 1, cell after
+# cell), size (corners of each cell), type (names of `vtk_cell_types`)). `point_data`, `cell_data`,
+# `field_data`: named lists of vectors, or of matrices with a column per point or cell.
 write_vtu <- function(path, points, cells, point_data, cell_data, field_data) {
   groups <- list(
     FieldData = field_data, PointData = point_data, CellData = cell_data,
@@ -68,7 +67,7 @@ put_vtk_array <- function(connection, value) {
     endian = "little")
 }
 
-# A whole number up to 2^53 as the two integers that are its 64 bits.
+# Converts a whole number up to 2^53 to the two integers of its 64 bits, low word first.
 low_word_first <- function(number) {
   words <- c(number %% 2^32, number %/% 2^32)
   as.integer(words - 2^32 * (words >= 2^31))

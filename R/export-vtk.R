@@ -1,5 +1,5 @@
-# Writes a state as one unstructured grid in VTK's XML format (`.vtu`), or a trajectory as a series
-# of them (`.pvd`) whose grids lie in a folder of the same name. Returns `file`, invisibly.
+# Writes a state as an unstructured grid in VTK's XML format (`.vtu`), or a trajectory as a series
+# (`.pvd`) with its grids in a folder of the same name. Returns `file`, invisibly.
 write_vtk <- function(x, file) {
   if (inherits(x, "codend_state")) {
     return(write_file(file, function(path) write_state_vtu(x, path)))
@@ -14,12 +14,12 @@ write_vtk <- function(x, file) {
   write_text(c(series_lines(x$time, file.path(basename(folder), names)), ""), file)
 }
 
-# A folder is replaced only if it holds a series and nothing else.
+# A folder may be replaced only if it contains a series and no other files.
 check_series_folder <- function(folder, file) {
   if (!file.exists(folder)) return(invisible())
   inside <- list.files(folder, all.files = TRUE, no.. = TRUE)
   if (!dir.exists(folder) || !all(grepl("^[0-9]+[.]vtu$", inside))) {
-    abort_file(file, "needs the folder {.file {folder}} for its grids, which holds other files.",
+    abort_file(file, "needs an empty folder {.file {folder}} for its grids; it has other files.",
       folder = folder)
   }
 }
@@ -33,8 +33,8 @@ series_lines <- function(time, files) {
   )
 }
 
-# The state at the k-th kept time with places and forces along axes over the ground. What is
-# measured stays as seen from the vessel.
+# Returns the state at the k-th saved time with positions and forces in ground axes. Measures remain
+# as seen from the vessel.
 ground_state <- function(trajectory, k) {
   state <- state_at(trajectory, trajectory$time[k])
   state$measured <- measures(state)
@@ -46,16 +46,14 @@ ground_state <- function(trajectory, k) {
   state
 }
 
-# Lines of text as raw bytes.
 utf8_bytes <- function(text) charToRaw(enc2utf8(paste(text, collapse = "\n")))
 
 write_state_vtu <- function(state, path) {
   points <- state_points(state)
   corners <- board_corners(state)
   grid <- vtk_cells(state, ncol(points))
-  parts <- state$lattice$parts
+  parts <- state$mesh$parts
   part <- grid$data$part
-  # data of cells, in the order that a reader lists them
   cell_data <- c(
     list(
       part = part,
@@ -74,19 +72,19 @@ write_state_vtu <- function(state, path) {
 }
 
 vtk_point_data <- function(state, points, corners) {
-  mesh <- state$lattice$mesh
-  n <- mesh$nodes
+  model <- state$mesh$model
+  n <- model$nodes
   none <- ncol(points) - n + corners
   filled <- function(vectors) cbind(vectors, matrix(0, 3L, none))
-  knots <- which(state$lattice$parts$kind[state$lattice$sphere_part] == "netting")
+  knots <- which(state$mesh$parts$kind[state$mesh$sphere_part] == "netting")
   c(
     list(
       depth_m = 0 - c(points[3L, ], board_corners(state)[3L, ]), force_N = filled(state$force),
-      held = c(mesh$held, logical(none))
+      held = c(model$held, logical(none))
     ),
     if (length(knots)) {
       drag <- sum_by_part(
-        flow_force(state, "spheres")[, knots, drop = FALSE], mesh$spheres$node[knots],
+        flow_force(state, "spheres")[, knots, drop = FALSE], model$spheres$node[knots],
         ncol(points) + corners
       )
       list(knot_drag_N = drag)
@@ -95,20 +93,20 @@ vtk_point_data <- function(state, points, corners) {
   )
 }
 
-# The cells of a state and what each carries: list(cells = as write_vtu() takes them, data). Corners
-# of boards follow the points, four each.
+# Returns list(cells (for `write_vtu()`), data). points: number of points, which the boards' corners
+# follow, four each.
 vtk_cells <- function(state, points) {
-  lattice <- state$lattice
-  mesh <- lattice$mesh
+  mesh <- state$mesh
+  model <- mesh$model
   pieces <- vtk_pieces(state)
   boards <- length(state$si$otter_boards)
-  # A board's struts are drawn as its plate.
-  bar <- which(lattice$parts$kind[lattice$bar_part] != "piece")
-  ends <- matrix(mesh$bars$node, 2L)[, bar]
-  netting <- cell_corners(lattice)
+  # A board is drawn as its plate, without its struts.
+  bar <- which(mesh$parts$kind[mesh$bar_part] != "piece")
+  ends <- matrix(model$bars$node, 2L)[, bar]
+  netting <- cell_corners(mesh)
   corners <- 4L - has_three_corners(netting)
   cells <- ncol(netting)
-  hexagonal <- mesh$cells$straight > 0
+  hexagonal <- model$cells$straight > 0
   count <- c(line = length(bar), cell = cells, vertex = length(pieces$node), quad = boards)
   spread <- function(bars = NaN, cells = NaN, rest = NaN) {
     c(rep_len(bars, count[1L]), rep_len(cells, count[2L]), rep_len(rest, sum(count[3:4])))
@@ -119,7 +117,7 @@ vtk_cells <- function(state, points) {
     (hexagonal & state$straight_tension == 0)
   zero <- function(n) matrix(0, 3L, n)
   data <- list(
-    part = c(lattice$bar_part[bar], lattice$cell_part, pieces$part, lattice$board_part),
+    part = c(mesh$bar_part[bar], mesh$cell_part, pieces$part, mesh$board_part),
     tension_N = spread(
       state$bar_tension[bar], pmax(state$u_tension, state$v_tension, straight, na.rm = TRUE)
     )
@@ -130,16 +128,16 @@ vtk_cells <- function(state, points) {
   }
   if (any(hexagonal)) data$straight_tension_N <- spread(cells = straight)
   data$lines <- spread(
-    mesh$bars$multiplicity[bar], if (cells) cell_bars(mesh$cells), 0
+    model$bars$multiplicity[bar], if (cells) cell_bars(model$cells), 0
   )
   data$slack <- spread(as.double(state$bar_tension[bar] == 0), slack / families, 0)
   data$drag_N <- cbind(flow_force(state, "bars")[, bar], cell_flow_force(state), pieces$force,
     flow_force(state, "plates"))
   if (!is.null(state$si$catch)) {
-    on <- !is.na(lattice$catch$cell)
+    on <- !is.na(mesh$catch$cell)
     data$catch_force_N <- cbind(
       zero(count[1L]), sum_by_part(
-        flow_force(state, "pressure")[, on, drop = FALSE], lattice$catch$cell[on], cells
+        flow_force(state, "pressure")[, on, drop = FALSE], mesh$catch$cell[on], cells
       ),
       zero(sum(count[3:4]))
     )
@@ -159,19 +157,19 @@ vtk_cells <- function(state, points) {
   )
 }
 
-# Where pieces sit, a row per piece and node: list(part, node, force = 3 x rows, N).
+# Returns the pieces, one row per piece and node: list(part, node, force = 3 x rows, N).
 vtk_pieces <- function(state) {
-  lattice <- state$lattice
-  sphere <- which(lattice$parts$kind[lattice$sphere_part] == "piece")
-  part <- lattice$sphere_part[sphere]
-  node <- lattice$mesh$spheres$node[sphere]
+  mesh <- state$mesh
+  sphere <- which(mesh$parts$kind[mesh$sphere_part] == "piece")
+  part <- mesh$sphere_part[sphere]
+  node <- mesh$model$spheres$node[sphere]
   force <- flow_force(state, "spheres")[, sphere, drop = FALSE]
-  at <- match(paste(lattice$lift_part, lattice$mesh$lifts$node), paste(part, node))
+  at <- match(paste(mesh$lift_part, mesh$model$lifts$node), paste(part, node))
   force[, at] <- force[, at] + flow_force(state, "lifts")
   list(part = part, node = node, force = force)
 }
 
-# What a state or a trajectory is asked to be; allowed: their names without `codend_`.
+# Checks the class of an exported object. allowed: class names without `codend_`.
 check_exported <- function(x, allowed) {
   if (inherits(x, paste0("codend_", allowed))) return(invisible())
   abort_argument(
