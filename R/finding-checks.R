@@ -1,35 +1,33 @@
-# Worth a look: what a gear or a state has that practice and measurement do not know, each with its
-# number, its place and what to try. A new check is a new entry in a file `finding-*.R`.
+# Checks for warnings: properties of a gear or state outside practice and measurements. Each warning
+# has a value, a location and advice. A new check is a new entry in a file `finding-*.R`.
 
-# Every check, by name: list(name, words, of, test) as define_finding() makes them. The files of
-# checks fill it while the package is built.
+# All checks by name. The files of checks fill this environment when the package is built.
 finding_checks <- new.env(parent = emptyenv())
 
-# name: of the check, in words; words: what is worth a look, in one sentence, with the bounds and
-# where they come from, or a function that gives it; of: "plan" where the plan alone tells it,
-# "state" where a settled shape is needed; test(gear, state): a list of finding() and NULL, `state`
-# being NULL for a check of a plan; rank: 1 where the gear breaks or does not fish so, 2 where it is
-# out of proportion, 3 where the model is used outside what it is known for.
-define_finding <- function(name, of, words, test, rank = 2L) {
-  finding_checks[[name]] <- list(name = name, words = words, of = of, test = test, rank = rank)
+# Defines a check. `of`: "plan" if the plan is enough, "state" if the check needs a settled shape.
+# `message`: a sentence about the odd property, with bounds and sources, or a function that returns
+# it. `test(gear, state)`: returns a list of `finding()` and NULL. `rank`: 1 if the gear breaks or
+# does not fish, 2 if it is out of proportion, 3 if the model is used outside its tested range.
+define_finding <- function(name, of, message, test, rank = 2L) {
+  finding_checks[[name]] <- list(name = name, message = message, of = of, test = test, rank = rank)
 }
 
-# place: the plan's field, or the parts of the gear; value: the number, as it is told with its unit
-# in `shown`; words: what is odd; advice: what to try; field: the field to change: of the plan where
-# there is such a one, else of the part at `place`; NULL for the place itself. shown, words and
-# advice are texts, or what told() makes.
-finding <- function(place, value, shown, words, advice, field = NULL) {
-  list(place = place, value = value, shown = shown, words = words, advice = advice, field = field)
+# Returns a warning. `location`: the plan's field, or parts of the gear. `value`: the odd number,
+# and `label` its text with a unit. `message`: the odd property. `advice`: possible changes.
+# `field`: the field to change in the plan or the part, NULL for `location` itself.
+finding <- function(location, value, label, message, advice, field = NULL) {
+  list(location = location, value = value, label = label, message = message, advice = advice,
+    field = field)
 }
 
-# A text with places such as {load}, and what fills them, which may be such texts themselves: it is
-# put into words by told_in(), in whatever language.
-told <- function(text, ...) list(text = text, values = list(...))
+# Returns a template with placeholders such as {load} and their values, which may be templates too.
+# `fill_template()` translates and fills it.
+template <- function(text, ...) list(text = text, values = list(...))
 
-# translate: a function of a text that gives its translation, or the text itself.
-told_in <- function(told, translate = identity) {
-  if (!is.list(told)) return(translate(one_line(told)))
-  fill_places(translate(one_line(told$text)), lapply(told$values, told_in, translate))
+# translate: function that translates a string.
+fill_template <- function(template, translate = identity) {
+  if (!is.list(template)) return(translate(one_line(template)))
+  fill_places(translate(one_line(template$text)), lapply(template$values, fill_template, translate))
 }
 
 fill_places <- function(text, values) {
@@ -39,23 +37,24 @@ fill_places <- function(text, values) {
   text
 }
 
-# The plan's field that a finding is about: of a place such as "rope bridle_upper_port" where its
-# part is described ("bridles.upper"), with the part's field where that is given.
-finding_field <- function(plan, place, field) {
+# Returns the path of the plan's field that a warning is about, or NA. For a location such as "rope
+# bridle_upper_port" it is the part's description ("bridles.upper"), with the part's field if given.
+finding_field <- function(plan, location, field) {
   has <- function(path) !is.null(tryCatch(plan_field(plan, path), error = function(e) NULL))
-  # what a plan may have it may lack
+  # A field that the plan may contain can be absent.
   known <- names(plan_node(plan)$properties)
   if (!is.null(field) && (field %in% known || has(field))) return(field)
-  if (grepl("^[a-z_]+([.][a-z_]+)*$", place) && has(place)) return(place)
-  part <- part_field(plan, sub("^(rope|panel|piece|netting) ", "", place), has)
+  if (grepl("^[a-z_]+([.][a-z_]+)*$", location) && has(location)) return(location)
+  part <- part_field(plan, sub("^(rope|panel|piece|netting) ", "", location), has)
   if (is.null(part)) return(NA_character_)
   within <- if (!is.null(field)) paste(part, field, sep = ".")
   if (!is.null(within) && has(within)) within else part
 }
 
-# Where a plan describes a part of the gear: by its name in an assembly, else by the words of its
-# name, of which the first are the group's ("hand_ropes.upper" for hand_rope_upper_port), or later
-# ones ("square" for back_square), or those of a field within a group ("rings.bridles").
+# Returns the path at which a plan describes a part, or NULL. First it tries the part's name in an
+# assembly. Next are the first words of its name as a group ("hand_ropes.upper" for
+# hand_rope_upper_port). Then follow later words ("square" for back_square) and fields within a
+# group ("rings.bridles").
 part_field <- function(plan, name, has) {
   name <- gsub(" ", "_", name)
   for (group in names(plan)) {
@@ -64,7 +63,7 @@ part_field <- function(plan, name, has) {
   words <- strsplit(name, "_", fixed = TRUE)[[1L]]
   begins <- described_at(plan, words, has)
   if (!is.null(begins)) return(begins)
-  # panels are named by where they are and then by their section
+  # Panel names contain the position, then the section.
   section <- Filter(function(one) endsWith(name, paste0("_", one)), names(plan$sections))
   if (length(section)) return(paste0("sections.", section[1L]))
   for (first in seq_along(words)[-1L]) {
@@ -73,7 +72,8 @@ part_field <- function(plan, name, has) {
   }
   other <- intersect(described_as[[words[1L]]], names(plan))
   if (length(other)) return(other[1L])
-  # its last word tells panels apart, its first one ropes; sides of the gear tell neither
+  # The last word distinguishes panels and the first distinguishes ropes. Sides of the gear
+  # distinguish neither.
   told <- setdiff(words, c("port", "starboard"))
   ends <- told[c(length(told), 1L)]
   for (group in names(plan)) {
@@ -83,15 +83,16 @@ part_field <- function(plan, name, has) {
   NULL
 }
 
-# Parts by the first word of their name whose group has another.
+# Groups of parts whose name starts with another word.
 described_as <- list(brace = c("beam", "collar"), strut = "beam", collar = "frame")
 
-# The group of a plan that words begin with, or its field that the next word names; NULL: none.
+# Returns the group of a plan that matches the first words, or its field named by the next word;
+# NULL if there is none.
 described_at <- function(plan, words, has) {
   for (first in rev(seq_along(words))) {
     head <- paste(words[seq_len(first)], collapse = "_")
     for (group in paste0(head, c("s", ""))) {
-      # a plan's own name is no part
+      # Skip the plan's own `name`.
       if (!is.list(plan[[group]])) next
       inner <- words[-seq_len(first)]
       path <- if (length(inner)) paste(group, inner[1L], sep = ".")
@@ -101,5 +102,4 @@ described_at <- function(plan, words, has) {
   NULL
 }
 
-# A text over several lines of code as one line.
 one_line <- function(text) gsub("[[:space:]]+", " ", text)

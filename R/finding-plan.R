@@ -1,17 +1,16 @@
-# Checks of a plan's numbers: sizes that look like a forgotten unit, and edges that do not fit.
-
-# The thickest twine (m) of netting in use, of the front meshes of large midwater trawls; thicker
-# lines between knots are ropes. Thinner than the least is no twine or monofilament that is sold.
+# Thickest and thinnest twine (m) in use. The thickest is in the front meshes of large midwater
+# trawls; thicker lines between knots are ropes. No thinner twine or monofilament is sold.
 thickest_twine <- 0.024
 thinnest_twine <- 5e-5
-# Twine diameter over bar length: netting of codends and cages has up to 0.11, double twine in small
-# meshes up to 0.2; the largest front meshes in use (14 mm twine, bars of 16 m and more) 0.0003.
+# Twine diameter divided by bar length. Netting of codends and cages has up to 0.11, double twine in
+# small meshes up to 0.2. The largest front meshes in use (14 mm twine, bars of 16 m and more) have
+# 0.0003.
 greatest_twine_ratio <- 0.25
 least_twine_ratio <- 1.5e-4
 
 define_finding("twine", "plan",
-  "A twine is thicker than 24 mm or thinner than 0.05 mm, or its diameter is more than a quarter or
-  less than 0.00015 of the bar length: no netting in use is, and a unit may be missing.",
+  "A twine is thicker than 24 mm or thinner than 0.05 mm, or its diameter is more than 25 % or less
+  than 0.015 % of the bar length. No known netting is like that; a unit may be missing.",
   function(gear, state) {
     panels <- gear_si(gear)$panels
     odd <- Filter(Negate(is.null), lapply(names(panels), function(name) {
@@ -23,20 +22,20 @@ define_finding("twine", "plan",
       list(panel = name, part = first_of(unless_na(panel$part), name), twine = twine,
         mesh = panel$mesh_size)
     }))
-    # panels of one section have one twine
     once <- odd[!duplicated(lapply(odd, function(x) x[c("part", "twine", "mesh")]))]
     lapply(once, function(x) {
       thick <- in_unit(x$twine, "mm")
       finding(paste("panel", x$panel), thick, paste(figures(thick), "mm"),
-        told("its twine is {thick} mm thick in meshes of {mesh}.", thick = figures(thick),
+        template("its twine is {thick} mm thick in meshes of {mesh}.",
+          thick = figures(thick),
           mesh = format_si(x$mesh, "length")),
-        "Check the unit: a number without one is in metres.", field = "twine")
+        "Check the unit: a number without a unit is in metres.", field = "twine")
     })
   },
   rank = 1L
 )
 
-# The largest ropes (m) in use on gear; discs, bobbins and poles are larger.
+# Thickest ropes and bodies (discs, bobbins, poles) and thinnest ropes (m) in use on gear.
 thickest_rope <- 0.2
 thickest_body <- 1.5
 thinnest_rope <- 2e-4
@@ -53,52 +52,54 @@ define_finding("rope diameter", "plan",
       rope$diameter > most || rope$diameter < thinnest_rope
     }, names(ropes))
     lapply(odd, function(name) {
-      shown <- format_si(ropes[[name]]$diameter, "length")
-      finding(paste("rope", name), in_unit(ropes[[name]]$diameter, "mm"), shown,
-        told("its diameter is {diameter}.", diameter = shown),
-        "Check the unit: a number without one is in metres.", field = "diameter")
+      label <- format_si(ropes[[name]]$diameter, "length")
+      finding(paste("rope", name), in_unit(ropes[[name]]$diameter, "mm"), label,
+        template("its diameter is {diameter}.", diameter = label),
+        "Check the unit: a number without a unit is in metres.", field = "diameter")
     })
   },
   rank = 1L
 )
 
-# m/s: no fishing gear is towed at 10 knot; survey instruments are, up to about 12.
+# Maximum speed (m/s) of towed survey instruments (12 knots; no fishing gear reaches 10 knots), and
+# maximum current.
 greatest_speed <- 6.2
 greatest_current <- 3
 
 define_finding("speed", "plan",
-  "The towing speed is above 12 knot, or a current above 3 m/s: fishing
-  gear is towed at up to 7 knot.",
+  "The towing speed is above 12 knot, or a current is above 3 m/s. Fishing gear is towed at up to
+  7 knot.",
   function(gear, state) {
     si <- gear_si(gear)
     in_knots <- si$towing$speed / plan_units$speed[["knot"]]
-    knots <- told("{n} knot", n = figures(in_knots))
+    knots <- template("{n} knot", n = figures(in_knots))
     out <- list()
-    # of kinds with a band that has its own finding
+    # Other kinds have a band with its own warning.
     if (si$towing$speed > greatest_speed && is.null(band_of("towing speed", gear))) {
       out <- list(finding("towing.speed", in_knots, knots,
-        told("the gear is towed at {speed}.", speed = knots),
-        "Check the unit: a number without one is in m/s."))
+        template("the gear is towed at {speed}.", speed = knots),
+        "Check the unit: a number without a unit is in m/s."))
     }
     current <- sqrt(si$water$current$x^2 + si$water$current$y^2)
     if (max(current) > greatest_current) {
-      shown <- paste(figures(max(current)), "m/s")
-      out <- c(out, list(finding("water.current", max(current), shown,
-        told("the current runs at {speed}.", speed = shown),
-        "Check the unit: a number without one is in m/s.")))
+      label <- paste(figures(max(current)), "m/s")
+      out <- c(out, list(finding("water.current", max(current), label,
+        template("the current runs at {speed}.", speed = label),
+        "Check the unit: a number without a unit is in m/s.")))
     }
     out
   },
   rank = 1L
 )
 
-# Of boards the largest published is 2.54 (high_lift), of lifting canvas 1.2 and of kites about 1.5.
+# Bounds of coefficients. The largest published lift coefficients are 2.54 for boards (high_lift),
+# 1.2 for lifting canvas and about 1.5 for kites.
 greatest_lift <- 3
 greatest_drag <- 2.5
 
 define_finding("lift coefficient", "plan",
-  "A lift coefficient is above 3, or a drag coefficient above 2.5: the largest published of an
-  otter board is 2.54.",
+  "A lift coefficient is above 3, or a drag coefficient above 2.5. The largest published coefficient
+  of an otter board is 2.54.",
   function(gear, state) {
     si <- gear_si(gear)
     of_pieces <- lapply(si$pieces, function(piece) {
@@ -115,37 +116,41 @@ define_finding("lift coefficient", "plan",
         value <- of[[name]][[force]]
         finding(gsub("_", " ", name), value, figures(value),
           if (force == "lift") {
-            told("its lift coefficient is {n}, where tests have up to 2.5.", n = figures(value))
+            template("its lift coefficient is {n}; tested boards have up to 2.5.",
+              n = figures(value))
           } else {
-            told("its drag coefficient is {n}, where tests have up to 1.5.", n = figures(value))
+            template("its drag coefficient is {n}; tested boards have up to 1.5.",
+              n = figures(value))
           },
-          "Check the coefficient and the area that it counts with.")
+          "Check the coefficient and its reference area.")
       })
     }), recursive = FALSE)
   }
 )
 
 define_finding("number of panels", "plan",
-  "A trawl's plan leaves out `panels`: a bottom trawl then has 2 panels and a midwater trawl 4.",
+  "The plan of a trawl omits `panels`. The default is 2 for a bottom trawl and 4 for a midwater
+  trawl.",
   function(gear, state) {
     if (!first_of(gear$plan$kind, "") %in% trawls_of_panels || !is.null(gear$plan$panels)) {
       return(list())
     }
     taken <- plan_node(gear$plan)$properties$panels[["default"]]
-    list(finding("panels", taken, told("{n} panels", n = taken),
-      told("the field is left out, so that this trawl is taken to have {n} panels.", n = taken),
-      "Write how many panels the net has."))
+    list(finding("panels", taken, template("{n} panels", n = taken),
+      template("the field is missing; codend assumes {n} panels for this trawl.", n = taken),
+      "Add the number of panels of the net."))
   }
 )
 
-# Kinds whose field `panels` counts the panels around a section.
+# Kinds whose field `panels` is the number of panels around a section.
 trawls_of_panels <- c("bottom_trawl", "pair_trawl", "midwater_trawl")
 
-# Seams take up a few percent; more is gathered netting, as at a bosom, or a miscount.
+# Seams take up a few percent. A larger ratio means gathered netting, as at a bosom, or a wrong
+# count.
 greatest_seam_ratio <- 1.2
 
 define_finding("seam", "plan",
-  "The edges that a seam joins differ in stretched length by more than a fifth.",
+  "A seam joins edges that differ in stretched length by more than 20 %.",
   function(gear, state) {
     si <- gear_si(gear)
     lapply(names(si$seams), function(name) {
@@ -154,22 +159,22 @@ define_finding("seam", "plan",
       long <- vapply(seam$edges, chain_length, 0, panels = si$panels)
       if (min(long) <= 0 || max(long) <= greatest_seam_ratio * min(long)) return(NULL)
       ratio <- max(long) / min(long)
-      finding(paste("seam", name), ratio, told("ratio {n}", n = figures(ratio)),
-        told("it joins edges of {short} and {long} stretched length.",
+      finding(paste("seam", name), ratio, template("ratio {n}", n = figures(ratio)),
+        template("it joins an edge of {short} to an edge of {long} (stretched).",
           short = format_si(min(long), "length"), long = format_si(max(long), "length")),
-        "Count the meshes along both edges again.")
+        "Check the mesh counts along both edges.")
     })
   }
 )
 
-# Rope length over stretched netting: from the gathered bosom of a footrope to a rope that is longer
-# than its netting.
+# Rope length over stretched netting: from gathered bosoms of footropes to ropes longer than
+# netting.
 least_hanging <- 0.2
 greatest_hanging <- 1.15
 
 define_finding("hanging ratio", "plan",
-  "A rope is hung on netting with a ratio of its length to the stretched netting below 0.2 or above
-  1.15.",
+  "The hanging ratio of a rope (its length over the stretched length of its netting) is below 0.2 or
+  above 1.15.",
   function(gear, state) {
     si <- gear_si(gear)
     lapply(names(si$ropes), function(name) {
@@ -185,8 +190,8 @@ define_finding("hanging ratio", "plan",
       if (!length(odd)) return(NULL)
       worst <- odd[which.max(abs(log(odd)))]
       finding(paste("rope", name), worst, figures(worst),
-        told("it is hung on its netting with a ratio of {n}.", n = figures(worst)),
-        "Check the rope's length and the meshes that it is hung on.")
+        template("its hanging ratio is {n}.", n = figures(worst)),
+        "Check the length of the rope and the mesh count along it.")
     })
   }
 )

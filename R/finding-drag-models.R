@@ -1,82 +1,82 @@
-# Checks of the laws for the drag of netting: whether the netting lies as they were measured.
+# Checks that netting is within the tested range of its drag model.
 
-# Angle (deg) between the netting's normal and the flow from which twines stand in each other's
-# wake; cage netting, on which the screens' formulas were fitted, mostly stands across the flow.
+# Angle (deg) between the netting's normal and the flow above which twines are in each other's wake.
+# The screen drag models were fitted to cage netting, mostly across the flow.
 steep_angle <- 70
-# Share of a towed gear's netting that lies steeper than that.
+# Maximum fraction of a towed gear's netting beyond that angle.
 greatest_steep_share <- 0.5
-# Screens' laws with a least drag: those that are not taken below a least solidity.
+# Returns the screen drag models with a minimum drag: models with a lower bound of solidity.
 constant_screens <- function() {
-  least <- law_column("least_solidity", "netting", "screen")
+  least <- drag_model_column("least_solidity", "netting", "screen")
   names(least)[least > 0]
 }
 
-define_finding("drag law", "state",
+define_finding("drag model", "state",
   function() {
     paste0("More than half of a towed gear's netting with `netting_drag` ",
-      paste0("`", constant_screens(), "`", collapse = " or "), " lies more than ", steep_angle,
-      " deg from across the flow. They have a least drag, fitted to cage netting across the flow,
-      that gives trawls up to four times the drag they have.")
+      paste0("`", constant_screens(), "`", collapse = " or "), " is inclined by more than ",
+      steep_angle, " deg from perpendicular to the flow. These models have a minimum drag, fitted to
+      cage netting across the flow. It overestimates the drag of trawls up to four times.")
   },
   function(gear, state) {
     if (!has_towing(state)) return(list())
     law <- vapply(state$si$panels, `[[`, "", "netting_drag")
     if (!any(law %in% constant_screens())) return(list())
-    cells <- cells_with_drag(state$si, state$lattice, constant_screens())
+    cells <- cells_with_drag(state$si, state$mesh, constant_screens())
     if (!length(cells)) return(list())
     lies <- netting_to_flow(state, cells)
     share <- sum(lies$area[lies$angle > steep_angle]) / sum(lies$area)
     if (share <= greatest_steep_share) return(list())
-    shown <- sprintf("%.0f %%", 100 * share)
+    label <- sprintf("%.0f %%", 100 * share)
     used <- intersect(constant_screens(), law)[1]
-    list(finding("netting_drag", 100 * share, shown,
-      told("{law} was fitted to netting across the flow; {share} of it lies along the flow here, and
-        has too much drag.", law = used, share = shown),
-      "Use blended, or twines."))
+    list(finding("netting_drag", 100 * share, label,
+      template("{law} was fitted to netting across the flow, but {share} of this netting lies along
+        the flow; the computed drag is too high.", law = used, share = label),
+      "Use blended or morison."))
   },
   rank = 3L
 )
 
 define_finding("solidity", "state",
   function() {
-    paste0("More than half of the panels of a part whose `netting_drag` is a screen's are so
-    closed or so open that their solidity is outside that of the netting which the law was fitted
-    to: ",
+    paste0("More than half of the panels of a part use a screen drag model outside its tested range
+    of solidity: ",
       screen_ranges(), ".")
   },
   function(gear, state) {
     law <- screened_panels(state)
     if (!length(law)) return(list())
     solidity <- solidity_of_panels(state, names(law))
-    greatest_solidity <- law_column("most_solidity", "netting", "screen")
-    least_solidity <- law_column("least_solidity", "netting", "screen")
-    # what has no area has no solidity
+    greatest_solidity <- drag_model_column("most_solidity", "netting", "screen")
+    least_solidity <- drag_model_column("least_solidity", "netting", "screen")
     solidity[is.na(solidity)] <- least_solidity[law[is.na(solidity)]]
-    # Where a current folds a part, some of its panels close.
     off <- mostly_of_part(state, names(law),
       pmax(solidity / greatest_solidity[law], least_solidity[law] / pmax(solidity, 1e-6)))
     worst <- which.max(off)
     if (off[worst] <= 1) return(list())
     used <- law[[worst]]
-    shown <- figures(solidity[[worst]])
+    label <- figures(solidity[[worst]])
     closed <- solidity[[worst]] > greatest_solidity[[used]]
-    words <- if (closed) {
-      told("its solidity is {solidity}; {law} was fitted to at most {bound}.", solidity = shown,
+    message <- if (closed) {
+      template("its solidity is {solidity}; {law} was fitted to at most {bound}.",
+        solidity = label,
         law = used, bound = format(greatest_solidity[[used]]))
     } else {
-      told("its solidity is {solidity}; {law} was fitted to at least {bound}.", solidity = shown,
+      template("its solidity is {solidity}; {law} was fitted to at least {bound}.",
+        solidity = label,
         law = used, bound = format(least_solidity[[used]]))
     }
     wider <- names(which.max(greatest_solidity))
     advice <- if (!closed) {
-      "Use twines: there one twine hardly shields another."
+      "Use morison: twines hardly shield each other in such open netting."
     } else if (greatest_solidity[[wider]] >= solidity[[worst]]) {
-      told("Check mesh size and twine, or use {law}, fitted up to {bound}.", law = wider,
+      template("Check mesh size and twine, or use {law}, fitted up to {bound}.",
+        law = wider,
         bound = format(greatest_solidity[[wider]]))
     } else {
-      "Check mesh size and twine; its drag may be off by tens of percent."
+      "Check mesh size and twine; the drag may be wrong by tens of percent."
     }
-    list(finding(paste("panel", names(law)[worst]), solidity[[worst]], shown, words, advice))
+    list(finding(paste("panel", names(law)[worst]), solidity[[worst]], label, message, advice))
   },
   rank = 3L
 )
@@ -84,10 +84,9 @@ define_finding("solidity", "state",
 define_finding("Reynolds number", "state",
   function() {
     rows <- screens_by_reynolds()
-    paste0("More than half of the panels of a part whose `netting_drag` goes by a Reynolds number
-    have twine whose Reynolds number, that of the free flow, is outside the law's range, at whose
-    ends its drag of a cylinder is held: ", paste0("`", rows$name, "` from ",
-    rows$least_reynolds, " to ",
+    paste0("More than half of the panels of a part have twine outside the range of Reynolds numbers
+    of their screen drag model. Outside its range, the model uses the cylinder drag at the nearest
+    end: ", paste0("`", rows$name, "` from ", rows$least_reynolds, " to ",
       rows$most_reynolds, collapse = ", "), ".")
   },
   function(gear, state) {
@@ -107,28 +106,27 @@ define_finding("Reynolds number", "state",
       pmax(reynolds / rows$most_reynolds, rows$least_reynolds / reynolds))
     worst <- which.max(off)
     if (off[worst] <= 1) return(list())
-    shown <- figures(reynolds[[worst]])
-    list(finding(paste("panel", names(law)[worst]), reynolds[[worst]], shown,
-      told("its twine has a Reynolds number of {number}; {law} is for {least} to {most}.",
-        number = shown, law = law[[worst]], least = format(rows$least_reynolds[worst]),
+    label <- figures(reynolds[[worst]])
+    list(finding(paste("panel", names(law)[worst]), reynolds[[worst]], label,
+      template("its twine has a Reynolds number of {number}; {law} is valid from {least} to
+        {most}.",
+        number = label, law = law[[worst]], least = format(rows$least_reynolds[worst]),
         most = format(rows$most_reynolds[worst])),
-      "Check speed, viscosity and twine, or use twines with choo_casarella."))
+      "Check speed, viscosity and twine, or use morison with choo_casarella."))
   },
   rank = 3L
 )
 
-# The rows of the screens' laws that have a range of Reynolds numbers.
 screens_by_reynolds <- function() {
   laws[laws$of == "netting" & laws$form == "screen" & !is.na(laws$most_reynolds), ]
 }
 
-# The screens' laws of a state's panels by name, where they have one.
 screened_panels <- function(state) {
   law <- vapply(state$si$panels, `[[`, "", "netting_drag")
-  law[law %in% law_names("netting", "screen")]
+  law[law %in% drag_model_names("netting", "screen")]
 }
 
-# What is above 1 in these panels (by name), but 0 in parts of which no more than half is.
+# Returns `off` by panel, set to 0 in parts in which at most half of the panels exceed 1.
 mostly_of_part <- function(state, names, off) {
   part <- vapply(state$si$panels[names], function(panel) first_of(unless_na(panel$part), ""), "")
   part[part == ""] <- names[part == ""]
@@ -136,9 +134,9 @@ mostly_of_part <- function(state, names, off) {
   off
 }
 
-# Of cells by number: list(angle = between normal and flow (deg, 0 to 90), area (m2)).
+# Returns list(angle (deg, 0 to 90, between normal and flow), area (m2)) of cells.
 netting_to_flow <- function(state, cells) {
-  node <- cell_corners(state$lattice, cells)
+  node <- cell_corners(state$mesh, cells)
   corner <- function(k) state$position[, node[k, ], drop = FALSE]
   a <- corner(3L) - corner(1L)
   b <- corner(4L) - corner(2L)
@@ -152,13 +150,13 @@ netting_to_flow <- function(state, cells) {
   )
 }
 
-# Warns where a law is used outside what it was measured for: of the first that is found.
-warn_of_laws <- function(state) {
-  for (check in c("drag law", "solidity", "Reynolds number")) {
+# Warns if a drag model is used outside its tested range, for the first such check.
+warn_of_drag_models <- function(state) {
+  for (check in c("drag model", "solidity", "Reynolds number")) {
     found <- finding_rows(found_by(finding_checks[[check]], state$gear, state))
     if (!nrow(found)) next
     cli::cli_warn(finding_sentences(found)[1],
-      class = c("codend_warning_drag_law", "codend_warning"), call = NULL)
+      class = c("codend_warning_drag_model", "codend_warning"), call = NULL)
     return(invisible())
   }
 }
