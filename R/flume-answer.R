@@ -1,14 +1,12 @@
-# What a worker of the flume tank answers to a request. It knows no page: it may run in a process of
-# its own.
+# Answers of a flume-tank worker to requests. This code does not use Shiny, so it can run in a
+# process without a page.
 
-# Most nodes of a design, whatever its plan asks for.
+# Largest number of nodes of a design, unless `2 * nodes` of the tank is larger.
 flume_nodes <- 20000
 
-# request: list(kind, said (of the page; of a design the draft), number (of the question), file (of
-# the gear on screen), nodes, state (to settle from, or that something is made of)); without `state`
-# it is the one that the memory, an environment, holds. Returns list(found, problem, draft): found
-# NULL where there is a problem, problem as flume_problem() gives it, draft as draft_problems()
-# does.
+# request: list(kind, `said` (the page's data; for a design its draft), number, file (of the gear on
+# screen), nodes, state). The default state is the one in `memory`, an environment. Returns
+# list(found, problem, draft): `problem` from flume_problem(), `draft` from draft_problems().
 flume_answer <- function(request, memory) {
   if (!is.null(request$state)) {
     memory$state <- request$state
@@ -24,7 +22,7 @@ flume_answer <- function(request, memory) {
     } else if (request$kind == "rest") {
       rest_of_design(memory)
     } else {
-      shown_design(request, memory)
+      displayed_design(request, memory)
     }
   })
   draft <- if (!is.null(problem) && request$kind %in% c("design", "plan_text")) {
@@ -33,8 +31,8 @@ flume_answer <- function(request, memory) {
   list(found = found, problem = problem, draft = draft)
 }
 
-# What keeps a draft from settling: list(problems (of draft_gear()), design (the draft, where it was
-# typed)), or NULL where a typed text is no plan at all.
+# Returns list(problems from draft_gear(), design (if it was typed as text)) for a draft that does
+# not settle. Returns NULL if the typed text is not a plan.
 draft_problems <- function(request, memory, problem) {
   of_settling <- list(problem[c("path", "message")])
   if (request$kind == "design") {
@@ -53,24 +51,24 @@ draft_problems <- function(request, memory, problem) {
   )
 }
 
-# What is made of the state on screen and leaves it as it is.
+# Products of the state on screen. These functions do not change the state.
 made_of_state <- list(
   save = function(state, said) save_state(state, said),
-  # of a draft as much as fits together
+  # draws the consistent parts of a draft
   drawing = function(state, said) {
     drawing_svg(draft_gear(said$plan, state$gear)$gear, drawing_page)
   },
-  slopes = function(state, said) slopes_asked(state, said),
+  slopes = function(state, said) requested_sensitivities(state, said),
   uncertainty = function(state, said) uncertainty(state),
   vary = function(state, said) varied_measures(state, said),
-  tow = function(state, said) tow_asked(state, said),
+  tow = function(state, said) requested_tow(state, said),
   save_tow = function(state, said) save_tow(said)
 )
 
-# What the page asks for, settled and remembered: list(gear, state, notes, worth, drawing,
-# measures). Of a design that has the fields of the one before only what moves, list(moved, anew),
-# as moved_message() gives it: rest_of_design() is asked for next.
-shown_design <- function(request, memory) {
+# Settles the requested gear and stores its state. Returns list(gear, state, notes, worth, drawing,
+# measures). If the fields are the same as before, returns only the shape, list(moved, anew) from
+# moved_message(); the page then requests rest_of_design().
+displayed_design <- function(request, memory) {
   found <- settled_design(request, memory, complete = FALSE)
   memory$state <- found$state
   before <- memory$paths
@@ -91,11 +89,14 @@ shown_design <- function(request, memory) {
 rest_of_design <- function(memory) {
   passing <- memory$passing
   memory$passing <- NULL
-  if (is.null(passing)) abort_argument("The process that settled this design has ended.")
+  if (is.null(passing)) {
+    abort_argument("The process that settled this design has ended. Change the design to settle it
+      again.")
+  }
   complete_design(passing$found, passing$shape)
 }
 
-# list(gear, state, notes = warnings), and with `complete` what complete_design() adds.
+# Returns list(gear, state, notes = warnings), extended by complete_design() if `complete`.
 settled_design <- function(request, memory, complete = TRUE) {
   said <- request$said
   gear <- switch(request$kind,
@@ -104,16 +105,16 @@ settled_design <- function(request, memory, complete = TRUE) {
     plan_file = read_opened(said),
     shipped = read_shipped(said),
     new = read_new(said),
-    words = , kept = gear_of_words(said)
+    words = , kept = gear_of_address(said)
   )
   like <- request$kind %in% c("design", "plan_text")
   found <- c(list(gear = gear), settle_noted(gear, request$nodes, if (like) memory$state))
   if (complete) complete_design(found) else found
 }
 
-# ... with its findings, in no language yet (worth), the drawing and the measures.
+# Adds the findings (`worth`, not translated), the drawing and the measures.
 complete_design <- function(found, shape = flume_shape(found$state)) {
-  # a page does not wait for swings of boards
+  # the check of board oscillations is too slow for a page
   checks <- sorted_checks()
   worth <- list_findings(found$state, checks[names(checks) != "flutter"])
   c(found, list(worth = worth, drawing = flume_drawing(found$state, shape),
@@ -124,7 +125,6 @@ settled_start <- function(gear, nodes) {
   complete_design(c(list(gear = gear), settle_noted(gear, nodes, NULL)))
 }
 
-# said: list(format, file).
 save_state <- function(state, said) {
   if (said$format == "report") return(report(state, said$file))
   if (said$format == "share") return(share(state, said$file))
@@ -132,10 +132,10 @@ save_state <- function(state, said) {
   Find(function(format) format$name == said$format, formats_of("state"))$write(state, said$file)
 }
 
-# Settles from a state where it has the same parts, else anew: list(state, notes = warnings).
+# Settles from a state with the same parts, otherwise from scratch. Returns list(state, notes).
 settle_noted <- function(gear, nodes, from) {
   notes <- character()
-  check_lattice_size(gear_si(gear), nodes, most = max(flume_nodes, 2 * nodes))
+  check_mesh_size(gear_si(gear), nodes, most = max(flume_nodes, 2 * nodes))
   settle_from <- function(from) settle_gear(gear, nodes, NULL, from)
   state <- withCallingHandlers(
     tryCatch(settle_from(from), codend_error_argument = function(e) settle_from(NULL)),
@@ -147,8 +147,8 @@ settle_noted <- function(gear, nodes, from) {
   list(state = state, notes = notes)
 }
 
-# NULL when an expression goes well, else list(message, path = of the plan's wrong field or NULL). A
-# mistake of the program's own is told and logged, and the page lives on.
+# Returns NULL if an expression succeeds, otherwise list(message, path of the wrong field or NULL).
+# An unexpected R error is logged and returned, so that the session continues.
 flume_problem <- function(expression) {
   tryCatch(
     {
@@ -158,7 +158,7 @@ flume_problem <- function(expression) {
     codend_error = function(e) list(message = plain_message(e), path = e$path),
     error = function(e) {
       message("codend flume: ", conditionMessage(e))
-      list(message = paste0("codend failed at this: ", plain_message(e)), path = NULL)
+      list(message = paste0("Internal error of codend: ", plain_message(e)), path = NULL)
     }
   )
 }

@@ -1,6 +1,6 @@
-# The catalogue in the flume tank: what of it fits which part of a plan, and what a pick changes.
+# The catalogue in the flume tank: rows that fit a part, and fields that a selected row sets.
 
-# Fields of a plan that a thing of a class gives: columns of the catalogue by name.
+# Plan fields that a row of each class sets: catalogue columns by field name.
 picked_fields <- list(
   board = c(area = "area_m2", mass = "mass_kg", lift_coefficient = "lift_coefficient",
     drag_coefficient = "drag_coefficient"),
@@ -12,13 +12,12 @@ picked_fields <- list(
 )
 picked_fields$wire <- picked_fields$chain <- picked_fields$rope
 
-# Units of the catalogue's columns.
 picked_units <- c(
   diameter_mm = "mm", area_m2 = "m2", mass_kg = "kg", mass_per_length_kg_m = "kg/m",
   buoyancy_kgf = "kgf", strength_kN = "kN"
 )
 
-# Classes of the catalogue that fit a part, by what its schema allows; none: character().
+# Returns the catalogue classes that fit a part, from the fields in its schema.
 picked_classes <- function(node) {
   has <- function(...) all(c(...) %in% names(node$properties))
   if (has("lift_coefficient", "area", "mass")) return("board")
@@ -28,8 +27,7 @@ picked_classes <- function(node) {
   character()
 }
 
-# What a page offers: a list of list(class, title, says, values (texts of plan fields by name),
-# source).
+# Returns list(class, title, `says` (a note), values (strings by plan field), source) for each row.
 offered_catalogue <- remembered(function() {
   table <- catalogue()
   lapply(seq_len(nrow(table)), function(k) {
@@ -52,7 +50,7 @@ offered_catalogue <- remembered(function() {
   })
 })
 
-# ... as JSON, with the unit of every field that a row of a class gives.
+# Adds the unit of each field that a class sets.
 catalogue_json <- function() {
   fields <- lapply(picked_fields, function(columns) {
     lapply(columns, function(column) first_of(as.list(picked_units)[[column]], ""))
@@ -62,38 +60,44 @@ catalogue_json <- function() {
   )))
 }
 
-# Rows of their own that a page may have.
 most_own_rows <- 100L
 
-# Rows that a page's user made, as offered_catalogue() has them; of two of a class and a name the
-# last. given: a list of list(class, title, values), as a page sends them, which may be anything.
+# Returns user-defined rows as in offered_catalogue(). A later row replaces an earlier row of the
+# same class and name. given: list of list(class, title, values) from a page, which may send
+# anything.
 own_rows <- function(given) {
   rows <- lapply(as.list(given), function(row) own_row(as.list(row)))
   keys <- vapply(rows, function(row) paste(row$class, row$title), "")
   rows <- rows[!duplicated(keys, fromLast = TRUE)]
-  if (length(rows) > most_own_rows) abort_argument("A page has at most {most_own_rows} own rows.")
+  if (length(rows) > most_own_rows) {
+    abort_argument("A page can have at most {most_own_rows} rows of your own.")
+  }
   rows
 }
 
 own_row <- function(given) {
   columns <- if (is_text(given$class)) picked_fields[[given$class]]
-  if (is.null(columns)) abort_argument("A row is of one of {.val {names(picked_fields)}}.")
+  if (is.null(columns)) {
+    abort_argument("The kind of a row must be one of {.val {names(picked_fields)}}.")
+  }
   title <- design_name(given$title, "")
-  if (!nzchar(title)) abort_argument("A row has a name.")
+  if (!nzchar(title)) abort_argument("The row has no name; enter one.")
   values <- as.list(given$values)
   values <- values[intersect(names(columns), names(values))]
   values <- Filter(function(value) !is_text(value) || nzchar(trimws(value)), values)
-  if (!length(values)) abort_argument("A row has at least one figure.")
+  if (!length(values)) abort_argument("The row has no numbers; enter at least one.")
   list(
     class = given$class, title = title, says = "",
     values = Map(own_value, values, names(values), columns[names(values)]), source = "own"
   )
 }
 
-# A figure of an own row, with its unit.
+# Returns the value with its unit.
 own_value <- function(text, name, column) {
   words <- gsub("_", " ", name, fixed = TRUE)
-  if (!is_text(text) || nchar(text) > most_name) abort_argument("The {words} is a short text.")
+  if (!is_text(text) || nchar(text) > most_name) {
+    abort_argument("The {words} must be text of at most {most_name} characters.")
+  }
   if (column == "material") return(trimws(text))
   like <- trimws(paste("1", stats::na.omit(picked_units[column])))
   value <- trimws(typed_quantity(text, like))

@@ -1,6 +1,6 @@
-# The R code that makes what the flume tank shows.
+# R code that reproduces the designs in the flume tank.
 
-# loaded, kept, design: gears, `loaded` as it was opened; nodes: of the lattice, about.
+# loaded: the gear as opened; kept: the gear to compare with; design: the gear on screen.
 flume_code <- function(loaded, kept, design, nodes) {
   settle_call <- function(gear) {
     paste0("settle(", gear, ", nodes = ", shortest_decimal(nodes), ")")
@@ -21,7 +21,7 @@ flume_code <- function(loaded, kept, design, nodes) {
   paste(c(lines, ""), collapse = "\n")
 }
 
-# Lines that make a gear: the loaded one with its changed fields, or a plan of its own.
+# Returns code that makes a gear: update() of a shipped plan if possible, otherwise the full plan.
 gear_code <- function(name, loaded, gear, plan_name) {
   shipped <- loaded_shipped(loaded)
   changes <- if (!is.null(shipped)) update_arguments(loaded$plan, gear$plan)
@@ -38,14 +38,14 @@ gear_code <- function(name, loaded, gear, plan_name) {
   c(sprintf("%s <- update(%s,", name, read), paste0("  ", paste(changes, collapse = ",\n  ")), ")")
 }
 
-# The name of the shipped plan that a gear is, or NULL.
+# Returns the name of a gear's shipped plan, or NULL.
 loaded_shipped <- function(gear) {
   shipped <- shipped_plans()
   if (is.null(gear$file) || !gear$file %in% shipped) return(NULL)
   names(shipped)[match(gear$file, shipped)]
 }
 
-# Arguments of update() that turn one plan into another, or NULL where no such do.
+# Returns NULL if update() cannot turn plan `from` into plan `to`.
 update_arguments <- function(from, to) {
   found <- plan_changes(from, to)
   plain <- vapply(found, function(d) {
@@ -63,7 +63,7 @@ update_arguments <- function(from, to) {
   }))
 }
 
-# Texts as R code that is nothing but these texts, in ASCII.
+# Returns ASCII code whose value is exactly these strings.
 code_text <- function(texts) {
   quoted <- vapply(texts, function(text) {
     codes <- utf8ToInt(enc2utf8(text))

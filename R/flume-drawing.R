@@ -1,15 +1,14 @@
-# The net drawing of the draft. The clerk draws it: that takes longer than a settle.
+# The net drawing of the draft. The slow worker draws it, because drawing takes longer than
+# settling.
 
-# The page that it is drawn on.
 drawing_page <- "A3"
 
-# Answers a page that wants its drawing.
-flume_draws <- function(input, tank, ask_clerk, said) {
+flume_draws <- function(input, tank, request_slow_worker, said) {
   shiny::observeEvent(input$drawing_wanted, {
     if (is.null(tank$gear)) return()
     edited <- tank$edited
-    ask_clerk("drawing", tank$draft, function(found) {
-      # else the page has asked, or will, for that of the draft as it is now
+    request_slow_worker("drawing", tank$draft, function(found) {
+      # if the draft has changed, the page requests a new drawing
       if (edited == tank$edited) said("flume_drawing", svg = found)
     })
   })

@@ -1,28 +1,26 @@
-# What a page sends of a design: changes of fields of a plan, by path. It comes from a browser, and
-# may be anything.
+# Changes of plan fields that a page sends, by path. A browser may send anything.
 
-# Changes at most in one message, and characters of a path or a text and of a name.
+# Limits: changes per message, characters of a path or string, and characters of a name.
 most_edits <- 500L
 most_characters <- 4000L
 most_name <- 60L
 
-# A value so many times what the field had is asked about: metres for millimetres are 1,000 of a
-# mesh that may be a few times another.
+# A value that differs from the old value by this factor needs a confirmation. Metres instead of
+# millimetres are a factor of 1,000, and the new mesh may be several times smaller.
 doubtful_factor <- 100
 
-# The plan with changed fields. It need not be one of a gear. edits: a list by path of
-#   list(value, unit)          a number, alone in this unit or with its own, a word, or what a plan
-#                              writes there on one line
-#   list(gone = TRUE)          the field is taken out
-#   list(like = path, after)   it becomes as another part of the plan is, next to `after`
-#   list(rename = name)        the part has another name
-#   list(move = places)        the part comes so many places later among its like
-# Returns list(plan, understood): what each typed number was understood as, by path: list(text,
-# doubt), doubt NULL or list(message, instead).
+# Returns list(plan, understood) after changes of fields; the plan may be invalid. `understood` has
+# list(text, doubt) for each typed number, by path; `doubt` is NULL or list(message, instead).
+# `edits` is a list by path with these items.
+#   `list(value, unit)`: a number with its own unit or in `unit`, a word, or YAML on one line.
+#   `list(gone = TRUE)` removes the field.
+#   `list(like = path, after)` copies another part of the plan; the copy follows `after`.
+#   `list(rename = name)` renames the part.
+#   `list(move = places)` moves the part by this number of positions among its siblings.
 edited_plan <- function(plan, edits) {
-  if (!is_map(edits)) abort_argument("Changes are told by the paths of their fields.")
+  if (!is_map(edits)) abort_argument("Changes must be given by the paths of their fields.")
   if (length(edits) > most_edits || any(nchar(names(edits)) > most_characters)) {
-    abort_argument("At most {most_edits} fields change at once.")
+    abort_argument("At most {most_edits} fields can change at once.")
   }
   understood <- list()
   for (path in names(edits)) {
@@ -35,7 +33,7 @@ edited_plan <- function(plan, edits) {
 }
 
 edited_field <- function(plan, path, given) {
-  if (!nzchar(path)) abort_argument("A field is changed by its path.")
+  if (!nzchar(path)) abort_argument("The path of the field is missing.")
   if (isTRUE(given$gone)) return(set_plan_field(plan, path, NULL))
   of_part <- intersect(c("like", "rename", "move"), names(given))
   if (!length(of_part)) return(set_plan_field(plan, path, edit_value(plan, path, given)))
@@ -50,7 +48,9 @@ edited_field <- function(plan, path, given) {
 check_part <- function(plan, path) {
   there <- is_text(path) && nchar(path) <= most_characters &&
     !is.null(at_path(plan, path_steps(path)))
-  if (!there) abort_argument("There is no such part to copy, rename or move.")
+  if (!there) {
+    abort_argument("The plan does not have this part; it cannot be copied, renamed or moved.")
+  }
 }
 
 check_part_name <- function(name, path) {
@@ -60,8 +60,8 @@ check_part_name <- function(name, path) {
   name
 }
 
-# What a field becomes. A number with a unit becomes text such as "4.8 knot"; what is no value of
-# the field stays as it is, for the check to say so.
+# Returns the new value of a field, such as "4.8 knot" for a number with a unit. Unsuitable values
+# stay as they are, so that the plan check reports them.
 edit_value <- function(plan, path, given) {
   value <- given$value
   refuse <- function(must) abort_field(path, value, must)
@@ -69,7 +69,7 @@ edit_value <- function(plan, path, given) {
   if (is.character(value) && nchar(value) > most_characters) refuse("a shorter text")
   field <- plan_field(plan, path)
   node <- if (is.null(field$node)) path_node(plan, path) else field$node
-  # an unknown field is told by who sets it
+  # set_plan_field() reports unknown fields
   if (is.null(node)) return(value)
   if (is_number_node(node)) return(number_value(value, given$unit, node, refuse))
   if (node$shape %in% c("boolean", "string")) return(value)
@@ -85,23 +85,22 @@ number_value <- function(value, unit, node, refuse) {
   if (is.null(parts)) return(value)
   own <- nzchar(parts[2])
   if (own) unit <- parts[2]
-  # without a unit it is in SI
+  # a number without a unit is in SI
   if (is.null(unit) || identical(unit, "")) return(as.double(parts[1]))
   if (!is_text(unit) || nchar(unit) > 40 || !plain_unit(unit) %in% known) {
     if (own) return(value)
-    refuse(paste("in one of these units:", word_list(known)))
+    refuse(paste("a number with one unit from this list:", word_list(known)))
   }
   paste(parts[1], unit)
 }
 
-# A typed decimal comma as a point; before three digits it may part thousands, and stays.
+# Replaces a decimal comma by a point. A comma before exactly three digits may separate thousands.
 with_point <- function(text) {
   sub("^([[:space:]]*[-+]?)(?!0*[1-9][0-9]{0,2},[0-9]{3}(?![0-9]))([0-9]*),([0-9])", "\\1\\2.\\3",
     text, perl = TRUE)
 }
 
-# What a field of the page with an example in it was given, such as "11 fm" or "2,8": a bare number
-# has the example's unit.
+# Adds the unit of the example `like` to a bare number in a text field.
 typed_quantity <- function(text, like) {
   text <- with_point(text)
   parts <- split_quantity(text)
@@ -109,7 +108,7 @@ typed_quantity <- function(text, like) {
   if (is.null(parts) || nzchar(parts[2]) || !isTRUE(nzchar(unit))) text else paste(parts[1], unit)
 }
 
-# What a typed number was understood as, and whether it is far from what the field had.
+# Returns list(text, doubt), or NULL if the field is not a quantity.
 understood_value <- function(before, after, path) {
   node <- path_node(after, path)
   now <- at_path(after, path_steps(path))
@@ -133,18 +132,18 @@ doubt_of <- function(si, now, was, dimension, text) {
   near <- nzchar(unit) &&
     abs(log10(abs(quantity_si(instead, dimension) / usual))) < log10(doubtful_factor)
   list(
-    message = sprintf("Is it really %s? It was %s.", text, show_value(was)),
+    message = sprintf("Is %s correct? The value was %s.", text, show_value(was)),
     instead = if (near) instead
   )
 }
 
-# What a plan says on one line, as a value. Nothing of it is run.
+# Parses YAML on one line and never runs code.
 yaml_value <- function(text, refuse) {
   line <- gsub("[\r\n]+", " ", enc2utf8(text))
   tree <- tryCatch(
     plan_of_bytes(charToRaw(enc2utf8(paste0("value: ", line))), "on this page"),
     codend_error = function(e) NULL
   )
-  if (is.null(tree$value)) refuse("as a plan writes it, such as 4 m, [1, 2] or {length: 2 m}")
+  if (is.null(tree$value)) refuse("in the notation of plans, such as 4 m, [1, 2] or {length: 2 m}")
   tree$value
 }

@@ -1,22 +1,20 @@
-# The fields of a plan as the flume tank's controls.
+# The controls of the flume tank for fields of a plan.
 
-# A control is a list of label, help, paths (fields that change together), must (what the schema
-# allows, in words), required (whether the plan must give it), kind and value, by kind
-#   number  unit (as shown), factor (to SI), dimension (NULL without units), low, high and step (of
-#           the slider, in the unit), whole; `typed` in place of the value where a draft has what is
-#           no number
-#   choice  choices
-#   truth
-#   word    a text, with `suggest`: texts to choose from, if any
-#   yaml    anything else, as a plan writes it on one line
+# A control is list(label, help, paths (fields that change together), must (allowed values, in
+# words), required (TRUE if the plan must give the field), kind, value). Further elements depend on
+# the kind.
+#   `number`: unit (as displayed), factor (to SI), dimension (or NULL), whole, and the slider's low,
+#   high and step. If a draft has no number here, `typed` replaces the value.
+#   `choice`: choices.
+#   `truth`: a logical value.
+#   `word`: a string, with `suggest` (strings to choose from).
+#   `yaml`: any other value, as YAML on one line.
 
-# The controls that a page begins with.
-#
-# marked: paths that the user asks for beside the usual ones; those that the plan lacks are left
-# out. say: as of new_say().
-plan_controls <- function(plan, marked = list(), say = new_say()) {
+# Returns the controls at the top of the form. marked: paths that the user added; paths that are not
+# in the plan are skipped. `say`: translator from make_translator().
+plan_controls <- function(plan, marked = list(), say = make_translator()) {
   usual <- lapply(usual_of_plan(plan), function(ask) {
-    ask$label <- said_label(say, ask$label, ask$paths[1])
+    ask$label <- label_of_fields(say, ask$label, ask$paths[1])
     ask
   })
   asked <- Map(list, label = marked_labels(marked, say), paths = marked)
@@ -30,23 +28,23 @@ plan_controls <- function(plan, marked = list(), say = new_say()) {
   Filter(Negate(is.null), controls)
 }
 
-# "otter_boards.lift_coefficient" becomes "Otter boards: lift coefficient", unless it has a name.
+# The default label of "otter_boards.lift_coefficient" is "Otter boards: lift coefficient".
 marked_labels <- function(marked, say) {
   given <- names(marked)
   if (is.null(given)) given <- character(length(marked))
   vapply(seq_along(marked), function(k) {
-    if (nzchar(given[k])) given[k] else said_path(say, marked[[k]][1])
+    if (nzchar(given[k])) given[k] else label_of_path(say, marked[[k]][1])
   }, "")
 }
 
-# A control of a field that is a number, a choice or a truth value, or NULL.
+# Returns NULL for a field that is not a number, a choice or a logical value.
 simple_control <- function(label, paths, field) {
   if (is.null(field$node)) return(NULL)
   control <- new_control(label, paths, field)
   if (control$kind %in% c("number", "choice", "truth")) control
 }
 
-# The control of any field: list(node, value, given) of plan_field().
+# field: list(node, value, given) from plan_field().
 new_control <- function(label, paths, field, required = TRUE) {
   node <- field$node
   about <- list(
@@ -70,12 +68,12 @@ new_control <- function(label, paths, field, required = TRUE) {
 
 is_number_node <- function(node) node$shape %in% c("quantity", "number", "integer")
 
-# Words that a field of any text is often given.
+# Returns strings that users often enter in a text field, or NULL.
 suggestions <- function(path) {
   if (grepl("(^|[.])material$", path)) c(names(material_abbreviations), rownames(gear_materials))
 }
 
-# A number as the plan gives it, in its own unit; without a value in the first of its units.
+# A field without a value has the first unit of its dimension.
 number_control <- function(field) {
   node <- field$node
   dimension <- node[["x-dimension"]]
@@ -100,12 +98,12 @@ number_control <- function(field) {
   )
 }
 
-# Factors to SI by dimension and unit, one spelling each: what a page offers beside a number.
+# Factors to SI by dimension and unit, with one spelling per unit.
 offered_units <- function() {
   lapply(plan_units, function(units) as.list(units[!duplicated(units)]))
 }
 
-# From half to one and a half times the value, as far as the schema allows, in round steps.
+# Returns 0.5 to 1.5 times the value, in round steps and within the limits of the schema.
 control_range <- function(value, node, factor) {
   ends <- if (value == 0) c(0, 1) else range(c(0.5, 1.5) * value)
   step <- round_step(diff(ends) / 80)
@@ -120,13 +118,13 @@ control_range <- function(value, node, factor) {
   list(low = signif(max(ends[1], least), 10), high = signif(min(ends[2], most), 10), step = step)
 }
 
-# 1, 2 or 5 times a power of ten, not below x.
+# Rounds x up to 1, 2 or 5 times a power of ten.
 round_step <- function(x) {
   power <- 10^floor(log10(x))
   power * c(1, 2, 5, 10)[which(c(1, 2, 5, 10) * power >= x * (1 - 1e-9))[1]]
 }
 
-# Paths of all fields of a plan that can have a slider, a choice or a tick.
+# Returns the paths of all fields that simple_control() supports.
 markable_fields <- function(plan) {
   Filter(function(path) {
     field <- plan_field(plan, path)
@@ -134,7 +132,7 @@ markable_fields <- function(plan) {
   }, given_paths(plan))
 }
 
-# Stops unless every marked field is one that this plan has and a control can show.
+# Throws an error unless the plan has each marked field and a control for it. Returns a list.
 check_marked <- function(marked, plan) {
   texts <- is.character(marked) ||
     (is.list(marked) && all(vapply(marked, is.character, NA)) && all(lengths(marked) > 0))
@@ -149,12 +147,13 @@ check_marked <- function(marked, plan) {
     if (is.null(field)) {
       near <- nearest(path, markable_fields(plan))
       suggestion <- if (length(near)) paste0("; did you mean \"", near, "\"?") else "."
-      abort_argument("{.arg fields} holds {.val {path}}, which this plan does not have{suggestion}")
+      abort_argument("{.arg fields} has {.val {path}}, but this plan does not have that
+        field{suggestion}")
     }
     if (is.null(simple_control("", path, field))) {
       abort_argument(
-        "{.arg fields} holds {.val {path}}, which is no single number, choice or yes or no; the
-        flume tank has no control for it."
+        "{.arg fields} has {.val {path}}, but the flume tank has no control for that field. Use
+        fields with one number, one choice, or yes and no."
       )
     }
   }

@@ -1,14 +1,14 @@
-# The form of the flume tank: every field that a plan gives, in the order of a net drawing, and what
-# may be added to it. All of it is made from the schema.
+# The form of the flume tank, generated from the schema: the fields of a plan in the order of a net
+# drawing, and fields that can be added.
 
-# The form's groups: their titles, and the fields of a plan's first level that each holds.
-form_rooms <- list(
+# The top-level plan fields in each group of the form, by title.
+form_sections <- list(
   Netting = c(
     "panels", "wings", "square", "sections", "wall", "bottom", "shape", "diameter", "depth",
     "length", "mouth", "selvedges", "seams", "grids", "catch"
   ),
   Ropes = c(
-    "head_line", "head_line_extensions", "footrope", "footrope_extensions", "side_lines",
+    "headline", "headline_extensions", "footrope", "footrope_extensions", "side_lines",
     "belly_lines", "cross_ropes", "float_line", "lead_line", "collar", "frame", "bottom_rope",
     "side_ropes", "ropes",
     "main_line", "branch_lines", "float_lines", "shortening_ratio", "baskets", "hooks"
@@ -34,24 +34,24 @@ form_rooms <- list(
   )
 )
 
-# Fields of a plan that the form leaves to the plan's text.
+# Users edit these fields in the plan text.
 form_leaves <- c("codend", "kind", "notes", "sources", "uncertain")
 
-# The form of a plan: a list of groups of list(title, words (the title as the page says it), parts,
-# open, absent), a part list(path, title, help, fields (controls), picks, open (whether the schema
-# allows fields that it lacks), absent (their paths), named (whether it is one of several that are
-# told by their names), required).
-plan_form <- function(plan, say = new_say()) {
+# Returns a list of groups, each list(title, words (translated title), parts, open, absent). A part
+# is list(path, title, help, fields (controls), picks, absent, open, named, required). `absent`
+# lists fields that can be added; `open` is TRUE if there are any. `named` parts have names from the
+# plan.
+plan_form <- function(plan, say = make_translator()) {
   node <- plan_node(plan)
-  lapply(names(form_rooms), function(title) {
-    names <- intersect(names(plan), form_rooms[[title]])
+  lapply(names(form_sections), function(title) {
+    names <- intersect(names(plan), form_sections[[title]])
     single <- Filter(function(name) !is_part(plan[[name]]), names)
     fields <- form_fields(plan[single], node, "", "", say)
     own <- if (length(fields)) list(list(path = "", title = title, fields = fields))
     parts <- lapply(setdiff(names, single), function(name) {
       form_parts(plan[[name]], child_node(node, name), name, name %in% node$required, say = say)
     })
-    absent <- setdiff(intersect(form_rooms[[title]], names(node$properties)), names(plan))
+    absent <- setdiff(intersect(form_sections[[title]], names(node$properties)), names(plan))
     list(
       title = title, words = say(paste0("room.", title)),
       parts = unname(c(own, do.call(c, parts))), open = length(absent) > 0L, absent = I(absent)
@@ -59,12 +59,12 @@ plan_form <- function(plan, say = new_say()) {
   })
 }
 
-# A map whose fields have paths; a name with a point in it would be two steps of one.
+# A field name with a point would be two steps of a path.
 is_part <- function(value) {
   is_map(value) && length(value) > 0L && !any(grepl(".", names(value), fixed = TRUE))
 }
 
-# A map's part, and those of the maps in it that have parts or fields of their own.
+# Maps within a top-level map are parts of their own. Fields of deeper maps belong to their part.
 form_parts <- function(value, node, path, required, is_named = FALSE, say) {
   node <- meant_node(value, node)
   if (is.null(node)) return(list())
@@ -74,7 +74,7 @@ form_parts <- function(value, node, path, required, is_named = FALSE, say) {
   apart <- if (steps == 1L) names(inner) else character()
   fields <- form_fields(value[setdiff(names(value), apart)], node, path, "", say)
   part <- list(list(
-    path = path, title = said_path(say, path), help = first_of(node$description, ""),
+    path = path, title = label_of_path(say, path), help = first_of(node$description, ""),
     fields = fields,
     picks = part_picks(value, node, path),
     absent = I(as.character(absent_fields(value, node, path))),
@@ -88,7 +88,7 @@ form_parts <- function(value, node, path, required, is_named = FALSE, say) {
   c(part, do.call(c, others))
 }
 
-# Paths of the fields that a part and the maps in it could have and have not.
+# Returns the paths of fields that can be added to a part and to the maps in it.
 absent_fields <- function(value, node, path) {
   own <- setdiff(names(node$properties), names(value))
   if (length(own)) own <- paste0(join(path, ""), own)
@@ -100,7 +100,7 @@ absent_fields <- function(value, node, path) {
   })))
 }
 
-# What of a part can be picked from the catalogue, its twine as well: list(path, classes).
+# Returns list(path, classes) if the catalogue has rows for a part or its twine.
 part_picks <- function(value, node, path) {
   nodes <- list(node, if (is_map(value$twine)) meant_node(value$twine, child_node(node, "twine")))
   picks <- Map(function(node, path) {
@@ -110,12 +110,12 @@ part_picks <- function(value, node, path) {
   Filter(Negate(is.null), picks)
 }
 
-# The controls of a map's fields; those of maps in it by both their names.
+# The label of a field in an inner map begins with the map's name.
 form_fields <- function(value, node, path, ahead, say) {
   found <- lapply(names(value), function(name) {
     at <- join(path, name)
     inner <- meant_node(value[[name]], child_node(node, name))
-    label <- paste0(ahead, said_field(say, name))
+    label <- paste0(ahead, label_of_field(say, name))
     if (is.null(inner)) return(NULL)
     if (is_part(value[[name]])) {
       return(form_fields(value[[name]], inner, at, paste0(label, ": "), say))
@@ -126,36 +126,36 @@ form_fields <- function(value, node, path, ahead, say) {
   do.call(c, found)
 }
 
-# Controls of the fields that a part of a plan (of a group, where `path` is empty) could have and
-# has not; their values are what holds without them, where the schema says so.
-form_offers <- function(plan, path, title, say = new_say()) {
+# Returns controls for fields that can be added to a part, or to the group `title` if `path` is
+# empty. Their values are defaults of the schema.
+form_offers <- function(plan, path, title, say = make_translator()) {
   node <- plan_node(plan)
   given <- plan
   if (nzchar(path)) {
     field <- plan_field(plan, path)
-    if (is.null(field$node)) abort_argument("The plan has no {.val {path}}.")
+    if (is.null(field$node)) abort_argument("The plan has no field {.val {path}}.")
     node <- field$node
     given <- field$value
   }
   absent <- setdiff(names(node$properties), names(given))
-  if (!nzchar(path)) absent <- intersect(form_rooms[[title]], absent)
+  if (!nzchar(path)) absent <- intersect(form_sections[[title]], absent)
   lapply(setdiff(absent, form_leaves), function(name) {
     inner <- node$properties[[name]]
-    # of several ways to write it a number is the one that is changed most
+    # if a field accepts several types, offer the number, which users change most
     if (identical(inner$shape, "any")) {
       number <- Filter(is_number_node, inner$choices)
       if (length(number)) inner <- utils::modifyList(number[[1]], inner["description"])
     }
     plain <- is.atomic(inner$default) && length(inner$default) == 1L
     new_control(
-      capital(said_field(say, name)), join(path, name),
+      capital(label_of_field(say, name)), join(path, name),
       list(node = inner, value = if (plain) inner$default), FALSE
     )
   })
 }
 
-# What a page is sent to lay out its controls. turn: of the gear that was opened last.
-form_message <- function(plan, marked, turn, say = new_say()) {
+# Returns the data from which a page builds its controls. turn: number of the last opened gear.
+form_message <- function(plan, marked, turn, say = make_translator()) {
   list(
     turn = turn, kind = first_of(plan$kind, "assembly"),
     quick = plan_controls(plan, marked, say),

@@ -1,5 +1,4 @@
-# Where a page of the flume tank begins: all gears that codend ships, a new one, a plan of one's
-# own.
+# The start page of the flume tank: all shipped gears, a new gear, or the user's own plan.
 
 flume_gallery <- function(say, shares) {
   tags <- shiny::tags
@@ -23,7 +22,6 @@ flume_gallery <- function(say, shares) {
   )
 }
 
-# list(name, title, kind, size) of every shipped gear.
 gallery_gears <- remembered(read_gallery)
 
 read_gallery <- function(version = 1) {
@@ -36,7 +34,7 @@ read_gallery <- function(version = 1) {
   })
 }
 
-# How large a gear is, as far as its plan says: list(panels, ropes, speed in m/s).
+# Returns list(panels, ropes, speed [m/s]) from a gear's plan, 0 if not given.
 gear_size <- function(gear) {
   si <- gear_si(gear)
   speed <- si$towing$speed
@@ -46,22 +44,22 @@ gear_size <- function(gear) {
   )
 }
 
-# ... in words: "19 panels, 12 ropes, 4 knot".
-size_words <- function(size, say) {
+# Returns a string such as "19 panels, 12 ropes, 4 knot".
+gear_size_text <- function(size, say) {
   paste(c(
     if (size$panels == 1) say("panels_one", n = 1),
     if (size$panels > 1) say("panels_many", n = size$panels),
     if (size$ropes == 1) say("ropes_one", n = 1),
     if (size$ropes > 1) say("ropes_many", n = size$ropes),
     if (size$speed > 0) {
-      paste(shortest_decimal(round(in_unit(size$speed, "knot"), 1)), said_unit(say, "knot"))
+      paste(shortest_decimal(round(in_unit(size$speed, "knot"), 1)), label_of_unit(say, "knot"))
     }
   ), collapse = ", ")
 }
 
 gear_card <- function(gear, say) {
   tags <- shiny::tags
-  size <- size_words(gear$size, say)
+  size <- gear_size_text(gear$size, say)
   tags$button(
     type = "button", class = "card gear-card", `data-gear` = gear$name,
     tags$img(src = paste0("codend-app/gears/", gear$name, ".jpg"), alt = "", loading = "lazy",
@@ -72,23 +70,22 @@ gear_card <- function(gear, say) {
   )
 }
 
-# A field for each number that new_plan() asks for, by kind.
 new_gear_form <- function(say) {
   tags <- shiny::tags
   kinds <- new_plan_kinds()
   numbers <- function(kind) {
-    asks <- kinds[[kind]]$asks
+    requests <- kinds[[kind]]$requests
     tags$fieldset(
       class = "new-numbers", `data-kind` = kind, hidden = if (kind != names(kinds)[1]) NA,
       tags$legend(class = "visually-hidden", say(paste0("kind.", kind))),
-      if (!length(asks)) tags$p(class = "note", say("as_shipped")),
+      if (!length(requests)) tags$p(class = "note", say("as_shipped")),
       Map(function(name, value) {
         tags$label(
-          capital(said_field(say, name)),
+          capital(label_of_field(say, name)),
           tags$input(type = "text", class = "form-control form-control-sm", value = value,
             `data-ask` = name, autocomplete = "off")
         )
-      }, names(asks), unname(asks))
+      }, names(requests), unname(requests))
     )
   }
   tags$div(
@@ -102,7 +99,7 @@ new_gear_form <- function(say) {
     ),
     lapply(names(kinds), numbers),
     tags$p(id = "new_error", class = "field-error", role = "alert", hidden = NA),
-    # no button of type submit: Shiny would hold back every input of the page for it
+    # a submit button would make Shiny hold back all inputs of the page
     tags$button(type = "button", id = "make_gear", class = "btn btn-primary btn-sm", say("make_it"))
   )
 }
@@ -111,7 +108,7 @@ open_plan_field <- function(say) {
   tags <- shiny::tags
   tags$div(
     id = "plan_drop",
-    # without an id Shiny leaves it alone: the page reads the file and sends what is in it
+    # Shiny ignores a field without an id: the page reads the file and sends its content
     tags$label(
       say("open_plan"),
       tags$input(type = "file", class = "form-control plan-file", accept = ".yaml,.yml,.json")

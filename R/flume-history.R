@@ -1,26 +1,25 @@
-# Designs as the flume tank keeps them: what was done and undone, and what an address says of one.
+# Designs of the flume tank: undo and redo, and designs in the address of the page.
 
-# A design is list(plan, file, source) of a gear, which as_gear() makes one again.
+# A design is list(plan, file, source) of a gear; gear_of_design() converts it back.
 design_of <- function(gear) list(plan = gear$plan, file = gear$file, source = gear$source)
 
 gear_of_design <- function(design, like = NULL) {
   as_gear(design$plan, file = design$file, like = like, source = design$source)
 }
 
-# Steps back at most.
+# Largest number of undo steps.
 most_past <- 60L
 
-# What was done: list(past, future), designs, the last one last.
+# A history is list(past, future) of designs. The design of the next step is the last one.
 new_history <- function() list(past = list(), future = list())
 
-# ... after a change of a design. again: whether it goes on with the last change, as a slider does
-# while it moves.
+# again: TRUE if the change continues the previous change, such as the movement of a slider.
 history_after <- function(history, design, again = FALSE) {
   if (again) return(history)
   list(past = utils::tail(c(history$past, list(design)), most_past), future = list())
 }
 
-# ... after a step back (or on) from a design.
+# Returns the history after undo, or redo if `on`, of a design.
 history_back <- function(history, design, on = FALSE) {
   from <- if (on) "future" else "past"
   to <- if (on) "past" else "future"
@@ -29,17 +28,17 @@ history_back <- function(history, design, on = FALSE) {
   history
 }
 
-# The text of a draft, with the remarks of its source where it can keep them.
+# The text contains the remarks of the source if possible.
 draft_text <- function(design) edited_text(design$source, design$plan)
 
-# What an address says of a design: list(base = name of a shipped plan, edits = changed fields by
-# path), else list(plan = its text).
-design_words <- function(design) {
+# Returns the design for a page address: list(base = name of a shipped plan, edits = changed fields
+# by path) if possible, otherwise list(plan = text).
+design_strings <- function(design) {
   base <- loaded_shipped(design)
   if (!is.null(base)) {
     found <- plan_changes(split_uncertain(read_plan(design$file)), design$plan)
     plain <- vapply(found, function(d) {
-      # paths in `uncertain` have points of their own
+      # names in `uncertain` contain points, which separate the steps of a path
       !startsWith(d$path, "uncertain") &&
         (is.null(d$value) || is.atomic(d$value) && length(d$value) == 1L)
     }, NA)
@@ -52,18 +51,18 @@ design_words <- function(design) {
   list(plan = edited_text(design$source, design$plan))
 }
 
-# The gear of what an address says, checked as anything that a page sends.
-gear_of_words <- function(words) {
+# Returns the gear of a page address. An address may contain anything, so all of it is checked.
+gear_of_address <- function(words) {
   words <- as.list(words)
   if (is.null(words$base)) return(read_sent(words$plan, "in this address"))
   if (!is_text(words$base) || !words$base %in% names(shipped_plans())) {
-    abort_argument("This address names a gear that codend does not ship.")
+    abort_argument("The gear in this address is not a shipped gear.")
   }
   gear <- read_gear(words$base)
   edits <- as.list(words$edits)
   if (!length(edits)) return(gear)
   if (!is_map(edits) || length(edits) > most_edits || any(nchar(names(edits)) > most_characters)) {
-    abort_argument("This address does not say what of the gear changes.")
+    abort_argument("This address has no list of changed fields.")
   }
   plan <- gear$plan
   for (path in names(edits)) {

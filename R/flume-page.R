@@ -1,8 +1,8 @@
-# The flume tank's page.
+# The page of the flume tank.
 
-# opens: whether a gear is on screen at once, not the gallery; say: as of new_say(), here and below;
-# shares: whether there is a folder of shared designs.
-flume_page <- function(opens = TRUE, say = new_say(), shares = FALSE) {
+# opens: TRUE if the page starts with a gear instead of the gallery. `say`: translator from
+# make_translator(), here and below. shares: TRUE if there is a folder of shared designs.
+flume_page <- function(opens = TRUE, say = make_translator(), shares = FALSE) {
   tags <- shiny::tags
   asset <- function(name) paste0("codend-app/", name)
   of_viewer <- function(name) paste0("codend-view/", name)
@@ -28,12 +28,12 @@ flume_page <- function(opens = TRUE, say = new_say(), shares = FALSE) {
       tags$div(id = "said", class = "visually-hidden", role = "status", `aria-live` = "polite"),
       tags$script(type = "application/json", id = "catalogue",
         shiny::HTML(catalogue_json())),
-      tags$script(type = "application/json", id = "words", shiny::HTML(words_json(say)))
+      tags$script(type = "application/json", id = "words", shiny::HTML(strings_json(say)))
     )
   )
 }
 
-# The page's own scripts, in the order in which they are read after the viewer's.
+# The page's own scripts, in load order after the viewer's scripts.
 flume_scripts <- c(
   "words.js", "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js",
   "slopes.js", "graphs.js", "vary.js", "tow.js", "page.js"
@@ -49,7 +49,7 @@ flume_header <- function(say) {
     tags$select(
       class = "form-select form-select-sm preferred", `data-dimension` = dimension,
       `aria-label` = label, lapply(preferred_units[[dimension]], function(unit) {
-        tags$option(value = unit, said_unit(say, unit))
+        tags$option(value = unit, label_of_unit(say, unit))
       })
     )
   }
@@ -68,8 +68,7 @@ flume_header <- function(say) {
   )
 }
 
-# The languages to choose from, each by its own name, and whether anybody has checked this one's
-# words.
+# The languages by their native names. A note marks translations that nobody has checked.
 flume_languages <- function(say) {
   tags <- shiny::tags
   language <- attr(say, "language")
@@ -80,7 +79,7 @@ flume_languages <- function(say) {
       id = "language", class = "form-select form-select-sm preferred-language",
       `aria-label` = say("language"), lapply(word_languages(), function(one) {
         tags$option(value = one, lang = one, selected = if (one == language) NA,
-          new_say(one)("language.name"))
+          make_translator(one)("language.name"))
       })
     ),
     if (!nzchar(table[[language]][table$key == "language.checked_by"])) {
@@ -90,7 +89,7 @@ flume_languages <- function(say) {
   )
 }
 
-# What is waited for, with a way out.
+# The progress of a request, with a button that cancels it.
 flume_waiting <- function(say) {
   tags <- shiny::tags
   tags$div(
@@ -128,7 +127,7 @@ flume_tank <- function(say) {
   )
 }
 
-# The controls themselves are laid out by form.js, from what R/flume-form.R makes of the schema.
+# form.js adds the controls, from the data of form_message().
 flume_controls <- function(say) {
   tags <- shiny::tags
   tags$section(
@@ -177,7 +176,7 @@ flume_measures <- function(say) {
   )
 }
 
-# Whether codend was installed with its guides.
+# TRUE if codend was installed with its guides.
 has_measures_guide <- function() nzchar(system.file("doc", "measures.html", package = "codend"))
 
 measures_guide <- function(say) {
@@ -189,7 +188,7 @@ measures_guide <- function(say) {
   })
 }
 
-# What a little more of a field would do, beside the measures.
+# The effect of a small increase of a field on the measures.
 flume_more_of <- function(say) {
   tags <- shiny::tags
   tags$details(
@@ -226,7 +225,7 @@ flume_tabs <- function(say, shares) {
         plane("xz", say("from_port")), plane("yz", say("from_astern")))),
       tab("Tensions", say("tab_tensions"), shiny::uiOutput("tensions")),
       tab("Drag", say("tab_drag"), shiny::uiOutput("drag")),
-      tab("Slopes", say("tab_slopes"), flume_slopes_tab(say)),
+      tab("Slopes", say("tab_slopes"), sensitivities_tab(say)),
       tab("Vary", say("tab_vary"), flume_vary_tab(say)),
       tab("Tow", say("tab_tow"), flume_tow_tab(say)),
       tab("Designs", say("tab_designs"), tags$div(id = "kept_designs"), shiny::uiOutput("designs"),
@@ -242,7 +241,7 @@ flume_tabs <- function(say, shares) {
   )
 }
 
-flume_slopes_tab <- function(say) {
+sensitivities_tab <- function(say) {
   tags <- shiny::tags
   tags$div(
     tags$p(class = "note", say("slopes_note")),
@@ -252,7 +251,6 @@ flume_slopes_tab <- function(say) {
   )
 }
 
-# Measures against a field, as graphs.
 flume_vary_tab <- function(say) {
   tags <- shiny::tags
   text <- function(id, label, ...) {
@@ -289,7 +287,6 @@ flume_vary_tab <- function(say) {
   )
 }
 
-# A tow from the design on screen, its picture and its graphs.
 flume_tow_tab <- function(say) {
   tags <- shiny::tags
   text <- function(id, label, value, about = NULL) {
@@ -335,7 +332,6 @@ flume_tow_tab <- function(say) {
   )
 }
 
-# A thing that can be saved.
 save_line <- function(id, text, about) {
   shiny::tags$li(
     shiny::downloadButton(id, text, class = "btn-sm"), shiny::tags$span(class = "note", about)

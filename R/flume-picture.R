@@ -1,14 +1,14 @@
-# What the flume tank's viewer is sent: scenes of the design on screen and of kept ones, in a few
-# tens of kilobytes; what joins their points only when it changes.
+# Data for the viewer of the flume tank: scenes of the design on screen and of stored designs, some
+# tens of kilobytes. Connectivity is sent only if it has changed.
 
-# Lines and cells that a tank's picture has at most.
+# Largest number of lines and cells in a picture.
 flume_lines <- 6000L
 
-# The lines, netting and marks of a state without what colours of meshes take.
+# Returns the shape of a state without the data for mesh colours.
 flume_shape <- function(state) scene_shape(state, flume_lines)
 
-# What of a state the tank keeps to draw it: what joins its points (fixed), what moves, and the
-# values that colours are scaled by. shape: as flume_shape() gives it.
+# Returns the connectivity (`fixed`), moving data (`moved`) and values that determine colour scales.
+# shape: from flume_shape().
 flume_drawing <- function(state, shape = flume_shape(state)) {
   shape <- with_meshes(shape)
   c(
@@ -17,10 +17,9 @@ flume_drawing <- function(state, shape = flume_shape(state)) {
   )
 }
 
-# The message of a picture. now: a drawing; seen: kept designs that are drawn with it; known: what
-# the page already has, list(now = a drawing, kept = ids), NULL at first; passed: whether the page
-# has the present shape from moved_message(). Colours of all have the same scales, so that they
-# compare.
+# now: drawing of the design on screen; seen: visible stored designs. `known`: list(now = drawing,
+# kept = ids) that the page already has. `passed`: TRUE if it has the shape from moved_message().
+# All designs share one colour scale per quantity.
 picture_message <- function(state, now, seen, known, passed = FALSE) {
   moved <- if (passed) now$moved[setdiff(names(now$moved), moved_arrays)] else now$moved
   about <- scene_about(state, c(list(now), lapply(seen, `[[`, "drawing")))
@@ -37,19 +36,19 @@ picture_message <- function(state, now, seen, known, passed = FALSE) {
   )
 }
 
-# What moves as a slider does, in the order in which moved_message() has it.
+# Arrays that change while a slider moves, in the order of moved_message().
 moved_arrays <- c("points", "rope_tension", "u", "v", "drag", "places", "boards")
 
-# A design that a slider passes through, for the page to draw before anything else of it is known.
-# shape: as flume_shape() gives it; fixed: what the page has of what joins points. Returns
-# list(moved (raw): the bytes of a header of JSON (4), the header, then single floats,
-# little-endian; fixed: that of this state; anew: whether it is another).
+# Returns the shape of a design while a slider moves. The page draws it before it has other data.
+# shape: from flume_shape(); fixed: connectivity that the page has; number: of the page's question.
+# Returns list(moved, fixed, anew). `moved` (raw) has the length of a JSON header (4 bytes), the
+# header, then single floats, little-endian. `anew` is TRUE if the connectivity has changed.
 moved_message <- function(state, shape, fixed, number) {
   shape$rope_tension <- shape$ropes
   arrays <- lapply(shape[moved_arrays], as.double)
   now_fixed <- scene_fixed(shape)
   changed <- names(now_fixed)[!mapply(identical, now_fixed, fixed[names(now_fixed)])]
-  # of the same marks the page takes their sizes; others are laid out with all
+  # if only sizes of marks differ, the page updates them; otherwise it needs the full layout
   same_marks <- identical(now_fixed$marks[c("role", "fill")], fixed$marks[c("role", "fill")])
   if (!same_marks || "vessels" %in% changed) changed <- names(now_fixed)
   bed <- drawn_bed(state)
@@ -65,7 +64,7 @@ moved_message <- function(state, shape, fixed, number) {
   text <- charToRaw(enc2utf8(as.character(
     jsonlite::toJSON(header, auto_unbox = TRUE, digits = I(7), null = "null", na = "null")
   )))
-  # floats begin at a multiple of their size
+  # floats must start at a multiple of their size
   text <- c(text, rep(charToRaw(" "), -length(text) %% 4L))
   bytes <- function(x, size) writeBin(x, raw(), size = size, endian = "little")
   list(

@@ -1,16 +1,16 @@
-# What can be saved of what is on screen. The clerk writes what takes long.
+# Downloads of the flume tank. The slow worker writes files that take long.
 
 flume_saves <- function(output, tank, clerk) {
   save <- function(name, extension, write) {
     shiny::downloadHandler(
-      filename = function() paste0(file_words(tank$gear$plan$name), name, ".", extension),
+      filename = function() paste0(file_strings(tank$gear$plan$name), name, ".", extension),
       content = write
     )
   }
   table <- function(make) function(file) write_csv(make(), file)
   of_state <- function(format) {
     function(file) {
-      by_clerk(clerk, "save", file, function() {
+      on_slow_worker(clerk, "save", file, function() {
         tank$request("save", list(format = format, file = file))
       })
     }
@@ -55,23 +55,23 @@ flume_saves <- function(output, tank, clerk) {
 
 drawing_formats <- c("svg", "pdf", "dxf")
 
-# The promise of what the clerk answers to a request.
+# Returns a promise of the worker's answer.
 promised <- function(clerk, kind, make) {
   promises::promise(function(resolve, reject) {
     clerk$ask(kind, make, function(answer) {
-      if (is.null(answer)) return(reject("Another question took the place of this one."))
+      if (is.null(answer)) return(reject("A newer request has replaced this one."))
       if (is.null(answer$problem)) resolve(answer$found) else reject(answer$problem$message)
     })
   })
 }
 
-# ... of a file that it writes.
-by_clerk <- function(clerk, kind, file, make) {
+# Returns a promise of a file that the worker writes.
+on_slow_worker <- function(clerk, kind, file, make) {
   promises::then(promised(clerk, kind, make), function(found) file)
 }
 
-# A gear's name as part of a file's.
-file_words <- function(name) {
+# Converts a gear's name to a part of a file name.
+file_strings <- function(name) {
   words <- gsub("[^a-z0-9]+", "-", tolower(iconv(name, to = "ASCII//TRANSLIT", sub = "")))
   words <- gsub("^-|-$", "", substr(words, 1, 60))
   if (is.na(words) || !nzchar(words)) "gear" else words

@@ -1,15 +1,15 @@
-# The flume tank's server: one session is one browser with a gear of its own.
+# The server of the flume tank. A session is one browser with its own gear.
 
-# Pages at most at a time, each with processes of its own.
+# Largest number of sessions at a time, each with its own processes.
 flume_sessions <- 30L
 
-# A shape that a slider passes through is told whole, with its measures, once nothing else was asked
-# for so long (s), and during a long movement so often (s): the net itself moves more often.
+# While a slider moves, each shape is sent at once. Measures follow after a pause of `rest_pause` s,
+# and every `rest_every` s during a long movement.
 rest_pause <- 0.08
 rest_every <- 0.5
 
-# start: list(gear, state, notes) to open with, or NULL; new_worker: a function(seconds, late) that
-# gives a worker; folder: of shared designs, or NULL.
+# start: list(gear, state, notes) to open with, or NULL; marked: fields with additional controls;
+# new_worker: a function(seconds, late) that returns a worker; folder: of shared designs, or NULL.
 flume_server <- function(start, marked, nodes, new_worker = process_worker, folder = NULL) {
   pages <- 0L
   shared <- if (!is.null(folder)) new_shared(folder)
@@ -20,18 +20,18 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
     if (!same_origin(request)) return(session$close())
     if (pages >= flume_sessions) {
       said("flume_refused", answers = 0, where = "gallery", path = NULL,
-        message = "The tank has as many visitors as it can serve; try again later.")
+        message = "The tank has reached its maximum number of visitors; try again later.")
       return(session$close())
     }
     bound_messages(session)
-    # its page has the same address and headers
-    say <- new_say(page_language(
+    # the page has the same language, because its address and headers are the same
+    say <- make_translator(page_language(
       shiny::isolate(session$clientData$url_search), request$HTTP_ACCEPT_LANGUAGE
     ))
     tank <- new_tank(start, marked, nodes, say)
     worker <- new_worker()
-    # what is asked for and waited for: the net moves on meanwhile
-    clerk <- new_worker(seconds = clerk_seconds, late = TRUE)
+    # second worker for slow requests (reports, tows), so that the 3D view stays responsive
+    clerk <- new_worker(seconds = slow_worker_seconds, late = TRUE)
     pages <<- pages + 1L
     session$onSessionEnded(function() {
       pages <<- pages - 1L
@@ -39,7 +39,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
       clerk$stop()
     })
 
-    # A picture goes out before the tables are made.
+    # The picture is sent before the tables are made.
     show <- function(answers = 0, passed = FALSE) {
       if (is.null(tank$gear)) return(said("flume_idle", answers = answers))
       message <- tank$picture(passed)
@@ -49,8 +49,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
       ), message))
       tank$count_picture()
     }
-    # What the page is told of its draft: its form where that has other fields, what was understood
-    # of it, what is wrong, which steps there are.
+    # Sends the form if its fields changed, interpreted numbers, problems, and counts of undo steps.
     show_draft <- function(understood = list(), settling = FALSE) {
       if (is.null(tank$gear)) return()
       said("flume_draft",
@@ -63,7 +62,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
       said("flume_refused", answers = answers, where = where, message = problem$message,
         path = problem$path, cancelled = isTRUE(problem$cancelled))
     }
-    # A mistake of what the page asks is told there, and changes nothing.
+    # An error in a request is reported in its part of the page. Returns TRUE on success.
     trying <- function(where, expression, answers = 0) {
       problem <- flume_problem(expression)
       if (!is.null(problem)) refuse(problem, where, answers)
@@ -74,16 +73,16 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
       if (is.numeric(number) && length(number) == 1L) number else 0
     }
 
-    # Asks for the rest of the shape that the page has, or NULL where it has all; and since when it
-    # lacks some, s.
+    # Requests the rest of the shape that the page has (NULL if the page has all data); and the time
+    # since which data are missing [s].
     owed <- NULL
     since <- 0
     seconds <- function() proc.time()[["elapsed"]]
 
-    # A page that changes its design before it was answered, which a hand at a slider does not, is
-    # answered once for all these changes.
+    # If the page changes its design again before an answer, one answer covers all these changes. A
+    # moving slider waits for each answer.
     under_way <- FALSE
-    asked_again <- NULL  # the number of the last of them
+    asked_again <- NULL  # number of the last change
     take_design <- function(given) {
       number <- number_of(given)
       gesture <- if (is.numeric(given$gesture)) given$gesture[1] else -1
@@ -92,7 +91,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
       edits <- if (is.list(given$edits)) given$edits else list()
       understood <- NULL
       if (!trying("design", understood <- tank$edit(edits, gesture), number)) return()
-      # of what was not changed in the form
+      # the user changed the design outside the form
       if (isTRUE(given$anew)) tank$lay_out()
       if (!under_way) return(ask_design(number, understood))
       if (!is.null(asked_again)) said("flume_idle", answers = asked_again)
@@ -101,7 +100,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
     ask_design <- function(number, understood = list()) {
       under_way <<- TRUE
       show_draft(understood, settling = TRUE)
-      ask_worker("design", NULL, number)
+      request_worker("design", NULL, number)
     }
     design_answered <- function() {
       under_way <<- FALSE
@@ -110,12 +109,11 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
       if (!is.null(number)) ask_design(number)
     }
 
-    # Asks the worker for another gear, or for the draft as it is when its turn comes (kind
-    # "design"). A gear that is wrong changes nothing; a draft that does not settle stays, and so
-    # does the last shape. Where only its shape has come, that is shown before the rest is asked
-    # for.
-    ask_worker <- function(kind, asked, answers = 0, then = NULL) {
-      # of now, in the observer
+    # Requests another gear, or the draft at the time when the worker is free (kind "design"). An
+    # invalid gear changes nothing. If a draft does not settle, it is stored and the last shape
+    # stays. A shape that arrives alone is displayed before the rest is requested.
+    request_worker <- function(kind, asked, answers = 0, then = NULL) {
+      # evaluated now, in the observer
       force(asked)
       force(answers)
       edited <- tank$edited
@@ -132,7 +130,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
         worker$ask(kind, make, pause = pause, then = function(answer) {
           if (session$isClosed()) return()
           if (kind == "design") on.exit(design_answered())
-          # a later one has its place
+          # a later request has replaced this one
           if (is.null(answer)) return(said("flume_idle", answers = answers))
           if (!is.null(answer$problem)) {
             held <- !is.null(answer$draft)
@@ -140,7 +138,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
               tank$hold(answer$draft, edited)
               show_draft()
             }
-            # what was typed as a text is marked there too
+            # errors of a typed plan are also reported below its text
             if (held && kind == "design") {
               said("flume_idle", answers = answers)
             } else {
@@ -148,7 +146,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
             }
             if (is.null(owed)) return()
             if (kind %in% c("design", "plan_text") && worker$holds > 0) return(owed())
-            # nobody has the shape on screen any more
+            # the worker has lost this shape, so the last complete design is displayed again
             owed <<- NULL
             tank$forget_picture()
             show()
@@ -169,10 +167,10 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
         if (is.null(found$moved)) return(complete(found))
         session$sendBinaryMessage("flume_moved", found$moved)
         if (found$anew) tank$forget_picture()
-        # it goes on from this shape, told whole or not
+        # the worker continues from this shape, complete or not
         worker$holds <- tank$serial
         if (is.null(owed)) since <<- seconds()
-        # of no shape that another has taken the place of
+        # skipped if a newer shape has replaced this shape
         rest <- function() {
           ask("rest", function(found) complete(found, passed = TRUE),
             wanted = function() identical(owed, rest))
@@ -182,9 +180,9 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
       })
     }
 
-    # Asks the clerk for something of the state on screen; then(what it found). A later question of
-    # the kind takes the place of one that waits.
-    ask_clerk <- function(kind, asked, then) {
+    # Requests a product of the state on screen, then calls then(product). A later request of this
+    # kind replaces a waiting request.
+    request_slow_worker <- function(kind, asked, then) {
       force(asked)
       said("flume_clerk", busy = TRUE, what = kind)
       clerk$ask(
@@ -211,7 +209,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
         shiny::observeEvent(input[[kind]], {
           given <- input[[kind]]
           asked <- if (is.list(given) && "asked" %in% names(given)) given$asked else given
-          ask_worker(kind, asked, number_of(given))
+          request_worker(kind, asked, number_of(given))
         })
       })
     }
@@ -222,7 +220,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
           number <- number_of(input[[name]])
           if (!tank$step(name)) return(said("flume_idle", answers = number))
           show_draft(settling = TRUE)
-          ask_worker("design", NULL, number)
+          request_worker("design", NULL, number)
         })
       })
     }
@@ -236,23 +234,23 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
     })
 
     open_words <- flume_keeping(
-      input, tank, clerk, show, show_draft, trying, ask_worker, said, session
+      input, tank, clerk, show, show_draft, trying, request_worker, said, session
     )
     if (!is.null(shared)) {
       flume_shares(input, tank, shared, shared_changed, said, trying, open_words)
     }
-    flume_shown(input, output, tank, said, say)
-    flume_draws(input, tank, ask_clerk, said)
-    flume_slopes(input, output, session, tank, ask_clerk, said, say)
-    flume_intervals(input, tank, ask_clerk)
+    serve_display(input, output, tank, said, say)
+    flume_draws(input, tank, request_slow_worker, said)
+    serve_sensitivities(input, output, session, tank, request_slow_worker, said, say)
+    flume_intervals(input, tank, request_slow_worker)
     flume_varies(input, tank, clerk, said, session, say)
-    flume_tows(input, output, tank, clerk, ask_clerk, said)
+    flume_tows(input, output, tank, clerk, request_slow_worker, said)
     flume_saves(output, tank, clerk)
   }
 }
 
-# Whether a connection comes from the tank's own page. Browsers let any page open one to any server,
-# and name the page's origin with it; other programs name none.
+# TRUE if a connection comes from the tank's own page. A browser lets any page connect to any
+# server, but sends the page's origin. Other programs send no origin.
 same_origin <- function(request) {
   origin <- request$HTTP_ORIGIN
   if (is.null(origin)) return(TRUE)
@@ -266,12 +264,12 @@ same_origin <- function(request) {
     plain(sub("^[^/]*//", "", origin), scheme) == plain(host, scheme)
 }
 
-# Designs that are kept: input$keep = list(name), input$kept = list(id, act, name), and the words of
-# an address. Returns the function(words, number) that opens what an address says.
+# Handles stored designs and designs in an address: `input$keep` = list(name), `input$kept` =
+# list(id, act, name). Returns the function(words, number) that opens the designs of an address.
 flume_keeping <- function(
-  input, tank, clerk, show, show_draft, trying, ask_worker, said, session
+  input, tank, clerk, show, show_draft, trying, request_worker, said, session
 ) {
-  # rows of the catalogue, as they are kept
+  # user-defined rows of the catalogue
   take_own <- function(rows) {
     if (trying("own", tank$own <- own_rows(rows))) said("flume_own", rows = tank$own)
   }
@@ -287,7 +285,7 @@ flume_keeping <- function(
         tank$change(tank$kept[[tank$kept_at(asked$id)]]$design)
         tank$lay_out()
         show_draft(settling = TRUE)
-        ask_worker("design", NULL, if (is.numeric(asked$number)) asked$number[1] else 0)
+        request_worker("design", NULL, if (is.numeric(asked$number)) asked$number[1] else 0)
       })
     } else {
       good <- trying("keep", switch(act,
@@ -298,10 +296,10 @@ flume_keeping <- function(
       if (good && !is.null(tank$gear)) show()
     }
   })
-  # An address opens its design, then settles those that it keeps, one after the other. They are
-  # asked for as they are told, and a design that somebody opens meanwhile ends it.
+  # Opens the design of an address, then settles its stored designs in sequence. The sequence ends
+  # if the user opens another design.
   open_words <- function(words, number) {
-    others <- utils::head(as.list(words$kept), most_kept)
+    others <- utils::head(as.list(words$kept), most_stored_designs)
     first_words <- as.list(words$now)
     draft <- as.list(words$draft)$plan
     if (length(words$own)) take_own(c(tank$own, words$own))
@@ -317,7 +315,7 @@ flume_keeping <- function(
         function(answer) {
           if (session$isClosed() || !identical(tank$loaded, opened)) return()
           if (is.null(answer$problem)) {
-            # in place of the one that was kept as the address was opened
+            # replaces the design that was stored when the address was opened
             if (!begun) tank$kept <- list()
             begun <<- TRUE
             trying("keep", tank$keep(words$name, answer$found))
@@ -327,8 +325,8 @@ flume_keeping <- function(
         }
       )
     }
-    ask_worker("words", first_words, number, then = function() {
-      if (is_text(draft)) ask_worker("plan_text", draft)
+    request_worker("words", first_words, number, then = function() {
+      if (is_text(draft)) request_worker("plan_text", draft)
       settle_next(tank$loaded)
     })
   }
@@ -339,7 +337,7 @@ flume_keeping <- function(
   open_words
 }
 
-# The plan's field of a part or a support: where the plan names it, else of a rope that ends there.
+# Returns the plan field of a part or support. The fallback for a support is a rope that ends there.
 clicked_field <- function(gear, name) {
   path <- finding_field(gear$plan, name, NULL)
   if (!is.na(path)) return(path)
@@ -348,8 +346,7 @@ clicked_field <- function(gear, name) {
   finding_field(gear$plan, names(ends_there)[1L], NULL)
 }
 
-# Tables and texts of what is on screen.
-flume_shown <- function(input, output, tank, said, say) {
+serve_display <- function(input, output, tank, said, say) {
   of_state <- function(make) {
     shiny::renderUI({
       tank$changed()
@@ -365,7 +362,7 @@ flume_shown <- function(input, output, tank, said, say) {
   }
   output$measures <- measured(key = TRUE)
   output$other_measures <- measured(key = FALSE)
-  # they are there as soon as the page opens them
+  # rendered while hidden, so that they are ready when the page opens them
   shiny::outputOptions(output, "other_measures", suspendWhenHidden = FALSE)
   output$tensions <- of_state(function() tensions_html(tank$state, say))
   output$drag <- of_state(function() drag_html(tank$state, say))
@@ -381,7 +378,7 @@ flume_shown <- function(input, output, tank, said, say) {
     tank$changed()
     if (is.null(tank$gear)) "" else tank$code()
   })
-  # The page asks for texts once nothing moves: they take longer than a picture.
+  # The page requests strings once nothing moves, because they take longer than a picture.
   shiny::observeEvent(input$plan_wanted, {
     if (!is.null(tank$gear)) said("flume_plan", text = draft_text(tank$draft))
   })
@@ -389,7 +386,7 @@ flume_shown <- function(input, output, tank, said, say) {
     words <- if (!is.null(tank$gear)) tank$words()
     said("flume_words", words = words, number = input$words_wanted)
   })
-  # of a part that was clicked in the picture
+  # the user clicked a part in the picture
   shiny::observeEvent(input$part_wanted, {
     name <- as.list(input$part_wanted)$name
     if (is.null(tank$gear) || !is_text(name) || nchar(name) > most_name) return()

@@ -1,9 +1,9 @@
-# Designs that the visitors of a tank share, in a folder of the server: a file for each design and
-# one for the word of each author. Their names are made of the bytes of names alone, so that no name
-# leads out of the folder.
+# Designs that visitors of a tank share in a folder of the server: a file for each design and a file
+# for the password of each author. File names are hexadecimal, so that no name leads out of the
+# folder.
 
-# Authors and designs of a folder at most; bytes of a design and characters of a name; and wrong
-# words after which an author's designs rest so long (s).
+# Limits of a folder: authors, designs, bytes of a design and characters of a name. After
+# `most_wrong_words` wrong passwords an author's designs are locked for `wrong_words_rest` s.
 most_authors <- 300L
 most_shared <- 1000L
 most_shared_bytes <- 3e5
@@ -11,20 +11,23 @@ most_shared_name <- 30L
 most_wrong_words <- 5L
 wrong_words_rest <- 60
 
-# list(list() (of list(author, name, changed), the latest first), put(author, word, name, words),
-# take_out(author, word, name), words(author, name)) of a folder; words: as of tank$words(). now: a
-# function that gives the time (s).
+# Returns functions for a folder. list() returns list(author, name, changed) of each design, latest
+# first. The functions put(author, word, name, words), take_out(author, word, name) and
+# words(author, name) write, remove and read a design as from tank$words(). now: clock [s].
 new_shared <- function(folder, now = function() proc.time()[["elapsed"]]) {
   wrong <- list()
-  # The author's word must be theirs; one without a word gets this one.
+  # Checks an author's password. A new author gets this password.
   check_word <- function(author, word) {
     if (!is_text(word) || !nchar(word) %in% 6:100) {
-      abort_argument("A word has 6 to 100 characters.")
+      abort_argument("The password must have 6 to 100 characters.")
     }
     file <- author_file(folder, author)
     if (!file.exists(file)) {
       authors <- list.files(folder, "[.]author$")
-      if (length(authors) >= most_authors) abort_argument("This folder takes no more authors.")
+      if (length(authors) >= most_authors) {
+        abort_argument("The folder of shared designs is full: it has the maximum number of
+          authors.")
+      }
       salt <- digest::digest(list(author, Sys.time(), tempfile(), Sys.getpid()), algo = "sha256")
       known <- list(salt = salt, check = word_check(word, salt))
       return(write_text(jsonlite::toJSON(known, auto_unbox = TRUE), file))
@@ -32,7 +35,7 @@ new_shared <- function(folder, now = function() proc.time()[["elapsed"]]) {
     key <- basename(file)
     missed <- wrong[[key]]
     if (isTRUE(missed$count >= most_wrong_words) && now() - missed$since < wrong_words_rest) {
-      abort_argument("Too many wrong words were given for this author; try again in a minute.")
+      abort_argument("Too many wrong passwords for this author; try again in a minute.")
     }
     known <- jsonlite::read_json(file)
     if (identical(word_check(word, known$salt), known$check)) {
@@ -41,7 +44,8 @@ new_shared <- function(folder, now = function() proc.time()[["elapsed"]]) {
     }
     wrong[[key]] <<- list(count = first_of(missed$count, 0L) %% most_wrong_words + 1L,
       since = now())
-    abort_argument("This is not the word of {.val {author}}, who alone can change their designs.")
+    abort_argument("The password of {.val {author}} is wrong. Only {.val {author}} can change these
+      designs.")
   }
   list(
     list = function() shared_designs(folder),
@@ -49,10 +53,10 @@ new_shared <- function(folder, now = function() proc.time()[["elapsed"]]) {
       file <- design_file(folder, author, name)
       text <- design_json(words)
       if (nchar(text, "bytes") > most_shared_bytes) {
-        abort_argument("This is too large to be shared; remove some of the kept designs.")
+        abort_argument("The designs are too large to be shared; remove some of the kept designs.")
       }
       if (!file.exists(file) && length(shared_designs(folder)) >= most_shared) {
-        abort_argument("This folder takes no more designs.")
+        abort_argument("The folder of shared designs is full; remove a design first.")
       }
       check_word(author, word)
       write_text(c(text, ""), file)
@@ -67,13 +71,13 @@ new_shared <- function(folder, now = function() proc.time()[["elapsed"]]) {
       words <- if (file.size(file) <= 2 * most_shared_bytes) {
         tryCatch(jsonlite::read_json(file), error = function(e) NULL)
       }
-      if (!is_map(words)) abort_argument("The file of this design holds none.")
+      if (!is_map(words)) abort_argument("The file of this design is damaged.")
       words
     }
   )
 }
 
-# All designs of a page as text: what an address says of them.
+# words: from tank$words().
 design_json <- function(words) {
   as.character(jsonlite::toJSON(
     c(list(codend_designs = 1), words), auto_unbox = TRUE, digits = NA, null = "null"
@@ -100,12 +104,13 @@ design_file <- function(folder, author, name) {
   file.path(folder, paste0(paste(words, collapse = "-"), ".json"))
 }
 
-# The bytes of a name, without spaces at its ends, as text that any system takes for a file.
+# Returns the bytes of a trimmed name as hexadecimal digits, which every system accepts in file
+# names.
 hex_of_name <- function(name, of) {
   name <- if (is_text(name) && validUTF8(enc2utf8(name))) design_name(name, "") else ""
   bytes <- charToRaw(enc2utf8(name))
   if (!length(bytes) || nchar(name) > most_shared_name || length(bytes) > 2L * most_shared_name) {
-    abort_argument("The name of the {of} must be a text of 1 to {most_shared_name} characters.")
+    abort_argument("The name of the {of} must have 1 to {most_shared_name} characters.")
   }
   paste(bytes, collapse = "")
 }
@@ -117,7 +122,7 @@ name_of_hex <- function(hex) {
   if (validUTF8(name)) name else hex
 }
 
-# What is kept of a word: it takes long to try many.
+# Returns a hash of a password that is slow to compute, so that many guesses take long.
 word_check <- function(word, salt) {
   check <- enc2utf8(word)
   for (k in 1:2000) check <- digest::hmac(salt, check, "sha256")
@@ -125,15 +130,14 @@ word_check <- function(word, salt) {
 }
 
 there <- function(file) {
-  if (!file.exists(file)) abort_argument("There is no such design in the folder any more.")
+  if (!file.exists(file)) abort_argument("This design is no longer in the folder.")
   file
 }
 
 # ---- on the page ---------------------------------------------------------------------------------
 
-# What a page may do with the folder: see its list, open a copy, put its designs there or take them
-# out. changed: counts changes of the folder for all pages; open_words(words, number) opens what an
-# address says.
+# Lists the folder, opens copies, and shares and removes designs. changed: counter of changes for
+# all pages; open_words(words, number): opens the designs of an address.
 flume_shares <- function(input, tank, shared, changed, said, trying, open_words) {
   shiny::observe({
     changed()
@@ -169,7 +173,7 @@ shared_list <- function(say) {
   list(tags$h2(say("shared_heading")), tags$ul(class = "shared-list"))
 }
 
-# ... with what puts designs there.
+# The list and a form to share designs.
 shared_form <- function(say) {
   tags <- shiny::tags
   text <- function(id, label, type = "text") {

@@ -1,6 +1,6 @@
-# The flume tank's tables, as HTML.
+# The tables of the flume tank as HTML.
 
-# A table of texts with row headers. Made as text: tag by tag it would take longer than settling.
+# The table is built as a string, because Shiny's tags take longer than settling.
 html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot = NULL,
                        titles = NULL) {
   class <- ifelse(seq_along(head) %in% numbers, " class='number'", "")
@@ -22,13 +22,13 @@ html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot 
   ))
 }
 
-# Rows of a data frame of texts, as lists.
 text_rows <- function(table) {
   lapply(seq_len(nrow(table)), function(k) unname(as.list(table[k, , drop = FALSE])))
 }
 
-# Measures of two states beside each other: data frame with measure, unit, now, its error, kept,
-# change, change_percent (NA where only one has the measure, or the kept one is 0), definition.
+# Compares the measures of two states. Returns a data frame: measure, unit, now, error (of now),
+# kept, change, change_percent, definition. A value is NA if a state lacks the measure;
+# change_percent also if the stored value is 0.
 measure_changes <- function(now, kept) {
   names <- union(names(now), names(kept))
   unit <- unname(c(attr(now, "unit"), attr(kept, "unit"))[names])
@@ -40,15 +40,15 @@ measure_changes <- function(now, kept) {
   kept <- unname(plain_measures(kept)[names])
   change <- now - kept
   data.frame(
-    measure = words_of(names, unit), unit = unit,
+    measure = label_of(names, unit), unit = unit,
     now = now, error = error, kept = kept, change = change,
     change_percent = ifelse(kept == 0, NA_real_, 100 * change / abs(kept)),
     definition = unname(definition)
   )
 }
 
-# Numbers as text with given decimals, thousands apart, "0" where nothing but zeros would show.
-# (formatC would take as long as settling.)
+# Returns numbers with separated thousands, and "0" if all decimals are 0. (formatC() takes as long
+# as settling.)
 fixed_decimals <- function(x, decimals) {
   text <- sprintf("%.*f", as.integer(decimals), x)
   text[is.finite(x) & !grepl("[1-9]", text)] <- "0"
@@ -64,7 +64,7 @@ format_thousands <- function(text) {
   paste(parts, collapse = ".")
 }
 
-# Differences as text, "+3.2" or "\u2212" for minus; "0" where nothing that shows has changed.
+# Returns differences such as "+3.2", and "0" if all decimals are 0.
 signed <- function(x, decimals) {
   text <- fixed_decimals(abs(x), decimals)
   text <- ifelse(text == "0", "0", paste0(ifelse(x < 0, "\u2212", "+"), text))
@@ -72,17 +72,16 @@ signed <- function(x, decimals) {
   text
 }
 
-# A row has one number of decimals: four figures of its larger value, as in summaries, and at most
-# four decimals.
+# Returns the decimals that give four digits of the largest value of a row, but at most four.
 decimals_of <- function(largest) {
   shown <- signif(largest, 4)
   ifelse(is.na(shown) | shown == 0, 0, pmin(pmax(3 - floor(log10(pmax(shown, 1e-3))), 0), 4))
 }
 
-# preferred: units, as of preferred_of(); uncertainty: of the present measures, or NULL; key: those
-# that come first, or the others; say: as of new_say(), here and below.
+# preferred: from preferred_of(); uncertainty: of the present measures, or NULL; key: TRUE for key
+# measures, FALSE for all others. `say`: translator from make_translator(), here and below.
 measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key = TRUE,
-                          say = new_say()) {
+                          say = make_translator()) {
   table <- measure_changes(now, kept)
   names <- union(names(now), names(kept))
   shown_here <- (names %in% key_names(names)) == key
@@ -105,7 +104,7 @@ measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key
     shown <- paste0(shown, ifelse(nzchar(interval), "\n", ""), interval)
   }
   rows <- data.frame(
-    said_measure_unit(say, table$measure, vapply(units, `[[`, "", "unit")), shown,
+    label_with_unit(say, table$measure, vapply(units, `[[`, "", "unit")), shown,
     fixed_decimals(table$kept, decimals), change, percent
   )
   shiny::tagList(
@@ -117,19 +116,19 @@ measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key
   )
 }
 
-# What people look at first, of any kind of gear; and how many of a gear come first.
+# Measures that users check first, for any gear, and the number of key measures of a gear.
 key_measures <- c(
   "door_spread_m", "wing_end_spread_m", "net_mouth_height_m", "headline_height_m",
   "footrope_height_m", "total_drag_kN"
 )
 key_count <- 6L
 
-# Of these names those that come first: what is looked at first, then the gear's own in their order.
+# Returns the first `key_count` names: members of `key_measures`, then other names in their order.
 key_names <- function(names) {
   utils::head(union(intersect(key_measures, names), names), key_count)
 }
 
-# "90 %: 4.5 to 6.6" of measures by name, "" of those without; factor: to preferred units.
+# Returns "90 %: 4.5 to 6.6" or "" for each measure. factor: to preferred units.
 interval_cells <- function(uncertainty, names, factor, say) {
   table <- uncertainty$measures[match(names, uncertainty$measures$measure), ]
   known <- which(table$uncertainty > 0)
@@ -143,7 +142,8 @@ interval_cells <- function(uncertainty, names, factor, say) {
   text
 }
 
-# Ropes and netting ranked by their largest tension, parts of one role together; kN, of one line.
+# Returns the largest tension of each role of ropes or netting, highest first, per rope or twine
+# [kN].
 ranked_tensions <- function(state) {
   table <- tension_table(state)
   groups <- by_role(table)
@@ -163,7 +163,7 @@ ranked_tensions <- function(state) {
   rows
 }
 
-tensions_html <- function(state, say = new_say()) {
+tensions_html <- function(state, say = make_translator()) {
   ranked <- ranked_tensions(state)
   margin <- ifelse(
     is.finite(ranked$margin),
@@ -189,7 +189,7 @@ tensions_html <- function(state, say = new_say()) {
   )
 }
 
-drag_html <- function(state, say = new_say()) {
+drag_html <- function(state, say = make_translator()) {
   drag <- drag_table(state)
   totals <- drag_totals(drag)
   total <- totals$drag_kN[nrow(totals)]
@@ -213,7 +213,7 @@ drag_html <- function(state, say = new_say()) {
   )
 }
 
-differences_html <- function(kept, now, say = new_say()) {
+differences_html <- function(kept, now, say = make_translator()) {
   found <- plan_changes(kept$plan, now$plan)
   if (!length(found)) {
     return(shiny::tags$p(say("no_difference")))

@@ -1,16 +1,15 @@
-# What one page of the flume tank holds: the last design that settled, the draft that is being
-# changed, the designs that it keeps, what was done.
+# The data of one page of the flume tank: the last design that settled, the draft, the stored
+# designs and the history.
 #
-# `draft` is a design (list(plan, file, source)) that may be unfinished, `problems` what is wrong
-# with it; `edited` counts its changes. `turn` counts the gears that were opened, `changed` the
-# pictures, `kept_changed` changes of the kept designs. `serial` numbers the states. `slopes` and
-# `uncertainty` are those found of the state on screen, `trajectory` the last tow, serialised.
-# `own` are the user's own rows of the catalogue.
-# The first of the designs that are kept is the one that others are compared with.
+# `draft` is a design (list(plan, file, source)), which may be incomplete, and `problems` are its
+# errors. The counters are `edited` (changes of the draft), `turn` (opened gears), `changed`
+# (pictures), `kept_changed` (changes of stored designs) and `serial` (states). `slopes` and
+# `uncertainty` belong to the state on screen. `trajectory` is the last tow, serialised. `own` has
+# user-defined rows of the catalogue. The first design of `kept` is the reference of comparisons.
 
-# start: list(gear, state, notes) to open with, or NULL for a page that begins at the gallery; say:
-# as of new_say().
-new_tank <- function(start, marked, nodes, say = new_say()) {
+# start: list(gear, state, notes) to open with, or NULL to start at the gallery. `say`: translator
+# from make_translator().
+new_tank <- function(start, marked, nodes, say = make_translator()) {
   tank <- new.env(parent = emptyenv())
   tank$known <- list()
   tank$turn <- 0L
@@ -39,12 +38,12 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
     tank$laid_out <- paths_of(plan)
     form_message(plan, marked_of(marked, plan), tank$turn, say)
   }
-  # The form is made anew, whether its fields are others or not.
+  # The next message rebuilds the form, even if its fields are the same.
   tank$lay_out <- function() tank$laid_out <- NULL
-  # Whether the form has other fields than the draft.
+  # TRUE if the fields of the form differ from the draft.
   tank$form_is_old <- function() !identical(tank$laid_out, paths_of(tank$draft$plan))
 
-  # A request of a worker that holds the state of a number.
+  # holds: number of the state that the worker has. That state is not sent again.
   tank$request <- function(kind, said, holds = 0L, number = 0) {
     list(
       kind = kind, said = said, number = number, nodes = nodes, file = tank$gear$file,
@@ -52,8 +51,8 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
     )
   }
 
-  # Another draft in place of the last, which can be undone. gesture: number of a movement of a
-  # control's, which is undone as one.
+  # Replaces the draft; the change can be undone. gesture: number of a slider movement, which is
+  # undone as one change.
   tank$change <- function(design, gesture = -1) {
     again <- gesture >= 0 && gesture == tank$gesture
     tank$history <- history_after(tank$history, tank$draft, again)
@@ -61,7 +60,7 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
     tank$draft <- design
     tank$edited <- tank$edited + 1L
   }
-  # ... what a page changes of it; what its numbers were understood as.
+  # Returns the interpretation of typed numbers.
   tank$edit <- function(edits, gesture = -1) {
     found <- edited_plan(tank$draft$plan, edits)
     design <- tank$draft
@@ -69,7 +68,7 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
     tank$change(design, gesture)
     found$understood
   }
-  # ... a step back, or on; whether there was one.
+  # Returns FALSE if there is no step to undo or redo.
   tank$step <- function(name) {
     last <- utils::tail(tank$history[[if (name == "undo") "past" else "future"]], 1L)
     if (!length(last)) return(FALSE)
@@ -81,13 +80,12 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
     TRUE
   }
 
-  # Warnings of the design on screen, findings among them.
   tank$warnings <- function() {
-    translate <- said_finding(say)
+    translate <- translated_finding(say)
     c(as.character(tank$notes), finding_sentences(finding_rows(tank$worth, translate), translate))
   }
 
-  # Puts on screen what a worker found. edited: of the draft that it was asked for.
+  # Displays a worker's result. edited: count of draft changes when the result was requested.
   tank$take <- function(kind, found, edited = tank$edited) {
     list2env(found[c("gear", "state", "notes", "worth", "drawing", "measures")], tank)
     tank$serial <- tank$serial + 1L
@@ -111,7 +109,7 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
       tank$problems <- list()
     }
   }
-  # Keeps a draft that does not settle: draft as draft_problems() gives it.
+  # Stores a draft that does not settle. draft: from draft_problems().
   tank$hold <- function(draft, edited = tank$edited) {
     if (!is.null(draft$design)) {
       tank$change(draft$design)
@@ -121,18 +119,18 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
   }
 
   tank$keep <- function(name = NULL, found = screen()) {
-    if (length(tank$kept) >= most_kept) {
-      abort_argument("A page keeps at most {most_kept} designs; remove one first.")
+    if (length(tank$kept) >= most_stored_designs) {
+      abort_argument("A page can have at most {most_stored_designs} kept designs; remove one.")
     }
     tank$ids <- tank$ids + 1L
     name <- design_name(name, paste("Design", tank$ids))
-    tank$kept <- c(tank$kept, list(kept_design(tank$ids, name, found)))
+    tank$kept <- c(tank$kept, list(stored_design(tank$ids, name, found)))
     count(tank$kept_changed)
   }
   tank$kept_at <- function(id) {
     ids <- vapply(tank$kept, `[[`, 0L, "id")
     k <- if (is.numeric(id) && length(id) == 1L) match(id, ids)
-    if (is.null(k) || is.na(k)) abort_argument("There is no such kept design.")
+    if (is.null(k) || is.na(k)) abort_argument("This kept design no longer exists.")
     k
   }
   tank$rename <- function(id, name) {
@@ -140,13 +138,13 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
     tank$kept[[k]]$name <- design_name(name, tank$kept[[k]]$name)
     count(tank$kept_changed)
   }
-  # Whether a kept design is in the picture; the first one always is.
+  # The first design is always visible.
   tank$see <- function(id, seen) {
     k <- tank$kept_at(id)
     tank$kept[[k]]$seen <- seen || k == 1L
     count(tank$kept_changed)
   }
-  # The design that others are compared with comes first.
+  # The reference of comparisons is the first design.
   tank$compare <- function(id) {
     k <- tank$kept_at(id)
     tank$kept <- c(tank$kept[k], tank$kept[-k])
@@ -155,28 +153,32 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
   }
   tank$remove <- function(id) {
     k <- tank$kept_at(id)
-    if (length(tank$kept) == 1L) abort_argument("One design stays, to compare with.")
+    if (length(tank$kept) == 1L) {
+      abort_argument("The last kept design cannot be removed: it is the reference for
+        comparisons.")
+    }
     tank$kept <- tank$kept[-k]
     tank$kept[[1L]]$seen <- TRUE
     count(tank$kept_changed)
   }
 
-  # passed: whether the page has the shape already.
+  # passed: TRUE if the page already has the shape.
   tank$picture <- function(passed = FALSE) {
     seen <- Filter(function(one) one$seen, tank$kept)
     message <- picture_message(tank$state, tank$drawing, seen, tank$known, passed)
     tank$known <- list(now = tank$drawing, kept = vapply(seen, `[[`, 0L, "id"))
     message
   }
-  # The page draws what nobody here knows, or no longer.
+  # The next picture is sent completely, because the page has another shape.
   tank$forget_picture <- function() tank$known["now"] <- list(NULL)
   tank$code <- function() flume_code(tank$loaded, tank$kept[[1L]]$gear, tank$gear, nodes)
-  # What the address says: the design on screen and those that are kept.
+  # Returns the content of the address: the design on screen and the stored designs.
   tank$words <- function() {
-    named <- lapply(tank$kept, function(kept) c(list(name = kept$name), design_words(kept$design)))
+    named <- lapply(tank$kept, function(kept) c(list(name = kept$name),
+      design_strings(kept$design)))
     draft <- if (length(tank$problems)) list(plan = draft_text(tank$draft))
     c(
-      list(now = design_words(design_of(tank$gear)), kept = named, draft = draft),
+      list(now = design_strings(design_of(tank$gear)), kept = named, draft = draft),
       if (length(tank$own)) list(own = tank$own)
     )
   }
@@ -185,10 +187,9 @@ new_tank <- function(start, marked, nodes, say = new_say()) {
   tank
 }
 
-# Requests that open another gear, and so begin anew.
+# Requests that open another gear and start a new history.
 opening_requests <- c("plan_file", "shipped", "new", "words")
 
-# Marked fields that a plan has.
 marked_of <- function(marked, plan) {
   Filter(function(paths) all(!vapply(paths, function(path) {
     is.null(plan_field(plan, path))
@@ -201,13 +202,13 @@ with_picture <- function(start) {
   start
 }
 
-# The first measures of a gear as a sentence, for those who listen.
-spoken <- function(measures, say = new_say()) {
+# Returns the main measures as a sentence for screen readers.
+spoken <- function(measures, say = make_translator()) {
   shown <- intersect(unique(c(utils::head(names(measures), 3L), "total_drag_kN")), names(measures))
-  said <- measure_words(measures[shown])
+  said <- measure_labels(measures[shown])
   text <- trimws(paste(
-    said_measure(say, said$words), figures(plain_measures(measures[shown])),
-    said_unit(say, said$unit), said$error
+    label_of_measure(say, said$words), figures(plain_measures(measures[shown])),
+    label_of_unit(say, said$unit), said$error
   ))
   say("settled_said", measures = paste(text, collapse = ", "))
 }

@@ -1,23 +1,24 @@
-# A tow of the design on screen: the clerk marches it, the page plays it. What changes on the way is
-# told in a few texts; a plan's own section `tow` has all the rest.
+# A tow of the design on screen. The slow worker computes it and the page plays it. The page offers
+# a few changes of conditions; the section `tow` of a plan supports all options.
 
-# s; and kept times of a tow, of which the page shows each.
+# Longest tow [s], and number of stored time steps. The page displays every stored step.
 longest_tow <- 3600
 tow_frames <- 100L
 
-# said: list(until = "60 s", planned = TRUE or changes = list(speed = , course = , warp_out = )),
-# each change list(to or by, from, over), texts with units. Returns list(trajectory, scene).
-tow_asked <- function(state, said) {
+# `said`: list(until = "60 s", planned = TRUE or changes = list(speed, course, warp_out)), with each
+# change list(to or by, from, over) as strings with units. Returns list(trajectory, scene).
+requested_tow <- function(state, said) {
   said <- as.list(said)
-  until <- said_time(said$until, "until", 1, longest_tow)
-  given <- if (isTRUE(said$planned)) planned_tow(state) else said_tow(state, as.list(said$changes))
+  until <- format_time(said$until, "until", 1, longest_tow)
+  given <- if (isTRUE(said$planned)) planned_tow(state) else describe_tow(state,
+    as.list(said$changes))
   trajectory <- do.call(tow, c(
     list(state, until = until, every = until / tow_frames), given
   ))
   list(trajectory = serialize(trajectory, NULL), scene = viewed_scene(trajectory))
 }
 
-# What the plan's section `tow` says of the way.
+# Returns the arguments of tow() from the section `tow` of the plan.
 planned_tow <- function(state) {
   section <- tow_section(state$gear)
   if (!length(section)) abort_argument("The plan on screen has no section `tow`.")
@@ -27,50 +28,48 @@ planned_tow <- function(state) {
   )
 }
 
-# ... and what the page says.
-said_tow <- function(state, changes) {
+describe_tow <- function(state, changes) {
   given <- list(
-    speed = said_change(changes$speed, state$si$towing$speed, "speed", "speed"),
-    course = said_change(changes$course, 0, "angle", "course")
+    speed = describe_change(changes$speed, state$si$towing$speed, "speed", "speed"),
+    course = describe_change(changes$course, 0, "angle", "course")
   )
   if (!is.null(changes$warp_out)) {
     ropes <- Filter(function(rope) isTRUE(rope$role %in% c("warp", "purse_wire")), state$si$ropes)
     if (!length(ropes)) abort_argument("The gear on screen has no warp to pay out.")
     given$warp_out <- lapply(ropes, function(rope) {
-      said_change(changes$warp_out, rope$length, "length", "warp_out")
+      describe_change(changes$warp_out, rope$length, "length", "warp_out")
     })
   }
   list(schedule = do.call(tow_schedule, given))
 }
 
-# A schedule of what stays as it is until `from`, then goes `over` some seconds to a value, or by so
-# much; NULL where the page asks for no change.
-said_change <- function(asked, now, dimension, name) {
+# Returns a schedule that is constant until `from`, then linear over `over` seconds to the value
+# `to` or by the difference `by`. Returns NULL if the page requests no change.
+describe_change <- function(asked, now, dimension, name) {
   asked <- as.list(asked)
   if (!length(asked)) return(NULL)
-  from <- said_time(asked$from, paste0(name, ", from"), 0, longest_tow)
-  over <- said_time(asked$over, paste0(name, ", over"), 0, longest_tow)
-  to <- if (is.null(asked$by)) said_number(asked$to, name, dimension) else {
-    now + said_number(asked$by, name, dimension)
+  from <- format_time(asked$from, paste0(name, ", from"), 0, longest_tow)
+  over <- format_time(asked$over, paste0(name, ", over"), 0, longest_tow)
+  to <- if (is.null(asked$by)) format_number(asked$to, name, dimension) else {
+    now + format_number(asked$by, name, dimension)
   }
-  # one that begins at once has no row before it; one that takes no time is a jump
+  # a change at time 0 has no row before it, and a change within 0 s is a jump
   time <- c(0, if (from > 0) from, from + over)
   data.frame(time = time, value = c(rep(now, length(time) - 1L), to))
 }
 
-said_time <- function(said, name, low, high) {
-  time <- said_number(said, name, "time")
+format_time <- function(said, name, low, high) {
+  time <- format_number(said, name, "time")
   if (time < low || time > high) {
     abort_argument("{.arg {name}} is {.val {said}}; it must be from {low} to {high} s.")
   }
   time
 }
 
-# The unit of a bare number of a tow.
 tow_units <- c(time = "1 s", speed = "1 knot", angle = "1 deg", length = "1 m")
 
-# In SI, of a text as people write it.
-said_number <- function(said, name, dimension) {
+# Returns the SI value of a typed number.
+format_number <- function(said, name, dimension) {
   good <- is_text(said) && nchar(said) <= most_name
   number <- if (good) {
     text <- trimws(typed_quantity(said, tow_units[[dimension]]))
@@ -86,8 +85,7 @@ said_number <- function(said, name, dimension) {
   number
 }
 
-# What of a tow can be saved: by name its file's extension and writer of a
-# trajectory.
+# Downloads of a tow: file extension, required package, and a function that writes a trajectory.
 tow_saves <- list(
   measures = list(
     extension = "csv",
@@ -115,7 +113,7 @@ tow_saves <- list(
   )
 )
 
-# The grids of a trajectory and what lists them, as one file.
+# Writes the grids of a trajectory and their index as one file.
 write_grids <- function(trajectory, file) {
   folder <- tempfile("grids")
   dir.create(folder)
@@ -128,23 +126,22 @@ write_grids <- function(trajectory, file) {
   })
 }
 
-# said: list(name of tow_saves, trajectory as it was serialised, file).
+# `said`: list(name (in `tow_saves`), trajectory (serialised), file).
 save_tow <- function(said) {
   tow_saves[[said$name]]$write(unserialize(said$trajectory), said$file)
 }
 
-# Those that can be written here.
 tow_saves_here <- function() {
   Filter(function(one) {
     is.null(one$package) || requireNamespace(one$package, quietly = TRUE)
   }, tow_saves)
 }
 
-# Answers a page that tows: input$tow_wanted = list(until, planned, changes).
-flume_tows <- function(input, output, tank, clerk, ask_clerk, said) {
+# Handles tow requests: `input$tow_wanted` = list(until, planned, changes).
+flume_tows <- function(input, output, tank, clerk, request_slow_worker, said) {
   shiny::observeEvent(input$tow_wanted, {
     if (is.null(tank$gear)) return()
-    ask_clerk("tow", as.list(input$tow_wanted), function(found) {
+    request_slow_worker("tow", as.list(input$tow_wanted), function(found) {
       tank$trajectory <- found$trajectory
       said("flume_tow", scene = found$scene)
     })
@@ -154,10 +151,10 @@ flume_tows <- function(input, output, tank, clerk, ask_clerk, said) {
       name <- name
       output[[paste0("save_tow_", name)]] <- shiny::downloadHandler(
         filename = function() {
-          paste0(file_words(tank$gear$plan$name), "-tow-", name, ".", tow_saves[[name]]$extension)
+          paste0(file_strings(tank$gear$plan$name), "-tow-", name, ".", tow_saves[[name]]$extension)
         },
         content = function(file) {
-          by_clerk(clerk, "save_tow", file, function() {
+          on_slow_worker(clerk, "save_tow", file, function() {
             tank$request("save_tow", list(name = name, file = file, trajectory = tank$trajectory))
           })
         }

@@ -1,12 +1,12 @@
-# Units as a page's user likes them.
+# Preferred units of a page's user.
 
-# What may be chosen in place of a unit: the first as codend shows it.
+# Units that a user may choose, by dimension. The first unit is codend's default.
 preferred_units <- list(
   length = c("m", "fathom", "ft"), force = c("kN", "tf", "lbf"), speed = c("m/s", "knot")
 )
 
-# The choices of a page as a list by the unit that they take the place of, such as
-# list(m = "fathom"); what it may not choose is left out.
+# Returns the chosen units by the unit that they replace, such as list(m = "fathom"). Invalid
+# choices are ignored.
 preferred_of <- function(said) {
   said <- as.list(said)
   chosen <- lapply(names(preferred_units), function(dimension) {
@@ -17,14 +17,13 @@ preferred_of <- function(said) {
   Filter(Negate(is.null), chosen)
 }
 
-# A number in a unit as list(value, unit) in the preferred one.
 preferred_number <- function(value, unit, preferred) {
   wanted <- preferred[[unit]]
   if (is.null(wanted)) return(list(value = value, unit = unit))
   list(value = in_unit(from_unit(value, unit), wanted), unit = wanted)
 }
 
-# A table of design_table() in preferred units.
+# table: from design_table().
 in_preferred <- function(table, preferred) {
   factor <- vapply(table$unit, function(unit) preferred_number(1, unit, preferred)$value, 0)
   table$values <- lapply(table$values, `*`, unname(factor))

@@ -1,28 +1,26 @@
-# How the measures of the design on screen go with one of its fields: the clerk settles it at one
-# value after the other, each from the state on screen as vary() does, and answers other questions
-# in between.
+# Measures of the design on screen against one field. The slow worker settles one value after the
+# other from the state on screen, like vary(). It answers other requests in between.
 
-# Values at most.
 most_varied <- 41L
 
-# What a page asks for: said = list(paths (fields that change together), unit, from, to (as typed; a
-# bare number is in `unit`), number (of values)). Returns list(paths, words, unit, values, now (what
-# the first field has), in that unit).
-varied_field <- function(plan, said, say = new_say()) {
+# Checks a request: `said` = list(paths (fields that change together), unit, from, to (as typed, a
+# bare number in `unit`), number (of values)). Returns list(paths, words, unit, values, now (value
+# of the first field)), with values in this unit.
+varied_field <- function(plan, said, say = make_translator()) {
   paths <- unlist(said$paths)
   if (!is.character(paths) || length(paths) > most_edits || any(nchar(paths) > most_characters)) {
-    abort_argument("A field is asked for by its path.")
+    abort_argument("The path of the field is missing.")
   }
   path <- paths[1L]
   field <- plan_field(plan, path)
   if (is.null(field$node) || !is_number_node(field$node)) {
-    abort_argument("The plan has no number {.val {path}} to vary.")
+    abort_argument("The plan has no number at {.val {path}}; choose another field.")
   }
   dimension <- field$node[["x-dimension"]]
   unit <- if (is.null(dimension)) "" else first_of(said$unit, "")
   units <- plan_units[[first_of(dimension, "number")]]
   if (nzchar(unit) && !(is_text(unit) && plain_unit(unit) %in% names(units))) {
-    abort_argument("{.val {path}} has no such unit.")
+    abort_argument("The unit does not fit the field {.val {path}}.")
   }
   per_unit <- if (nzchar(unit)) units[[plain_unit(unit)]] else 1
   end <- function(given) {
@@ -31,7 +29,7 @@ varied_field <- function(plan, said, say = new_say()) {
     value / per_unit
   }
   ends <- c(end(said$from), end(said$to))
-  if (ends[1L] == ends[2L]) abort_field(path, said$to, "another value than the first")
+  if (ends[1L] == ends[2L]) abort_field(path, said$to, "different from the first value")
   number <- as.list(said)$number
   if (!is.numeric(number) || length(number) != 1L || !number %in% 2:most_varied) {
     abort_argument("The number of values must be from 2 to {most_varied}.")
@@ -39,12 +37,12 @@ varied_field <- function(plan, said, say = new_say()) {
   values <- seq(ends[1L], ends[2L], length.out = number)
   if (field$node$shape == "integer") values <- unique(round(values))
   list(
-    paths = paths, words = said_path(say, path), unit = unit, values = signif(values, 10L),
+    paths = paths, words = label_of_path(say, path), unit = unit, values = signif(values, 10L),
     now = quantity_si(field$value, dimension) / per_unit
   )
 }
 
-# said: list(design, paths, unit, value, nodes). Returns measures().
+# `said`: list(design, paths, unit, value, nodes).
 varied_measures <- function(state, said) {
   edits <- rep(list(list(value = said$value, unit = said$unit)), length(said$paths))
   design <- said$design
@@ -53,8 +51,8 @@ varied_measures <- function(state, said) {
   measures(settle_noted(gear, said$nodes, state)$state)
 }
 
-# What was found so far: varied = that of varied_field() with `found`, of each value its measures or
-# what is wrong with it. Columns as those of vary().
+# Returns the results so far with the columns of vary(). varied: from varied_field(), and `found`
+# with the measures or the error message for each value.
 varied_table <- function(varied) {
   settled <- vapply(varied$found, is.numeric, NA)
   names <- unique(unlist(lapply(varied$found[settled], names)))
@@ -72,8 +70,8 @@ varied_table <- function(varied) {
   )
 }
 
-# ... as a page takes it, in preferred units: first the measures that are looked at first.
-varied_message <- function(varied, preferred, say = new_say()) {
+# Returns the results for the page, in preferred units and with key measures first.
+varied_message <- function(varied, preferred, say = make_translator()) {
   table <- varied_table(varied)
   settled <- varied$found[table$settled]
   units <- unlist(lapply(settled, attr, "unit"))
@@ -89,16 +87,16 @@ varied_message <- function(varied, preferred, say = new_say()) {
         if (is.numeric(one)) first_of(attr(one, "error")[name], NA_real_) else NA_real_
       }, 0)
       list(
-        words = said_measure_unit(say, words_of(name, units[[name]]), told$unit),
+        words = label_with_unit(say, label_of(name, units[[name]]), told$unit),
         values = I(table[[name]] * told$value), errors = I(unname(error) * told$value)
       )
     })
   )
 }
 
-# Answers a page that varies a field: input$vary_wanted as varied_field() takes it, input$vary_stop.
+# Handles requests: `input$vary_wanted`, as in varied_field(), and `input$vary_stop`.
 flume_varies <- function(input, tank, clerk, said, session, say) {
-  turn <- 0L  # of the last question
+  turn <- 0L  # number of the last request
   show <- function(running) {
     said("flume_varied", running = running,
       varied = varied_message(tank$varied, tank$preferred, say))

@@ -1,24 +1,23 @@
-# Where a session of the flume tank settles its designs: an R process of its own, so that no user
-# waits for another's design, none takes more than its time and memory, and one that hangs is ended.
+# Workers of the flume tank. A session settles its designs in R processes of its own, so that users
+# do not wait for each other. A worker has limits of time and memory, and is ended if it hangs.
 #
-# A worker is an environment of
-#   ask(kind, make, then, pause)
-#                          asks for what flume_answer() answers: make() gives the request when its
-#                          turn comes, or NULL when it is out of date; then(answer) is called once,
-#                          with NULL for a request that is out of date or that a later one takes the
-#                          place of; it waits `pause` s [0] unless others wait behind it
-#   cancel()               ends what it is about and all that waits, which are answered so
-#   stop()                 ends it
-#   holds                  a number for the tank: the state that the worker remembers (0: none)
+# A worker is an environment with these members.
+#   `ask(kind, make, then, pause)` requests an answer of flume_answer(). The function make() returns
+#   the request at its turn, or NULL if it is out of date. The function then(answer) is called once,
+#   with NULL if the request is out of date or was replaced. A request waits `pause` s [0] unless
+#   others wait behind it.
+#   `cancel()` ends the current request and all waiting requests.
+#   `stop()` ends the worker.
+#   `holds` is the number of the state that the worker has stored (0: no state).
 
-# Seconds that the answer to one request may take: of what moves the net, and of what somebody asks
-# for and waits (reports, drawings, tows); and bytes that a worker may take.
+# Limits of one worker: seconds for a request that moves the net, seconds for a slow request
+# (report, drawing, tow), and bytes.
 flume_seconds <- 30
-clerk_seconds <- 300
+slow_worker_seconds <- 300
 flume_memory <- 4e9
 
-# Bytes that all workers of this process may take together: a share of the machine's, or of what the
-# system gives to a service or container.
+# Bytes for all workers together: a fraction of the memory of the machine, or of the limit for a
+# service or container.
 tank_memory_share <- 0.75
 tank_memory <- function() {
   all <- ps::ps_system_memory()[["total"]]
@@ -27,13 +26,13 @@ tank_memory <- function() {
   tank_memory_share * min(all, bound, na.rm = TRUE)
 }
 
-# The workers that have a process, by their names, and how often their memory is summed up, s.
+# Workers with a process, by name, and the interval [s] of checks of their memory.
 tank_workers <- new.env(parent = emptyenv())
 memory_every <- 0.5
 memory_clock <- new.env(parent = emptyenv())
 memory_clock$next_look <- 0
 
-# Where all workers together take more than they may, the one that takes most ends what it is about.
+# If all workers exceed their common limit, the largest worker ends its current request.
 bound_memory <- function(most = tank_memory()) {
   now <- proc.time()[["elapsed"]]
   if (now < memory_clock$next_look) return(invisible())
@@ -45,32 +44,31 @@ bound_memory <- function(most = tank_memory()) {
 # Seconds that a process may take to start.
 start_seconds <- 120
 
-# Requests that may wait for a worker beside the one that it is about.
+# Largest number of requests that wait in addition to the current request.
 most_waiting <- 4L
 
-# When a process that works is looked at first and how much later at least each time, s; and how
-# much longer than it has worked already. A look takes a millisecond.
+# Polls of a busy process: first delay [s], shortest interval [s], and interval as a fraction of the
+# elapsed time. A poll takes a millisecond.
 look_first <- 0.02
 look_every <- 0.005
 look_share <- 0.15
 
-# Requests of one of these a later one takes the place of while they wait.
+# While requests of a group wait, a later request of the group replaces them.
 replaced_requests <- list(
   c("design", "plan_text", "plan_file", "shipped", "new", "words"), "drawing", "slopes",
   "uncertainty", "tow", "vary"
 )
 
-# Kinds of requests that one of a kind takes the place of. Of a shape that a slider has passed
-# nobody needs the rest.
+# Returns the kinds of requests that a new request replaces. A new design replaces the rest of an
+# earlier shape.
 replaced_by <- function(kind) {
   alike <- unlist(Filter(function(kinds) kind %in% kinds, replaced_requests))
   if (kind == "design") c(alike, "rest") else alike
 }
 
-# What is told of a request that is cancelled.
 cancelled_answer <- list(problem = list(message = "Cancelled.", cancelled = TRUE))
 
-# late: whether its process starts with the first request, and gives way to those of other workers.
+# late: TRUE if the process starts with the first request and has a lower priority than others.
 process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late = FALSE) {
   worker <- new.env(parent = emptyenv())
   id <- basename(tempfile("worker-"))
@@ -79,7 +77,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
   waiting <- list()
   current <- NULL
   stopped <- FALSE
-  end_pause <- function() NULL  # forgets that go_on() is to come once a pause is over
+  end_pause <- function() NULL  # cancels a scheduled go_on()
 
   start <- function() {
     process <<- answering_process(bytes, gives_way = late)
@@ -90,8 +88,8 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     look_later(look_first)
   }
   now <- function() proc.time()[["elapsed"]]
-  # an error here, outside of every session, would end the tank for all
-  tell <- function(job, answer) {
+  # an error here, outside every session, would end the tank for all users
+  deliver <- function(job, answer) {
     tryCatch(job$then(answer), error = function(e) {
       message("codend flume: ", conditionMessage(e))
     })
@@ -104,14 +102,14 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     write_whole(request, file)
     idle <<- FALSE
     current <<- c(job, list(since = now(), until = now() + seconds, file = file))
-    # one that has ended is found so when it is looked at
+    # the next poll detects a process that has ended
     tryCatch(process$write_input(paste0(file, "\n")), error = function(e) NULL)
     look_later(look_first)
   }
   go_on <- function() {
     end_pause()
     if (stopped) return()
-    # one that was ended from elsewhere has lost nothing but time
+    # an idle process that was ended from outside has lost only time
     if (idle && length(waiting) && (is.null(process) || !process$is_alive())) return(start())
     while (idle && length(waiting)) {
       job <- waiting[[1L]]
@@ -122,7 +120,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
       }
       waiting <<- waiting[-1L]
       request <- job$make()
-      if (is.null(request)) tell(job, NULL) else call(job, request)
+      if (is.null(request)) deliver(job, NULL) else call(job, request)
     }
   }
   finish <- function() {
@@ -132,34 +130,33 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     if (!is.null(job$then)) {
       answer <- unpacked_answer(read_whole(job$file))
       unlink(job$file)
-      tell(job, answer)
+      deliver(job, answer)
     }
     go_on()
   }
-  # Its answer is what is wrong; another process takes its place, at the next request where this one
-  # did not even start.
+  # Answers the current request with an error and starts another process. After a failed start, all
+  # waiting requests get the error, and the next request starts a process.
   replace_process <- function(message) replace_with(list(problem = list(message = message)))
   replace_with <- function(answer) {
     end_process()
     unlink(current$file)
     jobs <- if (is.null(current$then)) waiting else list(current)
     if (is.null(current$then)) waiting <<- list() else start()
-    for (job in jobs) tell(job, answer)
+    for (job in jobs) deliver(job, answer)
   }
   end_process <- function() {
     if (!is.null(process)) process$kill()
     process <<- NULL
     remove(list = intersect(id, names(tank_workers)), envir = tank_workers)
   }
-  # Bytes that its process takes.
   worker$memory <- function() {
     if (is.null(process)) return(0)
     tryCatch(process$get_memory_info()[["rss"]], error = function(e) 0)
   }
-  # Frees its memory; what it was about is answered so.
+  # Frees memory; the current request gets an error.
   worker$give_up <- function() {
     if (!idle) {
-      return(replace_process("The tank's users need more memory than it has; try again later."))
+      return(replace_process("The tank has no free memory; try again later."))
     }
     end_process()
     worker$holds <- 0
@@ -168,24 +165,24 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     if (stopped || idle || is.null(process)) return()
     if (has_answered(process)) return(finish())
     bound_memory()
-    # it may have been the one that gave up
+    # bound_memory() may have ended this worker
     if (stopped || idle || is.null(process)) return()
     if (!process$is_alive()) {
-      return(replace_process("The process that settles ended at this; a new one takes its place."))
+      return(replace_process("The settling process stopped at this request and was restarted."))
     }
     if (now() < current$until) return(look_later())
     replace_process(sprintf(
-      "This takes longer than %s s, which is all that the tank gives it.", format(seconds)
+      "This takes longer than %s s, the limit of the tank.", format(seconds)
     ))
   }
   worker$ask <- function(kind, make, then, pause = 0) {
-    # of designs the latest counts
+    # only the latest design counts
     old <- vapply(waiting, function(job) job$kind %in% replaced_by(kind), NA)
     passed <- waiting[old]
     waiting <<- waiting[!old]
-    for (job in passed) tell(job, NULL)
+    for (job in passed) deliver(job, NULL)
     if (length(waiting) >= most_waiting) {
-      then(list(problem = list(message = "Too much is asked for at once; try again in a while.")))
+      then(list(problem = list(message = "Too many requests at once; try again later.")))
       return(invisible())
     }
     waiting <<- c(waiting, list(list(kind = kind, make = make, then = then, from = now() + pause)))
@@ -195,7 +192,7 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
     jobs <- waiting
     waiting <<- list()
     if (!idle && !is.null(current$then)) replace_with(cancelled_answer)
-    for (job in jobs) tell(job, cancelled_answer)
+    for (job in jobs) deliver(job, cancelled_answer)
   }
   worker$stop <- function() {
     stopped <<- TRUE
@@ -207,12 +204,12 @@ process_worker <- function(seconds = flume_seconds, bytes = flume_memory, late =
   worker
 }
 
-# A process that says a line when it is ready, then reads names of files, each a request, and says
-# the line again once its answer stands in the file's place. (A call of callr's sessions takes as
-# long as a design takes to settle.)
+# Starts a process that prints a line when it is ready, then reads names of files with requests. It
+# replaces each file by the answer and prints the line again. (A call of a callr session takes as
+# long as settling a design.)
 answering_process <- function(bytes, gives_way) {
   serve <- function(...) asNamespace("codend")$answer_requests(...)
-  # without this frame, which would be sent along
+  # this frame would be sent to the process
   environment(serve) <- baseenv()
   callr::r_process$new(callr::r_process_options(
     func = serve, args = list(bytes = bytes, gives_way = gives_way), stdout = "|", stderr = NULL,
@@ -236,30 +233,30 @@ prepare_worker <- function(bytes) {
   NULL
 }
 
-# Until nobody asks any more.
+# Runs until its input is closed.
 answer_requests <- function(bytes, gives_way) {
   prepare_worker(bytes)
   if (gives_way) tools::psnice(value = 10L)
   memory <- new.env(parent = emptyenv())
-  asks <- file("stdin", "r")
-  on.exit(close(asks))
+  requests <- file("stdin", "r")
+  on.exit(close(requests))
   say <- function() {
     cat(answered_line, "\n", sep = "")
     flush(stdout())
   }
   say()
-  while (length(file <- readLines(asks, 1L))) {
+  while (length(file <- readLines(requests, 1L))) {
     answer <- tryCatch(flume_answer(read_whole(file), memory), error = function(e) {
-      list(problem = list(message = paste0("codend failed at this: ", plain_message(e))))
+      list(problem = list(message = paste0("Internal error of codend: ", plain_message(e))))
     })
     write_whole(packed_answer(answer), file)
     say()
   }
 }
 
-# ---- between the two -----------------------------------------------------------------------------
+# ---- transfer ------------------------------------------------------------------------------------
 
-# A state has its gear, which an answer has beside it: it is sent once.
+# The answer has the gear twice, also in its state, but sends it once.
 packed_answer <- function(answer) {
   if (has_state(answer$found)) answer$found$state$gear <- NULL
   answer
@@ -276,14 +273,14 @@ unpacked_answer <- function(answer) {
 
 has_state <- function(found) is.list(found) && all(c("gear", "state") %in% names(found))
 
-# ---- what a page may send ------------------------------------------------------------------------
+# ---- limits of messages from a page --------------------------------------------------------------
 
-# Bytes of a message: a plan as JSON. Messages at once and a second after that.
+# Bytes of a message (a plan as JSON), messages at once, and messages per second after that.
 most_message_bytes <- 6 * 1024^2
 message_burst <- 200
 message_rate <- 40
 
-# A function(bytes) that says whether a message may pass; now(): s.
+# Returns a function(bytes) that returns TRUE if a message may pass. now: clock [s].
 message_gate <- function(now = function() proc.time()[["elapsed"]]) {
   left <- message_burst
   last <- now()
@@ -295,8 +292,8 @@ message_gate <- function(now = function() proc.time()[["elapsed"]]) {
   }
 }
 
-# Ends a session whose page sends more than a page does. Shiny has no limit of its own for messages;
-# they are counted at its connection. Returns whether that was found.
+# Ends a session whose page exceeds the limits. Shiny has no limit for messages, so they are counted
+# in the handlers of its connection. Returns FALSE if the connection is not accessible.
 bound_messages <- function(session) {
   socket <- tryCatch(session$.__enclos_env__$private$websocket, error = function(e) NULL)
   if (!is.environment(socket) || !is.list(socket$messageCallbacks)) return(FALSE)

@@ -1,11 +1,12 @@
-# The words of the flume tank's page, in every language that it speaks: inst/app/words.csv, a row
-# for each key and a column for each language. What a language lacks is told in English.
+# Translations of the flume tank's page, from inst/app/words.csv: a row for each key and a column
+# for each language. Missing translations are English.
 #
-# Keys with a point belong to a family: language, room (of the form), field (of a plan, by its
-# name), usual (of those that people change first), also (what else the trade calls a field),
-# measure (by its kind, its number as #), kind (of gear), unit, busy (of what is waited for),
-# tow_saves; view (of inst/view) and finding (R/finding-*.R), whose keys are the English texts: they
-# are said without a tank too.
+# Keys with a point belong to a family: `language`, `room` (group of the form), `field` (of a plan),
+# `usual` (fields that users change first), `kind` (of gear) and `unit`. The families `busy` and
+# `tow_saves` have progress messages and downloads of a tow. The family `also` has other trade names
+# of fields. Keys of `measure` are kinds of measures, with # for a number. Keys of the families
+# `view` (inst/view) and `finding` (R/finding-*.R) are English strings, because these are also used
+# without the tank.
 
 word_table <- remembered(function(version = 1) {
   table <- utils::read.csv(
@@ -19,19 +20,18 @@ word_table <- remembered(function(version = 1) {
 
 word_languages <- function() setdiff(names(word_table()), c("key", "note"))
 
-# All words of a language by their keys, the others' places taken by the English ones.
-words_in <- function(language) {
+# Returns the strings of a language by key, in English if there is no translation.
+strings_of_language <- function(language) {
   table <- word_table()
   table <- table[!startsWith(table$key, "also."), ]
   words <- table[[language]]
   stats::setNames(ifelse(nzchar(words), words, table$en), table$key)
 }
 
-# A function that says words in a language: say(key, ...) is the text of a key with the values of
-# its places such as {n}; `otherwise` is said where the table has no such key, which is an error
-# without it.
-new_say <- remembered(function(language = "en") {
-  words <- words_in(language)
+# Returns a translator: `say(key, ...)` is the string of a key with values for placeholders such as
+# {n}. An unknown key gives `otherwise`, or an error without it.
+make_translator <- remembered(function(language = "en") {
+  words <- strings_of_language(language)
   structure(
     function(key, ..., otherwise = NULL) {
       text <- if (key %in% names(words)) words[[key]] else otherwise
@@ -42,8 +42,8 @@ new_say <- remembered(function(language = "en") {
   )
 })
 
-# The language of a page: what its address says (?lang=fr), else what its browser likes best of
-# those that there are, else English. query, accept: as a browser sends them, or NULL.
+# Returns the language in the address (?lang=fr), otherwise the available language that the browser
+# prefers, otherwise English. query, accept: as a browser sends them, or NULL.
 page_language <- function(query, accept) {
   asked <- tryCatch(shiny::parseQueryString(first_of(query, ""))$lang, error = function(e) NULL)
   liked <- strsplit(substr(first_of(accept, ""), 1L, 200L), ",", fixed = TRUE)[[1L]]
@@ -56,31 +56,31 @@ page_language <- function(query, accept) {
   if (length(found)) found[1L] else "en"
 }
 
-# ---- words of the trade --------------------------------------------------------------------------
+# ---- terms of the trade --------------------------------------------------------------------------
 
-# A field's path, such as "otter_boards.lift_coefficient", in words: "Otter boards: lift
-# coefficient".
-said_path <- function(say, path) {
+# Returns "Otter boards: lift coefficient" for "otter_boards.lift_coefficient".
+label_of_path <- function(say, path) {
   usual <- say(paste0("usual.", path), otherwise = "")
   if (nzchar(usual)) return(usual)
-  words <- vapply(strsplit(path, ".", fixed = TRUE)[[1]], function(step) said_field(say, step), "")
+  words <- vapply(strsplit(path, ".", fixed = TRUE)[[1]], function(step) label_of_field(say, step),
+    "")
   last <- length(words)
   capital(if (last == 1L) words else {
     paste0(paste(words[-last], collapse = " "), ": ", words[last])
   })
 }
 
-said_field <- function(say, name) {
+label_of_field <- function(say, name) {
   say(paste0("field.", name), otherwise = gsub("_", " ", name, fixed = TRUE))
 }
 
-# The label of a field, which is in English.
-said_label <- function(say, label, path) {
-  if (attr(say, "language") == "en") label else said_path(say, path)
+# label: English label of a field.
+label_of_fields <- function(say, label, path) {
+  if (attr(say, "language") == "en") label else label_of_path(say, path)
 }
 
-# Measures by their words in English, such as "door spread" or "hook 3 depth".
-said_measure <- function(say, words) {
+# Translates English measures such as "door spread" or "hook 3 depth".
+label_of_measure <- function(say, words) {
   vapply(words, function(word) {
     number <- regmatches(word, regexpr("[0-9]+", word))
     said <- say(paste0("measure.", gsub(" ", "_", sub("[0-9]+", "#", word))), otherwise = word)
@@ -88,30 +88,29 @@ said_measure <- function(say, words) {
   }, "", USE.NAMES = FALSE)
 }
 
-said_unit <- function(say, unit) {
+label_of_unit <- function(say, unit) {
   vapply(unit, function(one) say(paste0("unit.", one), otherwise = one), "", USE.NAMES = FALSE)
 }
 
-# Translates a text of a finding, as told_in() takes it.
-said_finding <- function(say) function(text) say(paste0("finding.", text), otherwise = text)
+# Returns a translator of findings for fill_template().
+translated_finding <- function(say) function(text) say(paste0("finding.", text), otherwise = text)
 
-# "door spread (m)"
-said_measure_unit <- function(say, words, unit) {
-  paste0(said_measure(say, words), " (", said_unit(say, unit), ")")
+label_with_unit <- function(say, words, unit) {
+  paste0(label_of_measure(say, words), " (", label_of_unit(say, unit), ")")
 }
 
-# ---- what the page is given ----------------------------------------------------------------------
+# ---- data for the page ---------------------------------------------------------------------------
 
-# As JSON: the words of its language by key, and of every field of a plan what it is called in all
-# languages, for who looks for it.
-words_json <- function(say) {
+# Returns JSON: the strings of the language by key, and all names of each field in all languages,
+# for searches.
+strings_json <- function(say) {
   table <- word_table()
   family <- sub("[.].*", "", table$key)
   of_field <- family %in% c("field", "also")
   every <- do.call(paste, table[of_field, word_languages()])
   field <- sub("^[a-z]*[.]", "", table$key[of_field])
   sought <- vapply(split(every, field), paste, "", collapse = " ")
-  words <- words_in(attr(say, "language"))
+  words <- strings_of_language(attr(say, "language"))
   words <- words[!startsWith(names(words), "finding.")]
   escape_json(as.character(jsonlite::toJSON(
     list(words = as.list(words), sought = as.list(sought)),

@@ -1,0 +1,114 @@
+# Sensitivities of the measures of the design on screen. The slow worker computes them for one
+# field, or for the fields that users change first.
+
+# `said`: paths of one control, which change together, or NULL for the fields that users change
+# first.
+requested_sensitivities <- function(state, said) {
+  said <- unlist(said)
+  if (is.null(said)) return(sensitivities(state))
+  if (!is.character(said) || length(said) > most_edits || any(nchar(said) > most_characters)) {
+    abort_argument("The path of the field is missing.")
+  }
+  sensitivities(state, to = list(unname(said)))
+}
+
+# Adds new sensitivities to known ones, and replaces known rows of the same field.
+with_derivatives <- function(known, found) {
+  if (is.null(known)) return(found)
+  rbind(known[!known$field %in% found$field, ], found)
+}
+
+sensitivity_label <- function(field, say) {
+  vapply(strsplit(field, " + ", fixed = TRUE), function(paths) label_of_path(say, paths[1L]), "",
+    USE.NAMES = FALSE)
+}
+
+# Requests the uncertainty of the measures on screen if the user selected `with_intervals`.
+flume_intervals <- function(input, tank, request_slow_worker) {
+  shiny::observe({
+    tank$changed()
+    if (!isTRUE(input$with_intervals) || is.null(tank$gear) || !is.null(tank$uncertainty)) return()
+    serial <- tank$serial
+    request_slow_worker("uncertainty", NULL, function(found) {
+      if (tank$serial != serial) return()
+      tank$uncertainty <- found
+      tank$count_uncertainty()
+    })
+  })
+}
+
+# Returns a list by field: paths, value, unit, an increase to start with, and for each measure its
+# change per unit of the field, in preferred units.
+sensitivities_message <- function(slopes, preferred, say = make_translator()) {
+  lapply(unique(slopes$field), function(field) {
+    rows <- slopes[slopes$field == field & is.finite(slopes$derivative), ]
+    unit <- sensitivity_units(rows)
+    told <- lapply(unit, function(one) preferred_number(1, one, preferred))
+    factor <- vapply(told, `[[`, 0, "value")
+    value <- rows$value[1L]
+    whole <- grepl("[.]number$", field)
+    list(
+      paths = I(strsplit(field, " + ", fixed = TRUE)[[1L]]), words = sensitivity_label(field, say),
+      value = value, unit = rows$unit[1L],
+      more = if (whole) max(1, round_step(abs(value) / 4)) else round_step(abs(value) / 20),
+      measures = I(label_of_measure(say, label_of(rows$measure, unit))),
+      units = I(label_of_unit(say, vapply(told, `[[`, "", "unit"))),
+      slope = I(rows$derivative * factor), below = I(rows$secant_below * factor),
+      above = I(rows$secant_above * factor), smooth = I(rows$smooth)
+    )
+  })
+}
+
+sensitivity_units <- function(rows) sub(" per [^ ]*$", "", rows$derivative_unit)
+
+# The table lists changes in percent of the measure for 10 % more of the field.
+sensitivities_html <- function(slopes, say = make_translator()) {
+  if (is.null(slopes)) return(NULL)
+  fields <- unique(slopes$field)
+  measures <- unique(slopes$measure)
+  # a row per measure, in the same order for every field
+  by_field <- lapply(fields, function(field) {
+    rows <- slopes[slopes$field == field, ]
+    rows[match(measures, rows$measure), ]
+  })
+  columns <- lapply(by_field, function(rows) {
+    small <- !is.na(rows$elasticity) & abs(rows$elasticity) < 0.1
+    text <- signed(10 * rows$elasticity, ifelse(small, 2L, 1L))
+    paste0(text, ifelse(nzchar(text) & text != "0" & !rows$smooth, " *", ""))
+  })
+  unit <- sensitivity_units(by_field[[1L]])
+  words <- label_of_measure(say, label_of(measures, unit))
+  table <- do.call(data.frame, c(list(words), columns, stringsAsFactors = FALSE))
+  # measures that no field changes are omitted
+  told <- Reduce(`|`, lapply(columns, function(column) nzchar(column) & column != "0"))
+  shiny::tagList(
+    html_table(say("slopes_caption"), c(say("measure"), sensitivity_label(fields, say)),
+      text_rows(table[told, ])),
+    shiny::tags$p(class = "note", say("slopes_star"))
+  )
+}
+
+# Handles requests for the sensitivities to `input$slopes_wanted$paths`, or to the fields that users
+# change first if there are no paths.
+serve_sensitivities <- function(input, output, session, tank, request_slow_worker, said, say) {
+  show <- function() {
+    said("serve_sensitivities", fields = sensitivities_message(tank$slopes, tank$preferred, say))
+    tank$count_slopes()
+  }
+  shiny::observeEvent(input$slopes_wanted, {
+    if (is.null(tank$gear)) return()
+    serial <- tank$serial
+    paths <- as.list(input$slopes_wanted)$paths
+    request_slow_worker("slopes", paths, function(found) {
+      if (tank$serial != serial) return()
+      tank$slopes <- with_derivatives(tank$slopes, found)
+      show()
+    })
+  })
+  shiny::observeEvent(input$preferred, if (!is.null(tank$slopes)) show())
+  output$slopes <- shiny::renderUI({
+    tank$slopes_changed()
+    tank$changed()
+    sensitivities_html(tank$slopes, say)
+  })
+}
