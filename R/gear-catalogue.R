@@ -1,26 +1,27 @@
-#' A catalogue of boards, floats, twines, ropes, wires and chains
+#' Published data of boards, floats, twines, ropes, wires and chains
 #'
-#' Figures of things that can be bought or were used, as they were published, to put into plans.
-#' Nothing is estimated: what a source does not say is `NA`.
+#' Returns published properties of products and tested gear, ready to copy into a plan. Nothing is
+#' estimated: a property that the source does not give is `NA`.
 #'
-#' @param class One or several of `"board"`, `"float"`, `"twine"`, `"rope"`, `"wire"`, `"chain"`, or
-#'   `NULL` for all.
-#' @return A data frame with a row for each thing:
+#' @param class Character: one or several of `"board"`, `"float"`, `"twine"`, `"rope"`, `"wire"` and
+#'   `"chain"`. Default `NULL`: all classes.
+#' @return A data frame with one row per item. An unknown class is an error of class
+#'   `codend_error_argument`. Columns:
 #' \describe{
-#'   \item{class, maker, item}{What it is.}
-#'   \item{material}{As plans name it, where it is one of those.}
-#'   \item{diameter_mm}{Of a chain that of its bar.}
-#'   \item{area_m2}{Of one board.}
-#'   \item{mass_kg, mass_per_length_kg_m}{In air.}
-#'   \item{buoyancy_kgf}{In sea water.}
-#'   \item{depth_m}{The depth that a float is made for.}
-#'   \item{strength_kN}{Breaking load.}
-#'   \item{rtex}{Of a twine, g/km.}
-#'   \item{lift_coefficient, drag_coefficient}{Of a board or a float.}
-#'   \item{note}{What else is to be known.}
-#'   \item{source}{Where these figures were read.}
+#'   \item{class, maker, item}{Product class, maker and product name.}
+#'   \item{material}{Material as named in plans, if plans have that material.}
+#'   \item{diameter_mm}{Diameter (mm); for a chain, the diameter of its bar.}
+#'   \item{area_m2}{Area of one board (m2).}
+#'   \item{mass_kg, mass_per_length_kg_m}{Mass in air (kg; kg/m).}
+#'   \item{buoyancy_kgf}{Buoyancy in sea water (kgf).}
+#'   \item{depth_m}{Rated depth of a float (m).}
+#'   \item{strength_kN}{Breaking load (kN).}
+#'   \item{rtex}{Resultant linear density of a twine (g/km).}
+#'   \item{lift_coefficient, drag_coefficient}{Coefficients of a board or a float.}
+#'   \item{note}{Remarks, for example vessels that use the product.}
+#'   \item{source}{Publication or web page of the values.}
 #' }
-#' An unknown class is a `codend_error_argument`.
+#' @seealso [new_plan()] to start a plan, [update()][update.codend_gear] to change its fields.
 #' @examples
 #' wires <- catalogue("wire")
 #' head(wires[c("item", "diameter_mm", "mass_per_length_kg_m", "strength_kN")])

@@ -1,5 +1,5 @@
-# What no single field can tell: whether the parts of a gear hang together. Takes SI numbers.
-# last: SI numbers of a gear that has been checked, or NULL.
+# Checks that the parts of a gear are connected consistently (`si`: SI numbers of `si_of()`).
+# `last`: SI numbers of a checked gear, or NULL. An identical structure skips the later checks.
 check_gear <- function(si, last = NULL) {
   check_points(si)
   held <- function(si) lapply(si$points, `[`, c("held", "position"))
@@ -12,9 +12,8 @@ check_gear <- function(si, last = NULL) {
   check_joined(si)
 }
 
-# How the parts of a gear hang together: all that decides it but the points that are held, and all
-# that decides how a lattice is divided but the counts asked for. Lengths, masses and areas of parts
-# are not among it, so that gears which differ by these alone are known by it.
+# Returns the fields that define how parts are connected, except held points. They also define the
+# mesh, except the requested node counts. Lengths, masses and areas are excluded.
 gear_structure <- function(si) {
   c(si[c("seams", "share_places")], list(
     points = lapply(si$points, `[[`, "at"),
@@ -25,7 +24,7 @@ gear_structure <- function(si) {
   ))
 }
 
-# "fixed" or "moved", by the name of each held point.
+# Returns "fixed" or "moved" for each held point, named by point.
 held_points <- function(si) {
   held <- vapply(si$points, `[[`, "", "held")
   held[!is.na(held)]
@@ -38,7 +37,7 @@ check_points <- function(si) {
     while (!is.null(at) && at %in% names(si$points)) {
       if (at %in% seen) {
         abort_plan(
-          sprintf("Plan field `points.%s.at` leads back to itself by %s.", name, word_list(seen)),
+          sprintf("Plan field `points.%s.at` refers to itself through %s.", name, word_list(seen)),
           paste0("points.", name, ".at"), at
         )
       }
@@ -49,22 +48,22 @@ check_points <- function(si) {
   held <- held_points(si)
   if (length(held) == 0) {
     abort_plan(
-      "Plan field `points` has no held point: give one `position` and `held`, or the gear drifts.",
+      "Plan field `points` has no held point: give a point `position` and `held`.",
       "points"
     )
   }
   if (si$towing$speed > 0 && !"moved" %in% held) {
     abort_field(
       "towing.speed", format_si(si$towing$speed, "speed"),
-      "0 where no point is moved (`held: moved`); water that meets a fixed gear is a current"
+      "0 if no point is moved (`held: moved`); for a fixed gear use a current"
     )
   }
   if (si$towing$speed > 0 && "fixed" %in% held) {
     abort_plan(
       sprintf(
         paste(
-          "Plan field `points` has both a fixed point `%s` and a moved point `%s` while",
-          "`towing.speed` is greater than 0: they would drift apart."
+          "Plan field `points` has a fixed point `%s` and a moved point `%s`, which drift apart:",
+          "`towing.speed` must be 0 or all held points must be of the same kind."
         ),
         names(held)[held == "fixed"][1], names(held)[held == "moved"][1]
       ),
@@ -73,7 +72,7 @@ check_points <- function(si) {
   }
 }
 
-# Chains of a seam must be alike in length, and no stretch of an edge may be in two seams.
+# Checks that chains of a seam differ in length by at most a factor of 3, without overlaps.
 check_seams <- function(si) {
   for (name in names(si$seams)) {
     seam <- si$seams[[name]]
@@ -95,7 +94,7 @@ check_seams <- function(si) {
     if (!gathered && any(size == 0)) {
       abort_plan(
         sprintf(
-          "Plan field `%s.edges[%d]` has no meshes; such an edge can only be `gathered_at`.",
+          "Plan field `%s.edges[%d]` has no meshes; an edge without meshes needs `gathered_at`.",
           path, which(size == 0)[1]
         ),
         paste0(path, ".edges"), size
@@ -118,14 +117,14 @@ check_seams <- function(si) {
   check_taken(si$seams)
 }
 
-# Mesh sizes (m) of the panels that a seam joins, by panel; one of each size.
+# Returns the distinct mesh sizes (m) of the panels that a seam joins, named by panel.
 joined_mesh_sizes <- function(si, seam) {
   panels <- unique(vapply(unlist(seam$edges, recursive = FALSE), `[[`, "", "panel"))
   sizes <- vapply(si$panels[panels], `[[`, 0, "mesh_size")
   sizes[!duplicated(sizes)]
 }
 
-# No stretch of an edge may be in two seams.
+# Checks that each stretch of an edge belongs to at most one seam.
 check_taken <- function(seams) {
   edges <- lapply(seams, function(seam) unlist(seam$edges, recursive = FALSE))
   name <- rep(names(seams), lengths(edges))
@@ -139,7 +138,7 @@ check_taken <- function(seams) {
     if (length(shared)) {
       abort_plan(
         sprintf(
-          "Plan field `seams.%s` joins meshes of the edge `%s` that seam `%s` already joins.",
+          "Plan field `seams.%s` joins meshes of the edge `%s`, but seam `%s` already joins them.",
           name[k], key[k], name[shared[1L]]
         ),
         paste0("seams.", name[k]), key[k]
@@ -148,17 +147,17 @@ check_taken <- function(seams) {
   }
 }
 
-# No twine stretches by half.
+# Held netting may be stretched to 1.5 times its stretched length; no twine elongates by half.
 greatest_held_stretch <- 1.5
 
-# size: stretched length (m) of the shortest of the chains that are held.
+# size: stretched length (m) of the shortest chain of the seam.
 check_held_between <- function(si, between, size, path) {
   held <- names(held_points(si))
   loose <- which(!between %in% held)[1]
   if (!is.na(loose)) {
     abort_field(
       sprintf("%s.held_between[%d]", path, loose), between[loose],
-      paste("a held point, one of", word_list(held))
+      paste("a held point from this list:", word_list(held))
     )
   }
   path <- paste0(path, ".held_between")
@@ -168,8 +167,8 @@ check_held_between <- function(si, between, size, path) {
     abort_plan(
       sprintf(
         paste(
-          "Plan field `%s` holds netting of stretched length %s between points %s apart; they may",
-          "be at most %s times the stretched length apart."
+          "Plan field `%s` has netting of stretched length %s between points %s apart; this",
+          "distance must be at most %s times the stretched length."
         ),
         path, format_si(size, "length"), format_si(apart, "length"), format(greatest_held_stretch)
       ),
@@ -178,7 +177,7 @@ check_held_between <- function(si, between, size, path) {
   }
 }
 
-# Every point, rope and panel must hang, through others, on a held point.
+# Checks that every point, rope and panel is connected to a held point.
 check_joined <- function(si) {
   body <- function(text) {
     place <- parse_place(text)
@@ -215,14 +214,14 @@ check_joined <- function(si) {
   if (length(loose)) {
     abort_plan(
       sprintf(
-        "Plan field `%s` is not held: no rope or seam leads from it to a held point.", loose[1]
+        "Plan field `%s` is not attached: no rope or seam leads to a held point.", loose[1]
       ),
       loose[1]
     )
   }
 }
 
-# Places that are one place: a rope must not start and end there, nor may two points hold it.
+# Checks that the ends of ropes differ and that no location has two held points.
 check_places <- function(si) {
   corners <- c("upper_left", "upper_right", "lower_left", "lower_right")
   links <- list()
@@ -263,7 +262,7 @@ check_places <- function(si) {
     if (is.null(rope$along) && !length(rope$through) && group[[rope$from]] == group[[rope$to]]) {
       abort_plan(
         sprintf(
-          "Plan field `ropes.%s.to` is %s, the same place as its start %s; it must be another.",
+          "Plan field `ropes.%s.to` is %s, the same position as the start %s; they must differ.",
           name, rope$to, rope$from
         ),
         paste0("ropes.", name, ".to"), rope$to
@@ -276,14 +275,15 @@ check_places <- function(si) {
     first <- held[match(group[held[twice]], group[held])]
     abort_plan(
       sprintf(
-        "Plan field `points.%s` holds the place that `points.%s` already holds.", held[twice], first
+        "Plan field `points.%s` has the same position as the held point `points.%s`.", held[twice],
+        first
       ),
       paste0("points.", held[twice]), held[twice]
     )
   }
 }
 
-# What a rope slides through must be one place after another.
+# Checks that consecutive points on a sliding rope are different locations.
 check_through <- function(rope, group, path) {
   passed <- c(rope$from, rope$through, rope$to)
   if (!length(rope$through)) return(invisible())
@@ -291,14 +291,14 @@ check_through <- function(rope, group, path) {
   if (is.na(twice)) return(invisible())
   abort_plan(
     sprintf(
-      "Plan field `%s.through` passes %s and %s one after the other, which are the same place.",
+      "Plan field `%s.through` has %s and %s in succession, but they are the same position.",
       path, passed[twice], passed[twice + 1L]
     ),
     paste0(path, ".through"), rope$through
   )
 }
 
-# The corners where a chain begins and ends; `otherwise` where that is inside an edge.
+# Returns the start and end corner of a chain; `otherwise` for an end inside an edge.
 chain_ends <- function(chain, otherwise) {
   corner <- function(edge, at, inside) {
     if (at != 0 && at != 1) return(inside)
@@ -319,7 +319,7 @@ edge_corners <- list(
 
 prefixed <- function(prefix, names) if (length(names)) paste0(prefix, names)
 
-# Group number of each name, names of one link being of one group.
+# Returns a group number for each name. Names that share a link are in the same group.
 joined_groups <- function(names, links) {
   of <- match(unlist(links), names)
   sizes <- lengths(links)
@@ -327,7 +327,7 @@ joined_groups <- function(names, links) {
   joined_labels(length(names), first, of)
 }
 
-# Labels 1..n joined by pairs (a, b): the smallest label of each connected group.
+# Returns connected components of nodes 1..n with edges (a, b), by smallest index.
 joined_labels <- function(n, a, b) {
   label <- seq_len(n)
   repeat {

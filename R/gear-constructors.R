@@ -1,19 +1,16 @@
-# A gear without a file: each constructor gives the same piece of tree as its map in a plan file.
+# Constructors of plan parts. Each returns the same tree as the corresponding map in a plan file.
 
-# fields: by name; those not given are NULL.
 component <- function(group, fields) {
   structure(Filter(Negate(is.null), fields), class = "codend_component", group = group)
 }
 
-# The names of a part's fields in the schema, in order.
 part_fields <- function(part) {
   file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
   definitions <- jsonlite::fromJSON(file, simplifyVector = FALSE)[["$defs"]]
   names(definitions[[part]]$properties)
 }
 
-# The constructor of a part: its arguments are the part's fields, each NULL where not given. Made
-# when the package is installed.
+# Returns the constructor of a part: a function with one argument per field (default NULL).
 constructor <- function(part, group) {
   fields <- part_fields(part)
   made <- function() component(group, as.list(environment()))
@@ -21,13 +18,13 @@ constructor <- function(part, group) {
   made
 }
 
-# The parts that constructors make, and the field of a plan that has them by name.
+# Parts with a constructor, and the plan field that lists each by name.
 constructed_parts <- c(
   point = "points", rope = "ropes", panel = "panels", seam = "seams", piece = "pieces",
   otter_board = "otter_boards", kite = "kites"
 )
 
-# The help of the constructors' arguments: what the schema says of each part's field of that name.
+# Returns roxygen `@param` lines of the constructors, from the descriptions in the schema.
 constructor_params <- function() {
   nodes <- lapply(constructed_parts, function(group) {
     path_node(list(), paste0(group, ".any"))$properties
@@ -43,7 +40,7 @@ constructor_params <- function() {
   }, "", USE.NAMES = FALSE)
 }
 
-# A field in words: its description, and the words or the fields of a list that it takes.
+# Returns the description of a schema field and its allowed values or list fields.
 field_help <- function(node) {
   choices <- if (is.null(node$choices)) list(node) else node$choices
   taken <- unlist(lapply(choices, function(choice) {
@@ -61,21 +58,27 @@ field_help <- function(node) {
 
 #' Make a gear in R
 #'
-#' The same tree as a plan file ([read_gear()]), made by calls. Quantities are text with a unit
-#' (`"4.5 knot"`, `"32 mm"`) or bare numbers in SI. Fields and their meaning are those of the plan;
-#' `coefficients`, `netting_drag`, `orientation`, `straight_bar` and `opening_stiffness` are
-#' explained in [netting], `shielding` in [settle()] and a `polar` in [board_polar()].
+#' Builds the same tree as a plan file ([read_gear()]) with function calls. Quantities are strings
+#' with a unit (`"4.5 knot"`, `"32 mm"`) or bare numbers in SI. Fields have the names and meanings
+#' of plan fields.
 #'
-#' @param name Name of the gear.
-#' @param ... Components made by `gear_point()`, `rope()`, `netting_panel()`, `piece()`,
-#'   `otter_board()`,
-#'   `kite()`, `seam()` and `measure()`, each under its name; and further fields of the plan
-#'   (`water`, `towing`, `netting`, `coefficients`, `netting_drag`, `slack_twine`, `catch`
-#'   ([catch]), `shooting`, `laid`, `tow`, `materials`, `notes`, `sources`) as lists or text.
-#' @param kind Kind of plan: `"assembly"`, or a short form.
+#' Some fields are described on other pages:
+#'
+#' - `coefficients`, `netting_drag`, `orientation`, `straight_bar`, `opening_stiffness`: [netting];
+#' - `shielding`: [settle()];
+#' - `polar`: [board_polar()].
+#'
+#' @param name Character: name of the gear.
+#' @param ... Named components made by `gear_point()`, `rope()`, `netting_panel()`, `piece()`,
+#'   `otter_board()`, `kite()`, `seam()` and [measure()], and further plan fields as lists or
+#'   strings (`water`, `towing`, `netting`, `catch`, `materials`, `notes` and others).
+#' @param kind Character: kind of plan. Default `"assembly"`, or a short form.
 #' @eval constructor_params()
-#' @return `gear()` returns a checked gear of class `codend_gear`; the others a component for it. A
-#'   wrong plan is an error of class `codend_error_plan`.
+#' @return `gear()` returns a checked gear of class `codend_gear`. The other functions return a
+#'   component of class `codend_component` for `gear()`. An invalid plan is an error of class
+#'   `codend_error_plan`.
+#' @seealso [read_gear()] and [new_plan()] for plan files, [measure()] for measures, [settle()] for
+#'   the shape of a gear.
 #' @export
 #' @examples
 #' gear(
@@ -138,19 +141,20 @@ kite <- constructor("kite", "kites")
 
 #' Define a measure of a gear
 #'
-#' One of the measures that a gear made by [gear()] reports; a plan's `measures` have the same
-#' fields. [measures()] defines each kind and gives their values.
+#' Requests one measure of a gear that [gear()] makes. The field `measures` of a plan has the same
+#' fields.
 #'
-#' @return A component for [gear()], which checks it.
+#' @return A component of class `codend_component` for [gear()], which checks it.
 #' @eval measure_questions()
-#' @seealso [gear()] for points, ropes and panels, whose places and names it needs.
+#' @seealso [measures()] for the definition and value of each kind; [gear()] for the points, ropes
+#'   and panels that a measure refers to.
 #' @export
 #' @examples
 #' measure(depth = "bottom")
 #' measure(angle = list(warp_port.start = "declination"))
 measure <- constructor("measure", "measures")
 
-# What each kind of measure asks for, as arguments of help, from the schema.
+# Returns roxygen `@param` lines for the kinds of measures, from the schema.
 measure_questions <- function() {
   kinds <- kind_node("assembly")$properties$measures$additionalProperties$properties
   paste("@param", names(kinds), vapply(kinds, function(kind) kind$description, ""))

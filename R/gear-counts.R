@@ -1,13 +1,12 @@
-# Mesh counts, cutting rates and twines as drawings have them: what a plan leaves out because the
-# rest of the drawing gives it.
+# Completes mesh counts, cutting rates and twines that follow from other fields of a plan.
 
-# The groups of a plan that its counts are found from.
+# Plan groups that determine the mesh counts.
 count_groups <- c("panels", "wings", "square", "sections", "materials")
 
-# A plan with its counts and twines complete. fields: checked, in SI; plan: as given; twines:
-# whether it may have some by weight, as what a short form stands for has not.
-# Returns list(fields, plan, derived), both trees with the same numbers put in; derived: these by
-# path.
+# Completes the counts and twines of a plan. `fields`: checked fields in SI; `plan`: the plan as
+# given; `twines`: FALSE for expanded short forms, which have no twine given by weight.
+#
+# Returns list(fields, plan, derived): both trees with the computed counts; the counts by path.
 complete_counts <- function(fields, plan, twines = TRUE) {
   done <- list(fields = fields, plan = plan, derived = numeric())
   put <- function(path, value) {
@@ -53,7 +52,7 @@ complete_counts <- function(fields, plan, twines = TRUE) {
       own <- section[[side]]
       if (is.null(own$meshes) && is.null(own$cutting)) next
       both <- section_panel(whole, side)
-      # another rate leaves another width behind
+      # A panel's own cutting rate gives another rear width.
       if (is.null(own$meshes)) both$meshes$lower <- NULL
       complete(c(path, side), both)
       if (is.null(own$meshes)) {
@@ -65,7 +64,6 @@ complete_counts <- function(fields, plan, twines = TRUE) {
   done
 }
 
-# The tree with a value at a path, given step by step.
 put_in <- function(tree, path, value) {
   if (!length(path)) return(value)
   tree <- as.list(tree)
@@ -73,12 +71,12 @@ put_in <- function(tree, path, value) {
   tree
 }
 
-# What a net maker's rounding may do: a mesh at each edge that is cut.
+# Allowed rounding of net makers: one mesh at each edge that is cut.
 rounded_meshes <- 1
 
-# The counts that a panel's cutting rate gives, by name: none, or the one that is left out.
-# given: checked fields of the panel, with `meshes`, `cutting` and `tapered`. The narrow edge is the
-# one that is found where it is not known which of the two is.
+# Returns the one count that the cutting rate gives (named list), or NULL if all counts are given.
+# `given`: checked fields of the panel with `meshes`, `cutting` and `tapered`.
+# `narrow`, `wide`: names of the two width counts.
 complete_meshes <- function(given, path, narrow = "upper", wide = "lower") {
   meshes <- given$meshes
   counts <- c(narrow, wide, "deep")
@@ -86,13 +84,13 @@ complete_meshes <- function(given, path, narrow = "upper", wide = "lower") {
   if (is.null(given$cutting)) {
     if (!length(missing)) return(NULL)
     abort_field(paste0(path, ".meshes.", missing[1]), NULL,
-      "given, or found by `cutting` from the other two counts", "is missing")
+      "given, or computed from the other two counts and a `cutting` rate", "is missing")
   }
   slopes <- cutting_slopes(given, path, one_edge = narrow == "tip")
   loss <- sum(slopes)
   if (length(missing) > 1L) {
     abort_field(paste0(path, ".meshes.", missing[1]), NULL,
-      "given: `cutting` finds one count from the other two", "is missing")
+      "given: two of the three counts are needed with `cutting`", "is missing")
   }
   rate <- show_cutting(given$cutting)
   if (!length(missing)) {
@@ -103,10 +101,12 @@ complete_meshes <- function(given, path, narrow = "upper", wide = "lower") {
       fits <- cutting_rate(lost / max(1, sum(slopes > 0)), meshes$deep, given_orientation(given))
       abort_field(paste0(path, ".cutting"), rate, sprintf(
         paste(
-          "a rate that takes off %s meshes in %s deep, within a mesh at each edge, such as %s; it",
-          "takes off %s"
+          "a rate that removes %s meshes over %s rows (from `%s` %s to `%s` %s), such as %s; this",
+          "rate removes %s. The tolerance is one mesh at each edge"
         ),
-        shown_count(lost), shown_count(meshes$deep), fits, shown_count(due)
+        displayed_count(lost), displayed_count(meshes$deep), narrow,
+        displayed_count(meshes[[narrow]]), wide, displayed_count(meshes[[wide]]), fits,
+        displayed_count(due)
       ), is = paste("is", rate))
     }
     return(NULL)
@@ -114,16 +114,16 @@ complete_meshes <- function(given, path, narrow = "upper", wide = "lower") {
   if (missing == "deep") {
     if (loss == 0) {
       abort_field(paste0(path, ".meshes.deep"), NULL,
-        sprintf("given where the edges are cut %s", rate), "is missing")
+        sprintf("given if the edges are cut %s, without loss of meshes", rate), "is missing")
     }
     deep <- abs(meshes[[wide]] - meshes[[narrow]]) / loss
     if (deep == 0) {
       abort_field(paste0(path, ".meshes"), meshes,
-        "of unlike widths, or `cutting` finds no depth from them")
+        "different at both edges, so that `cutting` determines the depth")
     }
     return(list(deep = deep))
   }
-  # of a wing the base is the wider edge; of other panels the one that is left out is the narrower
+  # The base is the wider edge of a wing. In other panels the omitted edge is the narrower one.
   value <- if (missing == "base") {
     meshes$tip + loss * meshes$deep
   } else {
@@ -132,9 +132,9 @@ complete_meshes <- function(given, path, narrow = "upper", wide = "lower") {
   }
   if (value < -1e-9) {
     abort_field(paste0(path, ".cutting"), rate, sprintf(
-      "a rate that leaves meshes at the other edge: in %s deep it takes off %s of %s",
-      shown_count(meshes$deep), shown_count(loss * meshes$deep),
-      shown_count(meshes[[setdiff(c(narrow, wide), missing)]])
+      "a smaller rate, so that meshes remain at the other edge: over %s rows it removes %s from %s",
+      displayed_count(meshes$deep), displayed_count(loss * meshes$deep),
+      displayed_count(meshes[[setdiff(c(narrow, wide), missing)]])
     ), is = paste("is", rate))
   }
   stats::setNames(list(max(0, value)), missing)
@@ -142,20 +142,20 @@ complete_meshes <- function(given, path, narrow = "upper", wide = "lower") {
 
 given_orientation <- function(given) first_of(given$orientation, "diamond")
 
-shown_count <- function(x) shortest_decimal(round(x, 2))
+displayed_count <- function(x) shortest_decimal(round(x, 2))
 
 show_cutting <- function(cutting) {
   if (is_text(cutting)) return(cutting)
   paste(names(cutting), unlist(cutting), collapse = ", ")
 }
 
-# Meshes across that a panel's left and right edge lose in a mesh down.
+# Returns the meshes across that the left and right edge each lose per mesh of depth.
 cutting_slopes <- function(given, path, one_edge = FALSE) {
   path <- paste0(path, ".cutting")
   orientation <- given_orientation(given)
   slope <- function(rate, at) cutting_slope(rate, at, orientation)
   if (is_map(given$cutting)) {
-    if (one_edge) abort_field(path, given$cutting, "one rate, of the inner edge of the wing")
+    if (one_edge) abort_field(path, given$cutting, "one rate, for the inner edge of the wing")
     return(c(
       left = slope(first_of(given$cutting$left, "AN"), paste0(path, ".left")),
       right = slope(first_of(given$cutting$right, "AN"), paste0(path, ".right"))
@@ -169,33 +169,32 @@ cutting_slopes <- function(given, path, one_edge = FALSE) {
   )
 }
 
-# Share of the difference between upper and lower edge that the left one takes.
+# Returns the fraction of the width difference of a panel that its left edge takes.
 left_taper <- function(panel, path) {
   if (!is_map(panel$cutting)) return(switch(panel$tapered, both = 0.5, left = 1, right = 0))
   slopes <- cutting_slopes(panel, path)
   if (sum(slopes) == 0) 0.5 else slopes[["left"]] / sum(slopes)
 }
 
-# take_up "2:3": two meshes of the section ahead to three of this one.
-# before: meshes of the section ahead across its rear edge, NULL of the first.
+# Applies a take-up ratio: "2:3" joins two meshes of the section ahead to three of this section.
+# `before`: meshes across the rear edge of the section ahead, NULL for the first section.
 taken_up <- function(section, before, path) {
   path <- paste0(path, ".take_up")
-  if (is.null(before)) abort_field(path, section$take_up, "left out of the first section")
+  if (is.null(before)) abort_field(path, section$take_up, "omitted in the first section")
   ratio <- as.double(strsplit(section$take_up, ":", fixed = TRUE)[[1]])
   due <- before * ratio[2] / ratio[1]
   given <- section$meshes$upper
   if (!is.null(given) && abs(given - due) > rounded_meshes) {
     abort_field(path, section$take_up, sprintf(
-      "such that %s meshes are joined to the %s of the section ahead; it needs %s",
-      shown_count(given), shown_count(before), shown_count(due)
+      "a ratio that joins %s meshes to the %s meshes of the section ahead; this one needs %s",
+      displayed_count(given), displayed_count(before), displayed_count(due)
     ), is = paste("is", section$take_up))
   }
   if (is.null(given)) section$meshes$upper <- due
   section
 }
 
-# Whether a tree has a field of this name anywhere. All fields of one depth are looked through
-# together.
+# TRUE if a tree has a field of this name at any depth. The search is breadth-first.
 has_field <- function(tree, name) {
   while (length(tree)) {
     if (name %in% names(tree)) return(TRUE)
@@ -204,8 +203,8 @@ has_field <- function(tree, name) {
   FALSE
 }
 
-# Every twine with its Rtex as mass per length, and with the diameter that its material has at that
-# mass where it has none.
+# Replaces `rtex` of each twine by its mass per length. A twine without a diameter gets the diameter
+# that its material has at this mass.
 twines_by_weight <- function(tree, own, path) {
   if (!is.list(tree)) return(tree)
   if (!is.null(tree$rtex) && is.null(tree$twine)) return(twine_by_weight(tree, own, path))
@@ -219,7 +218,7 @@ twines_by_weight <- function(tree, own, path) {
 twine_by_weight <- function(twine, own, path) {
   if (!is.null(twine$mass_per_length)) {
     abort_plan(
-      sprintf("Plan field `%s` has both `rtex` and `mass_per_length`; it must have one of them.",
+      sprintf("Plan field `%s` has both `rtex` and `mass_per_length`; remove one.",
         path),
       join(path, "rtex"), twine$rtex
     )

@@ -1,29 +1,30 @@
-# Cutting rates of netting edges, after ISO 1532: N a point (the cut runs down the netting by one
-# mesh), T a mesh (across it by one mesh), B a bar (half a mesh down and half a mesh across).
+# Cutting rates of netting edges (ISO 1532). N: point (one mesh down); T: mesh (one mesh across); B:
+# bar (half a mesh down and half a mesh across).
 
-# Longest cycle of points and bars that is still cut as one.
+# Longest cycle of points and bars that is written as one cycle.
 longest_cycle <- 7L
 
-# The cutting rate of an edge that loses (or gains) `lost` meshes across in `deep` meshes down, as
-# net makers write it: "AN", "AB", "1N2B", "3T2B". Where no short cycle fits, the two cycles that in
-# turn make up the edge, each with how often it is cut: "9(1N2B)+1(1N3B)"; for an edge of no whole
-# number of meshes the nearest short cycle: "~1N2B". "" where there is no rule: hexagonal netting,
-# and square netting that tapers.
+# Returns the cutting rate of an edge that loses (or gains) `lost` meshes across in `deep` meshes
+# down, in net makers' notation: "AN", "AB", "1N2B", "3T2B".
 #
-# Down d meshes and across l, the edge takes 2 l bars and d - l points where l < d, and 2 d bars and
-# l - d meshes across where l > d.
+# If no short cycle fits, the edge alternates two cycles with their counts: "9(1N2B)+1(1N3B)".
+# If the edge has no whole number of meshes, the result is the nearest short cycle: "~1N2B".
+# Hexagonal netting and tapered square netting have no rule; the result is "".
+#
+# An edge d meshes down and l across has 2 l bars and d - l points if l < d, otherwise 2 d bars and
+# l - d meshes.
 cutting_rate <- function(lost, deep, orientation = "diamond") {
   lost <- abs(lost)
   if (deep == 0 || startsWith(orientation, "hexagonal")) return("")
   if (orientation == "square") return(if (lost == 0) "AB" else "")
-  # In turned netting points and meshes change places.
+  # Turned netting interchanges points and meshes.
   letters <- if (orientation == "turned") c("T", "N") else c("N", "T")
   if (lost == 0) return(paste0("A", letters[1]))
   if (lost == deep) return("AB")
   steps <- abs(deep - lost)
   bars <- 2 * min(lost, deep)
   letter <- letters[1L + (lost > deep)]
-  # Half meshes, or thirds: as many edges as give whole numbers.
+  # Fractional meshes become whole numbers over several identical edges.
   edges <- Find(function(k) all(abs(k * c(steps, bars) - round(k * c(steps, bars))) < 1e-6), 1:12)
   if (is.null(edges)) return(paste0("~", nearest_cycle(bars / steps, letter)))
   cycle <- round(edges * c(steps, bars))
@@ -39,11 +40,11 @@ cutting_rate <- function(lost, deep, orientation = "diamond") {
   paste0(fewer - longer, "(", pair(each), ")+", longer, "(", pair(each + 1), ")")
 }
 
-# Meshes across that an edge loses in a mesh down, by its cutting rate: "1N2B", "AB", or cycles in
-# turn, each with how often it is cut, "9(1N2B)+1(1N3B)".
+# Returns the meshes across that an edge loses per mesh of depth, from its cutting rate, for example
+# "1N2B", "AB" or "9(1N2B)+1(1N3B)".
 cutting_slope <- function(rate, path, orientation = "diamond") {
   if (startsWith(orientation, "hexagonal") || (orientation == "square" && rate != "AB")) {
-    abort_field(path, rate, sprintf("left out of %s netting: give its counts", orientation))
+    abort_field(path, rate, sprintf("omitted in %s netting: give the mesh counts", orientation))
   }
   if (orientation == "square") return(0)
   text <- toupper(gsub("[[:space:]]|^~", "", rate))
@@ -58,14 +59,14 @@ cutting_slope <- function(rate, path, orientation = "diamond") {
     letters <- sub("[0-9]+", "", parts)
     for (k in seq_along(parts)) cuts[[letters[k]]] <- cuts[[letters[k]]] + counts[k]
   }
-  # in turned netting points and meshes change places
+  # Turned netting interchanges points and meshes.
   if (orientation == "turned") cuts[c("N", "T")] <- cuts[c("T", "N")]
   down <- cuts[["N"]] + cuts[["B"]] / 2
-  if (down == 0) abort_field(path, rate, "a rate that runs down the netting, such as 1N2B or AB")
+  if (down == 0) abort_field(path, rate, "a rate that advances in depth, such as 1N2B or AB")
   (cuts[["T"]] + cuts[["B"]] / 2) / down
 }
 
-# The cycle whose bars over points (or meshes) are nearest to a ratio.
+# Returns the cycle with the nearest ratio of bars to points (or meshes).
 nearest_cycle <- function(ratio, letter) {
   cycles <- expand.grid(n = seq_len(longest_cycle), b = seq_len(longest_cycle))
   best <- cycles[which.min(abs(log(cycles$b / cycles$n / ratio))), ]
@@ -74,11 +75,10 @@ nearest_cycle <- function(ratio, letter) {
 
 greatest_divisor <- function(a, b) if (b == 0) a else greatest_divisor(b, a %% b)
 
-# The rate that an edge is cut by in whole simple steps: the shortest cycle of a dozen cuts at most
-# that ends within half a mesh of the counts; otherwise a cycle that ends within a mesh of them,
-# where that is less than a twentieth of what the edge loses, as net makers round. All bars but for
-# a few points or meshes, which a loft puts where the join has room for them, is "AB+2N"; else where
-# no cycle does it is two cycles in turn.
+# Returns a simple cutting rate, chosen in this order: 1. The shortest cycle of at most 12 cuts that
+# ends within half a mesh of the counts. 2. A cycle that ends within one mesh, if this is less than
+# 1/20 of the lost meshes (rounding). 3. "AB+2N": all bars with a few extra points or meshes, placed
+# by the loft. 4. Two alternating cycles.
 simple_cutting_rate <- function(lost, deep, orientation = "diamond") {
   exact <- cutting_rate(lost, deep, orientation)
   if (!grepl("[(~]", exact)) return(exact)
@@ -103,5 +103,5 @@ simple_cutting_rate <- function(lost, deep, orientation = "diamond") {
   if (abs(lost - deep) <= few_steps) paste0("AB+", round(abs(lost - deep)), letter) else exact
 }
 
-# Points, or meshes across, that an edge of bars may have apart from its cycle.
+# Largest number of extra points or meshes in an all-bar edge.
 few_steps <- 4

@@ -1,12 +1,11 @@
-# Plans that may be unfinished: all that is wrong with one, and as much of a gear as can be drawn.
+# Unfinished plans: collects all problems and builds as much of the gear as can be drawn.
 
-# Problems told of one plan, at most.
 most_problems <- 20L
 
-# The gear of a plan that may contradict itself. like: the last gear that had no problem, as in
-# as_gear(). Returns list(gear, problems): problems a list of list(path (NULL where no one field is
-# wrong), message); with problems the gear is for drawing alone: wrong fields are as in `like`,
-# contradictions stay, and where that gives no gear it is `like` itself.
+# Builds a gear from a plan that may be inconsistent. `like`: the last gear without problems, as in
+# `as_gear()`. Returns list(gear, problems). `problems` is a list of list(path, message); `path` is
+# NULL if the problem has no single field. If there are problems, use `gear` only for drawing: wrong
+# fields have the value of `like`, and inconsistent fields remain. If this fails, `gear` is `like`.
 draft_gear <- function(plan, like = NULL) {
   found <- tried_gear(plan, like)
   if (!length(found$problems)) return(found)
@@ -15,7 +14,7 @@ draft_gear <- function(plan, like = NULL) {
   found
 }
 
-# A plan with the fields that are wrong in themselves as they were.
+# Returns the gear of the plan with its wrong fields reset to the values of `like`.
 mended_gear <- function(plan, like, problems) {
   for (problem in problems) {
     path <- dotted_path(first_of(problem$path, ""))
@@ -27,8 +26,8 @@ mended_gear <- function(plan, like, problems) {
   tried_gear(plan, like)$gear
 }
 
-# Checks go on behind a problem (abort_plan()). What comes behind one of a single field may be made
-# by it, and is left out, as is the gear.
+# Checks continue after a problem (restart of `abort_plan()`). A problem in a single field can cause
+# later problems in the assembly. These are omitted, and so is the gear.
 tried_gear <- function(plan, like) {
   problems <- list()
   of_fields <- FALSE
@@ -37,7 +36,7 @@ tried_gear <- function(plan, like) {
       as_gear(plan, file = like$file, like = like),
       codend_error_plan = function(e) {
         ways <- Filter(function(way) way$name == "codend_go_on", computeRestarts())
-        # an error of parts is told again in the words of the plan
+        # An error in the assembly is raised a second time with the field names of the plan.
         own <- length(ways) < 2L
         if (own || !of_fields) {
           problems <<- c(problems, list(list(path = e$path, message = plain_message(e))))
@@ -53,7 +52,7 @@ tried_gear <- function(plan, like) {
       NULL
     }
   )
-  # of the plan's own fields, where there are such
+  # Prefer problems that name a field of the plan.
   own <- vapply(problems, function(problem) {
     path <- dotted_path(first_of(problem$path, ""))
     nzchar(path) && !is.null(path_node(plan, path))

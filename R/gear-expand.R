@@ -1,11 +1,11 @@
 # Short forms: kinds of plan with their own fields, which expand into an assembly.
 
-# The function that expands a kind of plan: it takes the checked fields in SI and the plan as given,
-# and returns the tree of an assembly.
+# Returns the function that expands a kind of plan. Its arguments are the checked fields in SI and
+# the plan as given; it returns the tree of an assembly.
 expander_of <- function(kind) get(paste0("expand_", kind), mode = "function")
 
-# The groups of a tree in their plain form, taken from the `plain` form of a `last` tree where they,
-# or parts of them, are the same.
+# Converts the groups of a tree to their plain form. Groups or parts identical to the `last` tree
+# are copied from `plain`, the plain form of `last`.
 plain_groups <- function(tree, last = NULL, plain = NULL, parts = TRUE) {
   for (name in names(tree)) {
     now <- tree[[name]]
@@ -23,14 +23,16 @@ plain_groups <- function(tree, last = NULL, plain = NULL, parts = TRUE) {
   tree
 }
 
-#' Expand a short form
+#' Expand a short form into an assembly
 #'
-#' A gear of another kind than `assembly`, such as a midwater trawl by its main dimensions, is
-#' for an assembly of points, ropes, panels, seams and pieces. This is that assembly, to look at, to
-#' change or to write as a plan of its own.
+#' Converts a short form, such as a midwater trawl given by its main dimensions, into points, ropes,
+#' panels, seams and pieces. Use the assembly to inspect or change single parts, or write it as a
+#' plan.
 #'
-#' @param gear A gear ([read_gear()], [gear()]).
-#' @return A gear of kind `assembly`; the same gear when it already is one.
+#' @param gear A gear of class `codend_gear` ([read_gear()], [gear()]).
+#' @return A gear of class `codend_gear` and kind `assembly`. A gear that is already an assembly is
+#'   returned unchanged.
+#' @seealso [write_gear()] to write the assembly as a plan, [gear()] for the components.
 #' @export
 #' @examples
 #' assembly(read_gear("towed_cable"))

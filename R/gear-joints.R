@@ -1,8 +1,6 @@
-# Which stretches of the edges of panels seams join.
-
-# Returns data.frame(panel, edge, from, to, other, other_edge, other_from, other_to): the stretches
-# of edges that seams join, once from either panel. from, to: fractions of the edge; a reversed edge
-# has from > to.
+# Returns data.frame(panel, edge, from, to, other, other_edge, other_from, other_to): one row per
+# joined stretch of an edge, listed once from each of its two panels. `from`, `to`: fractions of the
+# edge; a reversed edge has from > to.
 seam_joints <- function(si) {
   joints <- list(data.frame(panel = character(), edge = character(), from = numeric(),
     to = numeric(), other = character(), other_edge = character(), other_from = numeric(),
@@ -20,7 +18,7 @@ seam_joints <- function(si) {
   rbind(joints, turned)
 }
 
-# The edges of a chain with where on the chain each begins and ends (0..1).
+# Returns the edges of a chain with their start and end as fractions of the chain length.
 chain_spans <- function(chain, panels) {
   long <- vapply(chain, function(edge) {
     (edge$to - edge$from) * edge_length(panels[[edge$panel]], edge$edge)

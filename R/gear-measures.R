@@ -1,70 +1,66 @@
-# Measures as the plan asks for them: what each kind is, and how a plan's question is checked.
-
-# A measure of a plan: list(kind, column (its name among the measures of a state)) and what its kind
-# asks for.
+# Returns list(kind, column, ...) for one measure of a plan. `column`: its name among the measures
+# of a state; `...`: the checked request.
 si_measure <- function(measure, path, known) {
   kind <- measure_kinds[[names(measure)]]
   name <- sub("^measures[.]", "", path)
-  asked <- kind$asks(measure[[1]], paste0(path, ".", kind$kind), known)
+  asked <- kind$requires(measure[[1]], paste0(path, ".", kind$kind), known)
   c(list(kind = kind$kind, column = with_unit(name, kind$unit)), asked)
 }
 
-# ---- what kinds of measures ask for --------------------------------------------------------------
+# ---- requests of measures ------------------------------------------------------------------------
 
-asks_place <- function(asked, path, known) list(place = find_place(asked, path, known))
+requires_place <- function(asked, path, known) list(place = find_place(asked, path, known))
 
-# A place, or several.
-asks_places <- function(asked, path, known) {
+requires_places <- function(asked, path, known) {
   list(place = vapply(unlist(asked), find_place, "", path = path, known = known, USE.NAMES = FALSE))
 }
 
-# Two places.
-asks_pair <- function(asked, path, known) {
+requires_pair <- function(asked, path, known) {
   list(pairs = list(lapply(as.list(asked), find_place, path, known)))
 }
 
-# Two places, or a list of pairs of places.
-asks_pairs <- function(asked, path, known) {
+# Two positions, or a list of pairs of positions.
+requires_pairs <- function(asked, path, known) {
   pairs <- lapply(spread_pairs(asked, path), function(pair) {
-    asks_pair(pair, path, known)$pairs[[1]]
+    requires_pair(pair, path, known)$pairs[[1]]
   })
   list(pairs = pairs)
 }
 
-asks_place_over_ground <- function(asked, path, known) {
+requires_place_over_ground <- function(asked, path, known) {
   place <- find_place(asked, path, known)
-  if (!known$ground) abort_field(path, place, "used only where the plan has a `seabed`")
+  if (!known$ground) abort_field(path, place, "used only in a plan with `seabed`")
   list(place = place)
 }
 
-asks_rope <- function(asked, path, known) list(rope = find_rope(asked, path, known))
+requires_rope <- function(asked, path, known) list(rope = find_rope(asked, path, known))
 
-asks_ropes <- function(asked, path, known) {
+requires_ropes <- function(asked, path, known) {
   list(ropes = vapply(asked, find_rope, "", path = path, known = known, USE.NAMES = FALSE))
 }
 
-# A rope's start, middle or end: list(rope, place). Of a tension also `max`.
-asks_rope_place <- function(asked, path, known) {
+# Start, middle or end of a rope, or `max` for a tension. Returns list(rope, place).
+requires_rope_place <- function(asked, path, known) {
   at <- parse_place(find_place(asked, path, known))
   list(rope = at$name, place = at$place)
 }
 
-asks_rope_angle <- function(asked, path, known) {
-  c(asks_rope_place(names(asked), path, known), angle = asked[[1]])
+requires_rope_angle <- function(asked, path, known) {
+  c(requires_rope_place(names(asked), path, known), angle = asked[[1]])
 }
 
-asks_board_angle <- function(asked, path, known) {
+requires_board_angle <- function(asked, path, known) {
   list(board = find_board(names(asked), path, known), angle = asked[[1]])
 }
 
-asks_panels <- function(asked, path, known) list(panels = find_panels(asked, path, known))
+requires_panels <- function(asked, path, known) list(panels = find_panels(asked, path, known))
 
-# Panels, and the volume (m3) whose share is asked for.
-asks_share <- function(asked, path, known) {
+# Panels, and the volume (m3) whose fraction is requested.
+requires_fraction <- function(asked, path, known) {
   list(panels = find_panels(asked$panels, paste0(path, ".panels"), known), of = asked$of)
 }
 
-asks_parts <- function(asked, path, known) list(parts = find_parts(asked, path, known))
+requires_parts <- function(asked, path, known) list(parts = find_parts(asked, path, known))
 
 find_panels <- function(names, path, known) {
   for (name in names) {
@@ -93,22 +89,26 @@ find_board <- function(name, path, known) {
 spread_pairs <- function(asked, path) {
   single <- vapply(asked, is.character, logical(1)) & lengths(asked) == 1
   if (all(single) && length(asked) == 2) return(list(unlist(asked)))
-  if (any(single)) abort_field(path, asked, "two places, or a list of pairs of places")
+  if (any(single)) abort_field(path, asked, "two positions, or a list of pairs of positions")
   asked
 }
 
 # ---- kinds of measures ---------------------------------------------------------------------------
 
-# The kinds of measures: their names, units, definitions and classes stand once, in
-# inst/schema/measures.csv, from which the engine's enumeration and the schema's words are made too
-# (tools/schema.R). The engine computes them (src/engine/measure).
+# Kinds of measures. `inst/schema/measures.csv` defines their names, units, definitions and classes.
+# `tools/schema.R` also generates the engine's enumeration and the schema's strings from this file.
+# The engine computes the measures (src/engine/measure).
 #
-# A row a kind: `kind`, as in the plan and in the engine; `unit` in which it is shown, in_unit()
-# knows it; `class` of measures whose errors are alike, and the `quantity` that it is a number of
-# (src/engine/measure/measure_errors.hpp); `asks`, what a plan has to give, as the end of a name of
-# the functions above, nothing for a measure of every gear; `definition`; and `sensor`, what tells
-# it on a vessel or a model, and what that sees otherwise. Measures of every gear stand in the order
-# in which they are told.
+# Columns, one row per kind:
+# `kind`: name in the plan and in the engine.
+# `unit`: display unit, known to `in_unit()`.
+# `class`: class of measures with similar errors. `quantity`: physical quantity
+# (src/engine/measure/measure_errors.hpp).
+# `requires`: suffix of the `requires_*()` function above; empty for a measure of every gear.
+# `definition`: definition for users.
+# `sensor`: sensor that measures it on a vessel or a model, and the differences to the definition.
+#
+# Measures of every gear are printed in the order of this file.
 measure_rows <- utils::read.csv(
   system.file("schema", "measures.csv", package = "codend", mustWork = TRUE),
   na.strings = ""
@@ -116,15 +116,15 @@ measure_rows <- utils::read.csv(
 
 measure_entries <- function(rows) {
   setNames(lapply(rows, function(k) {
-    asks <- measure_rows$asks[k]
+    requires <- measure_rows$requires[k]
     c(as.list(measure_rows[k, c("kind", "unit", "definition", "sensor")]),
-      if (!is.na(asks)) list(asks = get(paste0("asks_", asks))))
+      if (!is.na(requires)) list(requires = get(paste0("requires_", requires))))
   }), measure_rows$kind[rows])
 }
 
-# Kinds that a plan may ask for, and those of every gear, by name: lists of kind, unit, definition,
-# sensor (NA where none is known) and, of the former, asks(asked, path, known): what the plan asks
-# for, checked and taken apart, as a named list (an unknown place, rope, panel or piece is an error
-# of class `codend_error_plan`).
-measure_kinds <- measure_entries(which(!is.na(measure_rows$asks)))
-standard_measures <- measure_entries(which(is.na(measure_rows$asks)))
+# Named lists of kinds: requestable kinds (`measure_kinds`) and kinds of every gear
+# (`standard_measures`). Each has kind, unit, definition and sensor (NA if unknown). A requestable
+# kind also has `asks(asked, path, known)`, which returns the checked request as a named list. An
+# unknown position, rope, panel or piece is an error of class `codend_error_plan`.
+measure_kinds <- measure_entries(which(!is.na(measure_rows$requires)))
+standard_measures <- measure_entries(which(is.na(measure_rows$requires)))

@@ -1,103 +1,134 @@
-# Netting that is not plain diamonds, squares or turned meshes, as SI numbers; and the catch in it.
+# Netting with hexagonal meshes or stiff knots as SI numbers, and the catch in it.
 
-#' Netting
+#' Netting models
 #'
-#' How a panel's netting is modelled, by fields of the panel in a plan (or of [netting_panel()]).
+#' Fields of a panel in a plan (or of [netting_panel()]) select the mesh geometry, the drag model
+#' and the stiffness of the netting.
 #'
 #' @section Meshes:
-#' `orientation` is how meshes lie between the upper and the lower edge of a panel:
+#' `orientation` is the direction of the meshes between the upper and the lower edge of a panel:
 #'
-#' - `diamond`: with the netting's normal direction down the panel; `turned`: by 90 degrees (T90).
-#'   Thin twines know no difference: only the stiffness of knots distinguishes them.
+#' - `diamond`: the netting's normal direction runs down the panel.
+#' - `turned`: turned by 90 degrees (T90). Limp twines behave identically in both directions: only
+#'   the stiffness of knots makes a difference.
 #' - `square`: bars run down and across (T45).
-#' - `hexagonal`: between the oblique bars of diamonds straight bars of length `straight_bar` run
-#'   down the panel; `hexagonal_turned`: across it. `mesh_size` stays the stretched length of a
-#'   mesh, two straight and two oblique bars. Knots that have a length are straight bars too. All
-#'   bars are of one twine. Hexagonal netting is always divided into cells of three corners (D.
-#'   Priour, A Finite Element Method for Netting, Springer 2013), each with a point of its own, with
-#'   which stiff twine leaves it free to move.
+#' - `hexagonal`: straight bars of length `straight_bar` run down the panel, between the oblique
+#'   bars of diamonds. `mesh_size` remains the stretched length of a mesh: two straight and two
+#'   oblique bars.
+#' - `hexagonal_turned`: as `hexagonal`, with straight bars across the panel.
+#'
+#' In hexagonal netting all bars have the same twine, and knots that have a length are straight bars
+#' too. Hexagonal netting always uses triangular elements (D. Priour, A Finite Element Method for
+#' Netting, Springer 2013). Each element has its own internal point, which stiff twine leaves free
+#' to move.
 #'
 #' @section Knots:
-#' Netting is `knotted` where a plan does not say otherwise. A knot is a sphere of `knot_diameter`,
-#' twice the twine's where not given, which drags by its Reynolds number, and has the mass and the
-#' volume of the twine in it: `knot_twine` diameters of twine, 16 where not given, which is what a
-#' single knot takes: knotted netting weighs 1 + 16 d / mesh size times as much as knotless
-#' (recalled of J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990, which was not at hand:
-#' an assumption until it is checked there). Knotless netting has none of this.
-#' [summary()][summary.codend_gear] of a gear lists the twine that the panels of a gear take.
+#' Netting is `knotted` by default. A knot is a sphere of diameter `knot_diameter`, by default twice
+#' the twine diameter. Its drag depends on its Reynolds number. Knotless netting has no knots.
 #'
-#' @section Drag of twines and ropes:
-#' `coefficients`, of the plan, of one of its own `materials`, or of one rope or panel (the last
-#' wins), is a set by name, or numbers `normal`, `tangential` and `skin` on diameter times length:
+#' A knot has the mass and the volume of its twine. `knot_twine` is the length of this twine in
+#' twine diameters; default 16, a single knot. Knotted netting then weighs 1 + 16 d / mesh size
+#' times as much as knotless netting. This ratio is an assumption: it was recalled from J. Prado and
+#' P. Y. Dremiere, Fisherman's Workbook, FAO 1990, but not checked there.
+#' [summary()][summary.codend_gear] of a gear lists the twine in its panels.
+#'
+#' @section Drag of twines and ropes: `coefficients` is a named set, or the numbers `normal`,
+#'   `tangential` and `skin` (on diameter times length). It can be a field of the plan, of a
+#'   material, or of one rope or panel. The last in this order takes precedence.
 #'
 #' | name | across the axis | along it |
 #' |---|---|---|
-#' `r twine_law_rows()`
+#' `r paste(twine_drag_model_rows(), collapse = "\n")`
 #'
-#' Re is that of the flow across the axis. What is known worst, and counts most in netting that lies
-#' nearly along the flow, is the part along the axis: [summary()][summary.codend_state] of a state
-#' reports the total drag with it halved and doubled.
+#' Re is the Reynolds number of the flow across the axis. The drag along the axis is the most
+#' uncertain part. It matters most in netting nearly parallel to the flow.
+#' [summary()][summary.codend_state] of a state reports the total drag with this part halved and
+#' doubled.
 #'
 #' @section Drag of netting:
-#' Which law for which gear, with the evidence, is explained in `vignette("drag-laws", "codend")`.
-#' Where a plan says nothing, trawls have `blended`, cages `loland`, all else `twines`.
-#' `method: paper` has `twines` whatever a plan says.
+#' Defaults: `blended` for trawls, `loland` for cages, `morison` for other gears. `method: paper`
+#' always uses `morison`. `vignette("drag-models", "codend")` gives the evidence for each choice.
 #'
-#' `netting_drag`, of the plan or of one panel, is `twines` (the sum over all twines and knots by
-#' the `coefficients`) or the name of a formula for netting as a screen, by the angle between its
-#' normal and the flow and its solidity as the meshes are open:
-#' `r law_sources("netting", "screen")`.
-#' They were fitted to square netting of these solidities: `r screen_ranges()`; and are held at the
-#' ends beyond them; so is the cylinder drag of a law by Reynolds number (32 to 10000). Below a
-#' solidity of 0.1 `loland` and `aarsnes`, whose least drag is that of 0.04 of the netting's area
-#' even without any twine, are taken in proportion to the solidity; in the large meshes at the front
-#' of a midwater trawl they still give far too much. Solidity counts knots by their spheres, and the
-#' crossings of knotless netting once (2d/a - (d/a)^2 in square meshes). Where
-#' netting lies nearly along the flow its twines lie in each other's wake, which the sum over
-#' twines does not know: above some 70 degrees between normal and flow it gives too much drag (flume
-#' tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al., Aquacultural
-#' Engineering 90, 2020). `blended` is the sum over twines that passes smoothly into the screen of
-#' Kristiansen and Faltinsen between 60 and 80 degrees; where meshes close (solidities from 0.35 to
-#' 1) back to the sum. Netting so open that its twines are far apart is none: from a solidity of
-#' 0.05 down to 0 the screen's part vanishes. These bounds are a choice made here. With coefficients
-#' whose part along the twine is small, such as `hoerner`, the screen may be the larger of the two.
-#' Along the flow screens have a drag coefficient of 0 to 0.04 on their whole area;
-#' `multipliers.screen_friction` adds one on the area of the twine, 0 where a plan gives none, whose
-#' doubt [uncertainty()] counts.
-#' A mesh that closes up loses its area, and as a screen its drag. In netting of bars the screens
-#' are sheets between the rows of its knots. Hexagonal netting can be a screen, but not blended:
-#' where the plan's law is
-#' that, it has the sum over its twines. `settle()` warns where a screen's law is used outside the
-#' solidity, the Reynolds number or the angle that it was fitted to ([findings()]).
+#' `netting_drag`, of the plan or of one panel, selects the drag model:
+#'
+#' - `morison`: Morison-type (twine-by-twine) drag, the sum over all twines and knots with the
+#'   `coefficients`.
+#' - A screen drag model, which depends on the angle between the netting's normal and the flow and
+#'   on the solidity of the open meshes:
+#'   `r drag_model_sources("netting", "screen")`.
+#' - `blended`: the sum over twines, with a smooth transition to the screen of Kristiansen and
+#'   Faltinsen between 60 and 80 degrees.
+#'
+#' `blended` exists because twines shade each other in netting nearly parallel to the flow. The sum
+#' over twines ignores this. Above some 70 degrees between normal and flow its drag is too large
+#' (flume tests of rhombic panels, ASME OMAE2012, volume 44946, page 49; H. Cheng et al.,
+#' Aquacultural Engineering 90, 2020). `blended` returns to the sum in two cases:
+#'
+#' - Meshes close: solidities from 0.35 to 1.
+#' - Twines are far apart: the screen part decreases to zero from a solidity of 0.05 to 0.
+#'
+#' These bounds are a choice of this package. If the coefficients along the twine are small, as in
+#' `hoerner`, the screen drag can exceed the sum over twines.
+#'
+#' Limits of the screen drag models:
+#'
+#' - They were fitted to square netting with these solidities:
+#'   `r screen_ranges()`.
+#'   Solidity is clamped to these ranges, and so is the Reynolds number of a model's cylinder drag
+#'   (32 to 10000).
+#' - [settle()] warns if the solidity, the Reynolds number or the angle is outside the fitted range
+#'   ([findings()]).
+#' - `loland` and `aarsnes` have a minimum drag, 0.04 of the netting area, even without twine. Below
+#'   a solidity of 0.1 they are therefore scaled with solidity. Their drag is still far too large
+#'   for the front meshes of a midwater trawl.
+#' - Solidity counts each knot as a sphere, and crossings of knotless netting once (2d/a - (d/a)^2
+#'   in square meshes).
+#' - Parallel to the flow, screens have a drag coefficient of 0 to 0.04 on their whole area.
+#'   `multipliers.screen_friction` adds a coefficient on the twine area (default 0). [uncertainty()]
+#'   includes its uncertainty.
+#' - A mesh that closes loses its area and its screen drag.
+#' - In netting of `bars`, the screens are sheets between the rows of knots.
+#' - Hexagonal netting supports screens, but not `blended`. If the plan has `blended`, hexagonal
+#'   netting uses `morison`.
 #'
 #' @section Stiffness of meshes:
-#' Knots and stiff twine resist opening and closing of meshes: every knot has a couple, `couple`
+#' Knots and stiff twine resist opening and closing of meshes. Every knot has a couple: `couple`
 #' times the change of the angle between its twines from `angle`, its angle at rest (D. Priour,
-#' 2013, as above); of turned meshes the angle is measured across the panel. Where a plan gives no
-#' `opening_stiffness`, knotted netting of cells that is turned, of twine of 2 mm and more of a
-#' fibre in the table below, has that of its twine: its knots hold its meshes open. Multifilament
-#' (PA, PES, HMPE) and thin twine are limp, and so is diamond netting: the same couples would change
-#' its openings little where water or a catch opens them, and only a slack codend by more. Between
-#' two knots that do not turn, twine is a beam of the bending stiffness EI
-#' (F. G. O'Neill, IMA Journal of Applied Mathematics 58, 1997, for small slopes and without the
-#' part of its tension, which makes it stiffer), of the length of a bar less a knot, so that
+#' 2013, as above). In turned meshes the angle is measured across the panel.
+#'
+#' Without `opening_stiffness`, the couple follows from the twine if the panel meets all
+#' conditions:
+#'
+#' - it is knotted, turned (T90) and of `cells`;
+#' - its twine is at least 2 mm thick;
+#' - its fibre is in the table below.
+#'
+#' Other netting is limp. Multifilament (PA, PES, HMPE) and thin twine bend easily. In diamond
+#' netting these couples would hardly change the openings, except in a slack codend.
+#'
+#' Between two knots that do not turn, twine is a beam of bending stiffness EI. Its length is the
+#' bar minus the knot. For small slopes and without the stiffening effect of tension (F. G. O'Neill,
+#' IMA Journal of Applied Mathematics 58, 1997):
 #'
 #' couple = 6 n EI / (bar - knot), angle = 2 asin(knot / bar)
 #'
-#' with n = 2 of double twine, knot = `knot_diameter`, times the root of 2 of double twine, and at
-#' rest twines that leave both sides of a knot along the netting's normal direction (an assumption).
-#' EI goes with the cube of the diameter, and is for one twine of 4 mm:
+#' n is 2 for double twine and otherwise 1. knot is `knot_diameter`, times the square root of 2 for
+#' double twine. At rest, twines leave both sides of a knot along the netting's normal direction (an
+#' assumption). EI is proportional to the cube of the diameter. Values for one twine of 4 mm:
 #'
 #' | fibre | EI, N m2 |
 #' |---|---|
-#' `r twine_bending_rows()`
+#' `r paste(twine_bending_rows(), collapse = "\n")`
 #'
-#' All of these are assumed, within a factor of 2 (the file `twine_bending.csv` of
-#' `system.file("extdata", package = "codend")` says from what); measured values for a netting are
-#' better. `couple: 0` leaves meshes limp, and `multipliers.mesh_opening` multiplies all couples:
-#' [uncertainty()] knows it. In netting of bars no couple is assumed; one that a plan gives acts on
-#' the sheets between the rows of its knots. `vignette("forces", "codend")` shows what the couples
-#' do to codends and to the height of trawls.
+#' All values are assumed, within a factor of 2. The file `twine_bending.csv` in
+#' `system.file("extdata", package = "codend")` gives the reasons. Measured values of your netting
+#' are better. `couple: 0` makes meshes limp. `multipliers.mesh_opening` multiplies all couples, and
+#' [uncertainty()] includes it. Netting of `bars` has no default couple; a couple in the plan acts
+#' on the sheets between the rows of knots. `vignette("forces", "codend")` shows the effect of
+#' couples on codends and on the height of trawls.
+#'
+#' @seealso [netting_panel()] for the fields, [mesh_openings()] for computed openings,
+#'   [force_coefficients()] for all coefficients.
 #'
 #' @examples
 #' panel <- read_gear("flat_panel")
@@ -107,23 +138,33 @@
 #' @name netting
 NULL
 
-#' The catch
+#' Catch in a codend
 #'
-#' The plan's field `catch` fills netting from its closed end with a catch that the water cannot
-#' flow through. On the netting that it lies against acts a pressure p = 1/2 C_d rho V^2 along the
-#' outward normal, with V the speed of the water past that netting and C_d 1.4 where
-#' `drag_coefficient` gives no other (D. Priour, Modelling axisymmetric codends made of hexagonal
-#' mesh types, Ocean Engineering, 2014, doi:10.1016/j.oceaneng.2014.09.037, and the program
-#' AxiCodend). The resultant is p times the area of the catch's front.
+#' The plan field `catch` fills netting from its closed end with a catch that blocks the water.
 #'
-#' The catch lies in `panels`, alike in depth and closed at their lower edges, up to a front that
-#' follows a row of meshes: `blocked_meshes` deep from the lower edge, or where the netting behind
-#' it encloses the catch's `volume`, or its `mass` over its `density` (1000 kg/m3 where none is
-#' given, an assumption). [settle()] finds that front. The catch has no weight in water. In netting
-#' of bars it lies against the sheets between the rows of their knots.
+#' The pressure on the netting around the catch acts along the outward normal:
 #'
-#' [measures()] of such a state include `catch_volume_m3`, `catch_surface_m2`, the area of the
-#' netting behind the front, and `catch_front_meshes`, how many meshes deep the catch is.
+#' p = 1/2 C_d rho V^2
+#'
+#' V is the speed of the water past the netting. C_d is `drag_coefficient`, default 1.4 (D. Priour,
+#' Modelling axisymmetric codends made of hexagonal mesh types, Ocean Engineering, 2014,
+#' doi:10.1016/j.oceaneng.2014.09.037, and the program AxiCodend). The resultant force is p times
+#' the area of the catch front.
+#'
+#' The catch is in `panels` of equal depth that are closed at their lower edges. Its front follows a
+#' row of meshes. One field sets the position of the front:
+#'
+#' - `blocked_meshes`: depth in meshes from the lower edge;
+#' - `volume`: the volume that the netting behind the front encloses;
+#' - `mass`: the same with the volume `mass` / `density` (default 1000 kg/m3, an assumption).
+#'
+#' [settle()] computes the front. The catch has no weight in water. In netting of `bars` the catch
+#' presses on the sheets between the rows of knots.
+#'
+#' [measures()] of a state with a catch include `catch_volume_m3`, `catch_surface_m2` (area of the
+#' netting behind the front) and `catch_front_meshes` (depth of the catch in meshes).
+#'
+#' @seealso [mesh_openings()] for the openings ahead of a catch, [gear()] for the field in R.
 #'
 #' @examples
 #' codend <- read_gear("t90_codend")
@@ -133,7 +174,7 @@ NULL
 #' @name catch
 NULL
 
-# Bending stiffness (N m2) of one twine of 4 mm by fibre, with its sources.
+# Returns the assumed bending stiffness (N m2) of one twine of 4 mm, by fibre, with its sources.
 read_twine_bending <- function() {
   utils::read.csv(system.file("extdata", "twine_bending.csv", package = "codend"),
     comment.char = "#", row.names = "material")
@@ -141,17 +182,16 @@ read_twine_bending <- function() {
 
 known_twine_bending <- remembered(read_twine_bending)
 
-# Rows of the table of these in help.
 twine_bending_rows <- function() {
   known <- read_twine_bending()
   sprintf("| %s | %s |", rownames(known), format(known$bending_stiffness_N_m2))
 }
 
-# Thinner twine is limp, m.
+# Minimum diameter of stiff twine, m.
 thinnest_stiff_twine <- 2e-3
 
-# list(couple (N m/rad), angle (rad), assumed = TRUE) of the knots of a panel of `gear_si()`, from
-# its twine; NULL where none is assumed: see help of netting.
+# Returns the default stiffness of the knots of a panel of `gear_si()`: list(couple (N m/rad), angle
+# (rad), assumed = TRUE). NULL for limp netting. The help page `netting` explains the rules.
 usual_opening_stiffness <- function(panel) {
   fibre <- panel$material
   if (fibre %in% names(material_abbreviations)) fibre <- material_abbreviations[[fibre]]
@@ -162,7 +202,7 @@ usual_opening_stiffness <- function(panel) {
     return(NULL)
   }
   bar <- panel$mesh_size / 2
-  # where knots leave no twine between them they are as large as leaves a third
+  # Very large knots would leave no free twine: limit them to 2/3 of a bar.
   knot <- min(panel$knot_diameter * sqrt(panel$twine_count), 2 / 3 * bar)
   stiffness <- known[fibre, "bending_stiffness_N_m2"] * (panel$twine_diameter / 4e-3)^3
   list(
@@ -171,7 +211,7 @@ usual_opening_stiffness <- function(panel) {
   )
 }
 
-# Length (m) of the straight bars of a panel, 0 where it has none.
+# Returns the length (m) of the straight bars of a panel, or 0.
 si_hexagons <- function(panel, path) {
   hexagonal <- panel$orientation %in% c("hexagonal", "hexagonal_turned")
   refuse <- function(field) {
@@ -189,7 +229,8 @@ si_hexagons <- function(panel, path) {
   }
   if (!is.null(panel$opening_stiffness)) refuse("opening_stiffness")
   if (identical(panel$netting_drag, "blended")) {
-    abort_field(paste0(path, ".netting_drag"), "blended", "another for hexagonal netting")
+    abort_field(paste0(path, ".netting_drag"), "blended",
+      "another drag model for hexagonal netting")
   }
   if (identical(panel$netting, "bars")) {
     abort_field(paste0(path, ".netting"), panel$netting, "cells for hexagonal netting")
@@ -204,8 +245,8 @@ si_hexagons <- function(panel, path) {
   straight
 }
 
-# list(panels, deep (meshes of each), blocked (meshes, or NA), volume (m3, or NA),
-# drag_coefficient).
+# Returns list(panels, deep = depth of each panel in meshes, blocked (meshes, or NA), volume (m3, or
+# NA), drag_coefficient).
 si_catch <- function(catch, path, panels) {
   for (i in seq_along(catch$panels)) {
     name <- catch$panels[i]
@@ -215,7 +256,7 @@ si_catch <- function(catch, path, panels) {
   deep <- vapply(panels[catch$panels], `[[`, 0, "deep")
   if (any(deep != deep[1])) {
     abort_plan(
-      sprintf("Plan field `%s.panels` names panels of %s and %s meshes deep; they must be alike.",
+      sprintf("Plan field `%s.panels` has panels %s and %s meshes deep; the depths must be equal.",
         path, format(deep[1]), format(deep[deep != deep[1]][1])),
       paste0(path, ".panels"), catch$panels
     )

@@ -1,29 +1,27 @@
-# Otter boards, kites and depressors as rigid bodies, in SI numbers and in the engine's axes.
+# Otter boards, kites and depressors as rigid bodies, in SI numbers and in the engine's body axes.
 
-# Stiffness of a board's struts over its area, N/m per m2: a board under 25 kN per m2 changes its
-# lengths by a millimetre.
+# Stiffness of a board's struts per area, N/m per m2: 25 kN per m2 changes lengths by about 1 mm.
 strut_stiffness <- 3e7
 usual_shoe_width <- 0.05
 
-# A board in SI: its points and their places in the board's axes (see otter_board.hpp: x aft of the
-# leading edge, y to starboard, z up from the middle of the span), centres, polar, mass and volume.
+# Returns a board in SI: points and their positions in body axes, centres, polar, mass and volume.
+# Axes (see lifting_plate.hpp): x aft of the leading edge, y to starboard, z up from mid-span.
 si_otter_board <- function(board, path, fields, known) {
-  side <- if (board$pushes == "starboard") 1 else -1
+  side <- if (board$lift_direction == "starboard") 1 else -1
   si_lifting_body(board, path, fields, known, side, FALSE,
     axes = function(place) c(place$aft, -side * place$inward, place$up))
 }
 
-# A kite or depressor, as a board whose span lies level: in its axes y is up and z to port.
+# A kite or depressor is a board with a horizontal span: in its axes y is up and z to port.
 si_kite <- function(kite, path, fields, known) {
-  side <- if (kite$pushes == "up") 1 else -1
+  side <- if (kite$lift_direction == "up") 1 else -1
   si_lifting_body(kite, path, fields, known, side, TRUE,
     axes = function(place) c(place$aft, -side * place$inward, -place$starboard))
 }
 
-# Whether a board of `otter_boards` is a kite or depressor.
 is_kite <- function(board) identical(board$role, "kite")
 
-# axes: a function(place as given) that tells it in the board's axes.
+# axes: function(position as given in the plan) that returns the position in body axes.
 si_lifting_body <- function(board, path, fields, known, side, kite, axes) {
   points <- names(board$attachments)
   for (name in points) {
@@ -38,7 +36,7 @@ si_lifting_body <- function(board, path, fields, known, side, kite, axes) {
     e1[1] * e2[2] - e1[2] * e2[1])
   if (sqrt(sum(across^2)) < 0.01 * board$chord * board$span) {
     abort_field(paste0(path, ".attachments"), points,
-      "three places on the board that are not in one line")
+      "three points on the board that are not in one line")
   }
   body <- piece_body(board, path, fields)
   wanders <- identical(board$centre_of_pressure, "joessel")
@@ -71,13 +69,12 @@ si_lifting_body <- function(board, path, fields, known, side, kite, axes) {
   )
 }
 
-# Attack (deg) of the largest lift: beyond it a board is stalled.
+# Returns the angle of attack (deg) with the largest lift. A board stalls beyond it.
 stall_angle <- function(board) {
   front <- board$polar[board$polar$attack > 0 & board$polar$attack < 90, ]
   front$attack[which.max(front$lift)]
 }
 
-# The struts that hold a board's points apart, as a line of the engine.
 strut_line <- function(board) {
   list(
     axial_stiffness = strut_stiffness * board$area * board$span, diameter = 0.01,
@@ -87,7 +84,6 @@ strut_line <- function(board) {
   )
 }
 
-# What the engine reads of a board on these nodes.
 engine_board <- function(board, nodes, density) {
   radii <- plate_added_radii(board$chord, board$span)
   ratio <- board$span / board$chord
@@ -110,13 +106,13 @@ engine_board <- function(board, nodes, density) {
   )
 }
 
-# Angle of attack of a first shape, rad: of a kite half that of its largest lift.
+# Returns the initial angle of attack, rad. A kite starts at half its stall angle.
 first_attack <- function(board) {
   from_unit(if (is_kite(board)) stall_angle(board) / 2 else 25, "deg")
 }
 
-# Where a board's points are when it stands upright, or a kite lies level, with its leading edge
-# turned outward by this angle, its points' middle at a place (m); towards x the flow.
+# Returns the points (m) of an upright board, or of a kite with its span horizontal. The leading
+# edge is turned outward by `attack`, and `place` is the centre of the points. The flow is along x.
 upright_board <- function(board, place, attack = first_attack(board)) {
   turn <- board$side * attack
   rotation <- cbind(c(cos(turn), -sin(turn), 0), c(sin(turn), cos(turn), 0), c(0, 0, 1))

@@ -1,13 +1,11 @@
-# Pieces as SI numbers: mass, volume, drag area and lift area of each.
-
 sphere_drag_coefficient <- 0.47
 
 si_piece <- function(piece, path, fields, known) {
   place <- if (!is.null(piece[["at"]])) find_place(piece[["at"]], paste0(path, ".at"), known)
   along <- if (!is.null(piece$along)) find_run(piece$along, paste0(path, ".along"), known)
-  share <- if (is.null(along)) NULL else first_of(piece$share, c(0, 1))
+  share <- if (is.null(along)) NULL else first_of(piece$extent, c(0, 1))
   if (!is.null(share) && share[1] >= share[2]) {
-    abort_field(paste0(path, ".share"), piece$share, "a smaller fraction, then a larger one")
+    abort_field(paste0(path, ".extent"), piece$extent, "a smaller fraction, then a larger one")
   }
   if (piece$end_to_end && piece$number < 2) {
     abort_field(paste0(path, ".number"), piece$number, "at least 2 with `end_to_end`")
@@ -20,7 +18,7 @@ si_piece <- function(piece, path, fields, known) {
     if (is.null(piece$diameter)) {
       abort_field(paste0(path, ".diameter"), NULL, "given with `smooth_sphere`", "is missing")
     }
-    # the projected area, whose coefficient is the engine's
+    # Projected area; the engine supplies the coefficient.
     piece$drag_coefficient <- 1
     piece$area <- pi / 4 * piece$diameter^2
   }
@@ -33,17 +31,17 @@ si_piece <- function(piece, path, fields, known) {
   upward <- first_of(piece$vertical_lift_coefficient, 0) * first_of(piece$area, 0)
   if (upward != 0 && first_of(piece$lift_direction, "") %in% c("up", "down")) {
     abort_field(paste0(path, ".vertical_lift_coefficient"), piece$vertical_lift_coefficient,
-      "left out where `lift_direction` is up or down")
+      "omitted if `lift_direction` is up or down")
   }
   if (body$mass == 0 && body$volume == 0 && drag == 0 && lift == 0 && upward == 0 &&
     is.null(piece$added_mass_kg)) {
     abort_plan(
-      sprintf("Plan field `%s` does nothing: give it mass, buoyancy, an area or lift.", path),
+      sprintf("Plan field `%s` has no effect: give it mass, buoyancy, an area or lift.", path),
       path, piece
     )
   }
   list(
-    at = place, along = along, share = share, number = piece$number, end_to_end = piece$end_to_end,
+    at = place, along = along, extent = share, number = piece$number, end_to_end = piece$end_to_end,
     mass = body$mass, volume = body$volume,
     area = piece_reference_area(piece), drag_area = drag, lift_area = lift,
     upward_lift_area = upward,
@@ -55,7 +53,7 @@ si_piece <- function(piece, path, fields, known) {
   )
 }
 
-# A piece with the coefficients that its polar has at its angle of attack.
+# Replaces the polar of a piece by its coefficients at the angle of attack.
 attacked_piece <- function(piece, path) {
   excess <- intersect(
     c("lift_coefficient", "lift_area", "drag_coefficient", "drag_area"), names(piece)
@@ -63,12 +61,12 @@ attacked_piece <- function(piece, path) {
   if (length(excess)) {
     abort_plan(
       sprintf(
-        "Plan field `%s` has both `polar` and `%s`; it must have one of them.", path, excess[1]
+        "Plan field `%s` has both `polar` and `%s`; remove one.", path, excess[1]
       ),
       path, piece
     )
   }
-  # Of a plate it is the aspect ratio that this counts with, beyond the stall alone.
+  # The aspect ratio of 2 affects only angles beyond stall.
   polar <- engine_polar(si_polar(piece$polar, paste0(path, ".polar"), 2))
   at <- function(value, slope) {
     stats::splinefunH(polar$angle, polar[[value]], polar[[slope]])(piece$attack)
@@ -83,7 +81,7 @@ attacked_piece <- function(piece, path) {
   piece
 }
 
-# Coefficient times area (m2) of drag or lift.
+# Returns coefficient times area (m2) of drag or lift.
 piece_area <- function(piece, path, force, default) {
   coefficient <- piece[[paste0(force, "_coefficient")]]
   product <- piece[[paste0(force, "_area")]]
@@ -92,7 +90,7 @@ piece_area <- function(piece, path, force, default) {
     if (!is.null(coefficient)) {
       abort_plan(
         sprintf(
-          "Plan field `%s` has both `%s_area` and `%s_coefficient`; it must have one of them.",
+          "Plan field `%s` has both `%s_area` and `%s_coefficient`; remove one.",
           path, force, force
         ),
         path, piece

@@ -1,8 +1,7 @@
-# Lift and drag of otter boards, kites and depressors by angle of attack: published tests, and what
-# lies between and beyond their angles.
+# Lift and drag of otter boards, kites and depressors by angle of attack: published tests,
+# interpolation and extrapolation.
 
-# Tested boards and kites. Only values that are printed in public; attack in deg, coefficients on
-# the area.
+# Tested boards and kites, with published values only. Attack in deg, coefficients on the area.
 tested_polar <- function(source, attack, lift, drag) {
   list(source = source, values = data.frame(attack = attack, lift = lift, drag = drag))
 }
@@ -22,7 +21,7 @@ published_polars <- list(
     "Effect of aspect ratio on hydrodynamic performance of high lift otter board: abstract, H2",
     c(10, 27.5), c(1.660, 2.535), c(0.473, 1.424)
   ),
-  # read from diagrams; Reynolds number 140,000
+  # Read from diagrams; Reynolds number 140,000.
   flat_plate = tested_polar(
     "A. Pelletier and T. J. Mueller, Journal of Aircraft 37, 2000: flat plate, aspect ratio 2",
     c(3, 6, 8, 10, 15, 20, 25), c(0.15, 0.30, 0.40, 0.50, 0.70, 0.75, 0.67),
@@ -33,7 +32,7 @@ published_polars <- list(
     c(3, 6, 8, 10, 15, 20, 25, 28), c(0.075, 0.15, 0.20, 0.25, 0.50, 0.70, 0.80, 0.80),
     c(0.020, 0.030, 0.040, 0.060, 0.150, 0.280, 0.420, 0.480)
   ),
-  # printed at 0, 20 and 40 deg, drag also at 90: 40 deg lies on their straight line
+  # Published at 0, 20 and 40 deg, drag also at 90 deg; 40 deg is on their straight line.
   fabric_kite = tested_polar(
     "U. Fechner et al., Renewable Energy 83, 2015, in KiteModels: soft kite with inflated edges",
     c(0, 20, 40), c(0.2, 1.0, 1.0), c(0.1, 0.2, 0.429)
@@ -42,21 +41,20 @@ published_polars <- list(
 
 #' Lift and drag coefficients of an otter board or kite
 #'
-#' The polar that a free otter board, kite or depressor is computed with, over the full circle.
+#' Returns the polar of a free otter board, kite or depressor over the full circle of angles.
 #'
-#' Tests of boards print few angles, so most of a polar is filled in, always in the same way:
+#' Tests of boards publish few angles. The remaining angles follow from these rules:
 #'
-#' - between and up to the given angles a monotone cubic through the given values
-#'   ([stats::splinefun()], `"monoH.FC"`);
-#' - below the lowest angle, down to where lift is zero, lift on the straight line through the two
-#'   lowest values, and drag by `a + b attack^2` through the same;
-#' - beyond the highest angle, up to 90 deg, the stalled plate of Viterna and Corrigan (1982, NASA
-#'   CP-2230), which starts from the last given values and ends with a drag coefficient of
-#'   `1.11 + 0.018 span/chord`;
-#' - flow on the outer face, or from behind: the same with 0.7 of the lift, as the same source
-#'   takes it.
+#' - Between the given angles: a monotone cubic through the given values ([stats::splinefun()],
+#'   `"monoH.FC"`).
+#' - Below the lowest angle, down to zero lift: lift is on the straight line through the two lowest
+#'   values. Drag is `a + b attack^2` through the same values.
+#' - Beyond the highest angle, up to 90 deg: the stalled plate of Viterna and Corrigan (1982, NASA
+#'   CP-2230). It starts at the last given values and ends with a drag coefficient of `1.11 + 0.018
+#'   span/chord`.
+#' - Flow on the outer face, or from behind: the same curve with 0.7 times the lift (same source).
 #'
-#' By name, each on its own area:
+#' Published polars by name, each on its own area:
 #'
 #' | name | tested | at (deg) |
 #' |---|---|---|
@@ -68,16 +66,20 @@ published_polars <- list(
 #' | `fabric_kite` | soft kite with inflated edges (Fechner et al., 2015) | 0, 20, 40 |
 #'
 #' A. Pelletier and T. J. Mueller: Journal of Aircraft 37. U. Fechner et al.: Renewable Energy 83.
-#' The otter boards are printed at two angles only, the higher that of the largest lift, beyond
-#' which they count as stalled. The plates' values were read from diagrams. No test of a trawl's own
-#' kite with printed angles was found: the fabric kite is one for the air. [force_coefficients()]
-#' has all of these values, computed and published.
+#' The values of the plates were read from diagrams.
 #'
-#' @param polar One of these names, or a data frame with columns `attack` (deg), `lift` and
-#'   `drag` (coefficients on the board's area) of at least two angles between 0 and 90 deg.
-#' @param aspect_ratio Span over chord.
-#' @return A data frame with columns `attack` (deg, from -180 to 180), `lift`, `drag` and
-#'   `published` (whether the row is given rather than filled in).
+#' The otter boards have only two published angles. The higher one has the largest lift, and the
+#' boards count as stalled beyond it. No test of a trawl kite with published angles was found: the
+#' fabric kite was tested in air.
+#'
+#' @param polar Character: a name from the table. Or: a data frame with columns `attack` (deg),
+#'   `lift` and `drag` (coefficients on the board's area) and at least two angles between 0 and 90
+#'   deg.
+#' @param aspect_ratio Number: span over chord. Default 2.
+#' @return A data frame with columns `attack` (deg, from -180 to 180), `lift`, `drag` (coefficients)
+#'   and `published` (TRUE for given rows, FALSE for computed rows).
+#' @seealso [force_coefficients()] for all published and computed values; [board_modes()] for the
+#'   stability of a board.
 #' @export
 #' @examples
 #' board_polar("krill_cambered")
@@ -99,8 +101,8 @@ board_polar <- function(polar, aspect_ratio = 2) {
     given$lift[1] > 0 && max(given$lift) > 0 && all(given$drag > 0)
   if (!good) {
     abort_argument(
-      "{.arg polar} must have two angles or more, each once, from 0 to below 90 deg, with positive
-      drag and, at the lowest, positive lift."
+      "{.arg polar} must have at least two different angles, from 0 to below 90 deg. Every drag
+      must be positive, and so must the lift at the smallest angle."
     )
   }
   n <- nrow(given)
@@ -110,7 +112,7 @@ board_polar <- function(polar, aspect_ratio = 2) {
   }
 
   rise <- (given$lift[2] - given$lift[1]) / (given$attack[2] - given$attack[1])
-  # Where lift falls or hardly rises between the two, the way down to zero is that of a flat plate.
+  # If lift decreases or hardly increases between the two angles, use the lift line of a flat plate.
   if (rise < 0.5 * given$lift[1] / 30) rise <- given$lift[1] / max(given$attack[1], 10)
   no_lift <- max(given$attack[1] - given$lift[1] / rise, -30)
   bend <- max(0, (given$drag[2] - given$drag[1]) / (given$attack[2]^2 - given$attack[1]^2))
@@ -137,7 +139,7 @@ board_polar <- function(polar, aspect_ratio = 2) {
     cbind(between, published = rep(FALSE, nrow(between))), cbind(beyond, published = FALSE)
   )
   front <- front[order(front$attack), ]
-  # Flow from behind, and on the outer face.
+  # Flow from behind and on the outer face.
   turned <- beyond[beyond$attack < 90, ]
   behind <- data.frame(attack = 180 - turned$attack, lift = -0.7 * turned$lift, drag = turned$drag)
   most <- max(behind$attack)
@@ -152,9 +154,9 @@ board_polar <- function(polar, aspect_ratio = 2) {
   table_rows(out, order(out$attack))
 }
 
-# Beyond stall, from the coefficients at the stall angle to those of a plate across the flow, after
-# L. Viterna and R. Corrigan, Fixed pitch rotor performance of large horizontal axis wind turbines,
-# NASA CP-2230 (1982). attack in deg.
+# Returns coefficients beyond stall (attack in deg), up to a plate normal to the flow. L. Viterna
+# and R. Corrigan, Fixed pitch rotor performance of large horizontal axis wind turbines, NASA
+# CP-2230 (1982).
 viterna <- function(attack, stall, across) {
   a <- from_unit(attack, "deg")
   s <- from_unit(stall$attack, "deg")
@@ -164,11 +166,11 @@ viterna <- function(attack, stall, across) {
   data.frame(attack = attack, lift = lift, drag = drag)
 }
 
-# Knots, values and slopes as the engine reads them (rad).
+# Returns knots (rad), values and slopes in the engine's form.
 engine_polar <- function(table) {
   angle <- from_unit(table$attack, "deg")
   slope <- function(value) {
-    # A turn before and after, so that the circle closes smoothly.
+    # Add a turn before and after, so that the curve is smooth and periodic.
     n <- length(angle)
     around <- c(angle[-n] - 2 * pi, angle, angle[-1L] + 2 * pi)
     found <- stats::splinefun(around, c(value[-n], value, value[-1L]), method = "monoH.FC")
@@ -180,7 +182,7 @@ engine_polar <- function(table) {
   )
 }
 
-# The polar of a plan: a name, or a list of rows with attack in rad.
+# Returns the polar of a plan, which is a name or a list of rows with attack in rad.
 si_polar <- function(polar, path, aspect_ratio) {
   if (is.list(polar)) {
     polar <- data.frame(
@@ -192,8 +194,8 @@ si_polar <- function(polar, path, aspect_ratio) {
     board_polar(polar, aspect_ratio),
     codend_error_argument = function(e) {
       abort_field(path, polar$attack, paste(
-        "two angles or more, each once, from 0 to below 90 deg, with positive drag and, at the",
-        "lowest, positive lift"
+        "at least two different angles from 0 to below 90 deg, all with positive drag and the",
+        "smallest with positive lift"
       ))
     }
   )

@@ -1,11 +1,10 @@
-# Places and chains: the texts by which parts of a plan name each other, taken apart.
+# Parses positions and chains: the strings by which parts of a plan refer to each other.
 
 edge_pattern <- "^(-?)([^.]+)[.](upper|lower|left|right)(?:\\[([0-9.]+):([0-9.]+)\\])?$"
 
-# Takes a place apart.
-# Returns list(kind = "point" | "panel" | "rope", name, place), where place is NA for a point, the
-# corner (upper_left ...) of a panel, and start, middle, end, max or a share of its length of a
-# rope.
+# Returns list(kind = "point" | "panel" | "rope", name, place). `place` is NA for a point and a
+# corner (upper_left ...) for a panel. For a rope it is start, middle, end, max or a fraction of its
+# length.
 parse_place <- function(text) {
   open <- regexpr("[", text, fixed = TRUE)
   if (open != -1) {
@@ -21,8 +20,8 @@ parse_place <- function(text) {
   list(kind = kind, name = substring(text, 1, dot - 1), place = place)
 }
 
-# Takes one edge of a chain apart.
-# Returns list(panel, edge, from, to, reversed); from and to are still meshes (NA: the whole edge).
+# Returns list(panel, edge, from, to, reversed) for one edge of a chain; `from`, `to` in meshes, or
+# NA.
 parse_edge <- function(text) {
   found <- regexpr(edge_pattern, text, perl = TRUE)
   start <- attr(found, "capture.start")
@@ -33,8 +32,7 @@ parse_edge <- function(text) {
   )
 }
 
-# The text of a place, once it is known to exist. `known` lists the names of points and ropes, and
-# the panels.
+# Returns the string of a position if it exists. `known`: names of points and ropes; panels.
 find_place <- function(text, path, known) {
   place <- parse_place(text)
   names <- switch(place$kind,
@@ -46,7 +44,7 @@ find_place <- function(text, path, known) {
   text
 }
 
-# Places at a share of a rope's length, as texts, that the parts of a gear name.
+# Returns the strings of all positions at a fraction of a rope's length that the gear refers to.
 share_places <- function(si) {
   pick <- function(group, fields) lapply(si[[group]], `[`, fields)
   texts <- unlist(c(
@@ -61,7 +59,7 @@ find_rope <- function(name, path, known) {
   name
 }
 
-# A chain of edges that exist: list(panel, edge, from, to, reversed), from and to as fractions.
+# Returns list(panel, edge, from, to, reversed) for each edge; `from` and `to` are fractions.
 find_chain <- function(texts, path, known) {
   lapply(texts, find_edge, path = path, known = known)
 }
@@ -81,7 +79,7 @@ find_edge <- function(text, path, known) {
   if (edge$from >= edge$to || edge$to > meshes) {
     abort_field(
       path, text,
-      sprintf("a range of growing numbers within the %s meshes of that edge", format(meshes))
+      sprintf("a range of increasing numbers within the %s meshes of the edge", format(meshes))
     )
   }
   edge$from <- edge$from / meshes
@@ -89,7 +87,7 @@ find_edge <- function(text, path, known) {
   edge
 }
 
-# What a piece is spread along: list(kind = "rope", name) or list(kind = "chain", edges).
+# Returns the line of a piece: list(kind = "rope", name) or list(kind = "chain", edges).
 find_run <- function(texts, path, known) {
   if (length(texts) == 1 && !grepl("[.]", texts)) {
     return(list(kind = "rope", name = find_rope(texts, path, known)))
@@ -97,17 +95,16 @@ find_run <- function(texts, path, known) {
   list(kind = "chain", edges = find_chain(texts, path, known))
 }
 
-# What places and chains know of a panel: the fields that its edges, their lengths and its division
-# go by. Twine, knots and drag are not among them.
+# Fields of a panel that determine its edges, their lengths and its mesh.
 panel_shape_fields <- c(
   "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "orientation", "straight_bar"
 )
 
 panel_shapes <- function(panels) lapply(panels, `[`, panel_shape_fields)
 
-# Stretched length (m) of an edge: the shortest way along its twines. Across i and down j meshes
-# that is 2 max(i, j) bars in diamond netting and, i and j counting bars, i + j bars in square;
-# hexagonal meshes are shorter across their straight bars.
+# Returns the stretched length (m) of an edge: the shortest path along its twines. For i meshes
+# across and j down it is 2 max(i, j) bars in diamond netting. In square netting, with i and j in
+# bars, it is i + j bars. Hexagonal meshes are shorter across their straight bars.
 edge_length <- function(panel, edge) {
   loss <- panel$upper - panel$lower
   across <- switch(edge,
@@ -119,8 +116,8 @@ edge_length <- function(panel, edge) {
   if (panel$orientation == "square") {
     panel$mesh_size / 2 * (across + down)
   } else if (startsWith(panel$orientation, "hexagonal")) {
-    # Steps along the straight bars and the oblique ones beside them go down and across alike; what
-    # is left goes along oblique bars, or across, where turned, along straight ones too.
+    # Steps along straight bars and the adjacent oblique bars go equally far down and across. The
+    # rest of the path follows oblique bars, or across, in turned netting, straight bars too.
     short <- panel$mesh_size - 2 * panel$straight_bar
     turned <- panel$orientation == "hexagonal_turned"
     long_way <- if (turned) across else down

@@ -1,12 +1,10 @@
-# The sea bed as the engine takes it, and what of a gear may lie on it.
-
-# What friction gives before it slips, m, at most, and as a share of the gear's longest rope.
+# Upper limit of the default slip distance (m), and the default as a fraction of the longest rope.
 most_slip_distance <- 0.01
 slip_share <- 1e-3
 
-# seabed: checked fields, or NULL; longest: rope, m. Returns list(normal, height, velocity,
-# friction, stiffness, slip_distance), see ground.hpp; the ground passes a towed gear at the towing
-# speed.
+# Returns list(normal, height, velocity, friction, stiffness, slip_distance), see ground.hpp.
+# `seabed`: checked fields, or NULL; `longest`: length of the longest rope, m. The ground moves past
+# a towed gear at the towing speed.
 si_seabed <- function(seabed, towing_speed, longest) {
   if (is.null(seabed)) return(NULL)
   slope <- first_of(seabed$slope, list(angle = 0, toward = 0))
@@ -20,5 +18,5 @@ si_seabed <- function(seabed, towing_speed, longest) {
   )
 }
 
-# Height (m) of points (3 x n) above the ground, across it.
+# Returns the height (m) of points (3 x n) above the ground, normal to it.
 height_above_ground <- function(ground, position) drop(ground$normal %*% position) - ground$height

@@ -1,5 +1,3 @@
-# How a gear is shot, in SI.
-
 si_shooting <- function(shooting, path, known) {
   find_rope(shooting$rope, paste0(path, ".rope"), known)
   list(

@@ -1,18 +1,19 @@
-# The gear as SI numbers: what the lattice is made from.
+# The gear as SI numbers, the input of the mesh.
 
-# Checks a plan in full, once: first each field, then the assembly that it stands for, then whether
-# that hangs together.
+# Checks a plan completely: first each field, then the assembly, then the connections of its parts.
 #
-# last: what this function returned for another plan, or NULL. A slider changes one field of a plan;
-# what is the same as in that plan is taken over from it, unchecked.
+# `last`: result of this function for another plan, or NULL. Parts identical to that plan are copied
+# without a check, which makes slider moves fast. `joined`: FALSE skips the check of connections,
+# which a small change of a number does not affect.
 #
-# joined: whether to check that the parts hang together, which a small change of a number does not
-# alter.
-#
-# Returns list(plan, fields, derived, counted, expanded, tree, assembly, si): the plan; its checked
-# fields in SI; the counts that its cutting rates and take-up ratios give, by path, and all that
-# complete_counts() returned; the assembly that it stands for as expanded and in plain form (NULL
-# where it is one); that assembly's checked fields; and the SI numbers of si_of().
+# Returns a list:
+# `plan`: the plan.
+# `fields`: its checked fields in SI.
+# `derived`: counts from cutting rates and take-up ratios, by path.
+# `counted`: result of `complete_counts()`.
+# `expanded`, `tree`: the assembly as expanded and in plain form (NULL for an assembly).
+# `assembly`: checked fields of the assembly.
+# `si`: SI numbers of `si_of()`.
 check_whole <- function(plan, last = NULL, joined = TRUE) {
   fields <- check_plan(plan, last$plan, last$fields)
   withCallingHandlers(
@@ -21,7 +22,7 @@ check_whole <- function(plan, last = NULL, joined = TRUE) {
   )
 }
 
-# What check_whole() does once every field is as the schema has it.
+# The part of `check_whole()` that needs schema-valid fields.
 check_parts <- function(plan, fields, last, joined) {
   whole <- counts_again(fields, plan, last)
   now <- list(plan = plan, fields = fields, derived = whole$derived, counted = whole)
@@ -36,7 +37,7 @@ check_parts <- function(plan, fields, last, joined) {
     }
     now$tree <- plain_groups(now$expanded, last$expanded, last$tree)
     now$assembly <- check_plan(now$tree, last$tree, if (!is.null(last$tree)) last$assembly)
-    # what is taken over from the last gear is complete
+    # Groups copied from the last gear are already complete.
     if (is.null(last$tree) || !identical(now$tree[count_groups], last$tree[count_groups])) {
       now$assembly <- complete_counts(now$assembly, now$tree, twines = FALSE)$fields
     }
@@ -46,8 +47,8 @@ check_parts <- function(plan, fields, last, joined) {
   now
 }
 
-# As complete_counts(), of a plan without twines by weight from that of the last gear where nothing
-# has changed that counts are found from.
+# Equivalent to `complete_counts()`. Reuses the counts of the last gear if no input of the counts
+# has changed and no twine is given by weight.
 counts_again <- function(fields, plan, last) {
   same <- !is.null(last) && identical(plan[count_groups], last$plan[count_groups]) &&
     identical(fields[count_groups], last$fields[count_groups]) && !has_field(fields, "rtex")
@@ -59,11 +60,10 @@ counts_again <- function(fields, plan, last) {
   list(fields = fields, plan = plan, derived = last$derived)
 }
 
-# Groups that every assembly has as its short form does, and that nothing else of it is made from.
+# Groups that are copied unchanged from a short form to its assembly and affect no other group.
 handed_on <- c("name", "towing", "vessel")
 
-# The assembly that the last gear stood for with the groups that are only handed on of this plan, or
-# NULL where others have changed.
+# Returns the last assembly with this plan's copied groups; NULL if another group has changed.
 expanded_again <- function(plan, fields, last) {
   rest <- setdiff(names(plan), handed_on)
   same <- !is.null(last$expanded) && identical(names(plan), names(last$plan)) &&
@@ -77,16 +77,16 @@ expanded_again <- function(plan, fields, last) {
   expanded
 }
 
-# The fields of an assembly with the terms of its `method`, where it has one, in place of its own.
+# Returns the fields of an assembly with the model choices of its `method` in place of its own.
 #
-# The paper's (Li and others, Modeling of the Midwater Trawl Dynamical Behavior Based on R
-# Language): mass points at knots and in the middle of bars, drag and lift of a bar by its angle to
-# the flow (its eq. 4 and 5; coefficients not printed, here Hoerner's), a sum over all bars, and
-# added mass as a number (eq. 8).
+# `method: paper` follows Li and others, Modeling of the Midwater Trawl Dynamical Behavior Based on
+# R Language. Mass points are at knots and mid-bar. Drag and lift of a bar depend on its angle to
+# the flow (eq. 4 and 5; the coefficients are not published, here Hoerner's). Drag is a sum over all
+# bars, and added mass is a number (eq. 8).
 by_method <- function(fields) {
   if (is.null(fields$method)) return(fields)
   fields$netting <- "bars"
-  fields$netting_drag <- "twines"
+  fields$netting_drag <- "morison"
   fields$coefficients <- "hoerner"
   fields$slack_twine <- "straight"
   fields$shielding <- "none"
@@ -103,32 +103,31 @@ by_method <- function(fields) {
     panel[c("netting", "netting_drag", "coefficients", "shielding")] <- NULL
     panel$added_mass <- alike
     panel$bar_segments <- first_of(panel$bar_segments, 2L)
-    # its knots are spheres without weight (eq. 3)
+    # Its knots are spheres without weight (eq. 3).
     if (panel$knotted) panel$knot_twine <- 0
     panel
   })
   fields
 }
 
-# The gear as SI numbers with every default filled in, from the checked fields of its assembly.
-# last_fields, last: those of another gear and what this function returned for them, or NULL.
+# Returns the gear as SI numbers with all defaults, from the checked fields of its assembly.
+# `last_fields`, `last`: fields of another gear and the result of this function for them, or NULL.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, shooting, laid, vessel, measures, share_places). Places stay
-# texts that `parse_place()` takes apart; a chain is a list of list(panel, edge, from, to, reversed)
-# with from and to as fractions of the edge. What a plan may leave out and has no default is NULL
-# (position, at, near, from, to, along, shares, held_between, segments, columns, rows,
-# opening_stiffness, catch) or, of single numbers and texts, NA.
+# seams, pieces, otter_boards, ground, shooting, laid, vessel, measures, share_places). Positions
+# remain strings for `parse_place()`. A chain is a list of list(panel, edge, from, to, reversed);
+# `from` and `to` are fractions of the edge. An optional field without a default is NULL (position,
+# at, near, from, to, along, shares, held_between, segments, columns, rows, opening_stiffness,
+# catch). A single number or string is NA instead.
 si_of <- function(fields, last_fields = NULL, last = NULL) {
-  law <- drag_law(fields$coefficients)
+  law <- drag_model(fields$coefficients)
   si <- list(
     name = fields$name, kind = "assembly",
     water = si_water(fields$water, fields$seabed), towing = fields$towing,
     netting = fields$netting, slack_twine = fields$slack_twine, multipliers = fields$multipliers
   )
   same <- function(names) !is.null(last) && identical(fields[names], last_fields[names])
-  # what a group's parts were made to in the last gear, where all else that they are made from is
-  # the same
+  # Returns the reusable parts of the last gear, if all other inputs are the same.
   kept <- function(group, same, made = last[[group]]) {
     if (same) list(parts = last_fields[[group]][names(made)], made = made)
   }
@@ -142,7 +141,7 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   edges <- function(panels) lapply(panels, `[`, c("upper", "lower", "deep"))
   same_known <- identical(edges(known$panels), edges(last$panels)) &&
     identical(known$points, names(last$points)) && identical(known$ropes, names(last$ropes))
-  # how long netting is matters to ropes along it alone
+  # The length of netting affects only ropes along it.
   same_ropes <- if (identical(known$panels, panel_shapes(last$panels))) last$ropes else
     Filter(function(rope) is.null(rope$along), last$ropes)
   si$points <- map_named(
@@ -158,7 +157,7 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
     kept = kept("pieces", same_known && same("water"))
   )
   si$catch <- if (!is.null(fields$catch)) si_catch(fields$catch, "catch", si$panels)
-  # Kites are otter boards that push up or down.
+  # Kites are otter boards with upward or downward lift.
   si$otter_boards <- c(
     map_named(fields$otter_boards, "otter_boards", si_otter_board, fields, known),
     map_named(fields$kites, "kites", si_kite, fields, known)
@@ -186,7 +185,7 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
   si
 }
 
-# kept: list(parts, made) of another gear, where the same part would be made to the same, or NULL.
+# kept: list(parts, made) of another gear whose results can be reused for identical parts, or NULL.
 map_named <- function(parts, group, convert, ..., kept = NULL) {
   if (!is.null(kept$parts) && identical(parts, kept$parts)) return(kept$made)
   names <- as.character(names(parts))
@@ -223,9 +222,9 @@ si_water <- function(water, seabed = NULL) {
   si
 }
 
-# Coefficients on diameter times length: list(law, normal, tangential, skin); a law that depends on
-# the Reynolds number or solidity has NA for numbers.
-drag_law <- function(coefficients) {
+# Returns coefficients on diameter times length: list(law, normal, tangential, skin). The numbers
+# are NA for a model that depends on Reynolds number or solidity.
+drag_model <- function(coefficients) {
   constant <- function(numbers) {
     list(law = "constant", normal = numbers$normal, tangential = numbers$tangential,
       skin = numbers$skin)
@@ -236,32 +235,31 @@ drag_law <- function(coefficients) {
   list(law = coefficients, normal = NA_real_, tangential = NA_real_, skin = NA_real_)
 }
 
-# The coefficients of a rope or twine: its own, those of its material where the plan gives them, or
-# the plan's (law).
-line_law <- function(own, material, fields, law) {
+# Returns coefficients of a rope or twine: its own, its material's or the plan's (`law`).
+line_drag_coefficients <- function(own, material, fields, law) {
   if (is.null(own) && !is.null(material)) own <- fields$materials[[material]]$coefficients
-  if (is.null(own)) law else drag_law(own)
+  if (is.null(own)) law else drag_model(own)
 }
 
 si_added_mass <- function(added_mass) {
   c(normal = added_mass$normal, tangential = added_mass$tangential)
 }
 
-# Diameter of a knot, in twine diameters, where a plan gives none: a knot of two turns is 2 to 3 of
-# them across, and models of netting by its spheres take 2.
+# Default knot diameter in twine diameters. A knot of two turns measures 2 to 3 twine diameters
+# across; models with spherical knots use 2.
 usual_knot <- 2
 
-# Length of twine in a knot, in twine diameters, where a plan gives none: that of a single knot
-# (sheet bend). The weight of knotted netting over that of knotless is 1 + 16 d / mesh size in the
-# table of J. Prado and P. Y. Dremiere, Fisherman's Workbook, FAO 1990, as it is recalled: an
-# assumption until it is checked there. A mesh has one knot.
+# Default length of twine in a knot, in twine diameters: a single knot (sheet bend). The ratio of
+# the weights of knotted and knotless netting is 1 + 16 d / mesh size in the table of J. Prado and
+# P. Y. Dremiere, Fisherman's Workbook, FAO 1990. It is recalled, an assumption until it is checked
+# there. A netting mesh has one knot.
 usual_knot_twine <- 16
 
 si_panel <- function(panel, path, fields, law) {
   meshes <- panel$meshes
   if (meshes$upper == 0 && meshes$lower == 0) {
     abort_plan(
-      sprintf("Plan field `%s.meshes` has no meshes at either edge; one may be 0, not both.", path),
+      sprintf("Plan field `%s.meshes` has 0 meshes at both edges; only one edge may have 0.", path),
       paste0(path, ".meshes"), meshes
     )
   }
@@ -283,9 +281,9 @@ si_panel <- function(panel, path, fields, law) {
   }
   in_knots <- if (panel$knotted) twine$diameter else 0
   hexagons <- si_hexagons(panel, path)
-  # hexagons cannot be blended: where the plan is, they are sums over their twines
+  # Hexagonal netting does not support `blended`.
   usual_drag <- if (hexagons > 0 && fields$netting_drag == "blended") {
-    "twines"
+    "morison"
   } else {
     fields$netting_drag
   }
@@ -308,7 +306,7 @@ si_panel <- function(panel, path, fields, law) {
     knot_twine = first_of(panel$knot_twine, usual_knot_twine) * in_knots,
     netting = first_of(panel$netting, fields$netting),
     shielding = first_of(panel$shielding, fields$shielding),
-    coefficients = line_law(panel$coefficients, twine$material, fields, law),
+    coefficients = line_drag_coefficients(panel$coefficients, twine$material, fields, law),
     netting_drag = first_of(panel$netting_drag, usual_drag),
     added_mass = si_added_mass(panel$added_mass),
     columns = panel$columns, rows = panel$rows,
@@ -321,7 +319,7 @@ si_panel <- function(panel, path, fields, law) {
 
 si_point <- function(point, path, known) {
   if (!is.null(point$near) && !is.null(point$position)) {
-    abort_field(paste0(path, ".near"), point$near, "left out where `position` is given")
+    abort_field(paste0(path, ".near"), point$near, "omitted if `position` is given")
   }
   list(
     position = point$position, held = first_of(point$held, NA_character_),
@@ -341,7 +339,7 @@ si_rope <- function(rope, path, fields, law, known) {
     netting <- chain_length(along, known$panels)
     if (netting == 0) {
       abort_plan(
-        sprintf("Plan field `%s.along` has no length: its edges have no meshes.", path),
+        sprintf("Plan field `%s.along` has no length because its edges have no meshes.", path),
         paste0(path, ".along"), rope$along
       )
     }
@@ -354,7 +352,8 @@ si_rope <- function(rope, path, fields, law, known) {
   }
   if (!is.null(line$load_table) && length(rope$through)) {
     abort_plan(sprintf(
-      "Plan field `%s.load_by_elongation` is given, but the rope slides; it must have EA.", path
+      "Plan field `%s.load_by_elongation` is given, but the rope slides: use `axial_stiffness`.",
+      path
     ), paste0(path, ".load_by_elongation"), rope$load_by_elongation)
   }
   list(
@@ -368,10 +367,10 @@ si_rope <- function(rope, path, fields, law, known) {
     axial_stiffness = line$axial_stiffness, load_table = line$load_table,
     damping = line$damping,
     bending_stiffness = rope$bending_stiffness,
-    strut = rope$pushes || rope$bending_stiffness > 0,
+    strut = rope$carries_compression || rope$bending_stiffness > 0,
     mass_per_length = line$mass_per_length,
     volume_per_length = line$volume_per_length,
-    coefficients = strummed(line_law(rope$coefficients, rope$material, fields, law),
+    coefficients = strummed(line_drag_coefficients(rope$coefficients, rope$material, fields, law),
       rope$strumming, path),
     added_mass = si_added_mass(rope$added_mass),
     strength = line$strength,
@@ -380,8 +379,7 @@ si_rope <- function(rope, path, fields, law, known) {
   )
 }
 
-# Lengths (m) of a rope along each of its edges, from its plan's lengths or hanging ratios; NULL
-# where it has neither.
+# Returns lengths (m) of a rope along its edges from `lengths` or `hanging_ratios`, or NULL.
 edge_lengths <- function(rope, path, along, panels) {
   field <- intersect(c("lengths", "hanging_ratios"), names(rope))
   if (!length(field)) return(NULL)
@@ -408,7 +406,7 @@ si_seam <- function(seam, path, known) {
   if (!is.null(gathered) && length(between)) {
     abort_plan(
       sprintf(
-        "Plan field `%s` has both `gathered_at` and `held_between`; it must have one of them.", path
+        "Plan field `%s` has both `gathered_at` and `held_between`; remove one.", path
       ),
       path, seam
     )

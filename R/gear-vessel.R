@@ -1,27 +1,29 @@
-# The vessel's engine as SI numbers.
-
-#' The vessel's engine
+#' Engine of the vessel
 #'
-#' The plan's field `vessel` says what the vessel can pull and what fuel that takes, for the
+#' The plan field `vessel` gives the pull and the fuel consumption of the vessel. It adds the
 #' measures `engine_power`, `pull_used`, `fuel_rate`, `fuel_per_swept_area`,
-#' `fuel_per_filtered_volume` and `fuel_per_catch` ([measures()]) and for [tow_speed()]. It changes
-#' nothing of how the gear settles.
+#' `fuel_per_filtered_volume` and `fuel_per_catch` ([measures()]), and it is the input of
+#' [tow_speed()]. It does not affect the shape of the gear.
 #'
 #' @section Fields:
-#' - `power`: full power of the engine, on its brake.
-#' - `pull`: a list of `speed` and `pull`: what is left for the gear at full power, as a trial or
-#'   the yard gives it, from the bollard pull at speed 0 on. It is straight between rows. Two rows,
-#'   the bollard pull and no pull at the free speed, are a first guess.
-#' - `fuel`: fuel over energy, such as `"210 g/kWh"`, or a list of `load` (share of full power) and
-#'   `consumption`, straight between rows and constant beyond them.
-#' - `fuel_density` (840 kg/m3, of marine gas oil; an assumption) and `catch_per_hour`.
+#' - `power`: full brake power of the engine.
+#' - `pull`: a list of `speed` and `pull`, the pull available for the gear at full power. The first
+#'   row is the bollard pull at speed 0. Use values from a trial or the yard. Interpolation is
+#'   linear. A first estimate needs two rows: the bollard pull, and zero pull at the free speed.
+#' - `fuel`: fuel per energy, such as `"210 g/kWh"`. Or a list of `load` (fraction of full power)
+#'   and `consumption`, interpolated linearly and clamped at the ends.
+#' - `fuel_density`: default 840 kg/m3, marine gas oil (an assumption).
+#' - `catch_per_hour`: catch, for `fuel_per_catch`.
 #'
 #' @section Power at less than full pull:
-#' A propeller's thrust grows with the square of its speed of rotation n and its power with the cube
-#' while the water meets it alike (J. S. Carlton, Marine Propellers and Propulsion, chapter 6: K_T
-#' and K_Q depend on the advance V / (n D) alone). So at full pull the power is `power`, and at a
-#' share s of it `power` s^1.5. That is exact where the vessel lies still; under way a lightly
-#' loaded propeller meets the water faster than that, and a light tow takes somewhat more.
+#' At full pull the power is `power`. At a fraction s of full pull it is `power` s^1.5.
+#'
+#' Reason: at a constant advance V / (n D), thrust is proportional to n^2 and power to n^3, with n
+#' the speed of rotation (J. S. Carlton, Marine Propellers and Propulsion, chapter 6: K_T and K_Q
+#' depend on the advance alone). The relation is exact at zero speed. Under way, a lightly loaded
+#' propeller has a larger advance, and a light tow takes somewhat more power.
+#'
+#' @seealso [tow_speed()] for the speed at a given power, [measures()] for the fuel measures.
 #'
 #' @examples
 #' with_engine <- update(read_gear("towed_cable"), vessel = list(power = "200 kW",
@@ -31,22 +33,22 @@
 #' @name vessel
 NULL
 
-# list(power (W), pull = data.frame(speed (m/s), pull (N)), fuel = data.frame(load, consumption
-# (kg/J)) or NULL, fuel_density (kg/m3), catch_per_hour (kg, NA)).
+# Returns list(power (W), pull = data.frame(speed (m/s), pull (N)), fuel = data.frame(load,
+# consumption (kg/J)) or NULL, fuel_density (kg/m3), catch_per_hour (kg, or NA)).
 si_vessel <- function(vessel, path) {
   column <- function(rows, field) vapply(rows, `[[`, 0, field, USE.NAMES = FALSE)
   rising <- function(field, x) {
     if (is.unsorted(x, strictly = TRUE)) {
-      abort_field(paste(path, field, sep = "."), x, "in rising order, each once")
+      abort_field(paste(path, field, sep = "."), x, "in increasing order, without duplicates")
     }
   }
   speed <- column(vessel$pull, "speed")
   rising("pull", speed)
   pull <- column(vessel$pull, "pull")
   if (any(diff(pull) > 0) || pull[1L] == 0) {
-    abort_field(paste0(path, ".pull"), pull, "a pull that falls with speed")
+    abort_field(paste0(path, ".pull"), pull, "a pull that decreases with speed")
   }
-  fuel <- vessel[["fuel"]] # not fuel_density
+  fuel <- vessel[["fuel"]] # excludes fuel_density
   if (is.list(fuel)) {
     load <- column(fuel, "load")
     rising("fuel", load)

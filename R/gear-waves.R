@@ -1,18 +1,16 @@
-# Waves: what a plan says of them as a sum of regular ones.
-
-# Share of its length that a wave's height may reach in deep water before it breaks, and the same of
-# the depth's tanh in all water (Miche 1944).
+# Breaking limit (Miche 1944): largest wave height as a fraction of wavelength times tanh(number *
+# depth). In deep water the tanh is 1.
 breaking_share <- 0.142
 
-# List(height, period, spectrum = as given; amplitude (m), frequency (1/s), phase, toward (rad) = of
-# every regular wave; depth (m, 0: deep), rising (s)).
+# Returns list(height, period, spectrum as given; amplitude (m), frequency (1/s), phase, toward
+# (rad) of each regular wave; depth (m, 0: deep), rising (s)).
 si_waves <- function(waves, seabed) {
   depth <- first_of(first_of(waves$depth, seabed$depth), 0)
   number <- engine_wave_number(2 * pi / waves$period, depth)
   most <- breaking_share * 2 * pi / number * if (depth > 0) tanh(number * depth) else 1
   if (waves$height > most) {
     abort_field("water.waves.height", waves$height, sprintf(
-      "at most %s, where waves of this period break", format_si(signif(most, 3), "length")
+      "at most %s, the breaking height for this period", format_si(signif(most, 3), "length")
     ))
   }
   parts <- if (waves$spectrum == "regular") {
@@ -29,19 +27,18 @@ si_waves <- function(waves, seabed) {
   )
 }
 
-# Density of energy of a spectrum by frequency over that of its peak, of any size: after Pierson and
-# Moskowitz (1964), and with a peak after Hasselmann et al. (1973, JONSWAP), as in DNV-RP-C205,
-# 3.5.5.
+# Returns the energy density of a spectrum, without normalisation. `share`: frequency over peak
+# frequency. After Pierson and Moskowitz (1964), with the peak of Hasselmann et al. (1973, JONSWAP),
+# as in DNV-RP-C205, 3.5.5.
 spectrum_density <- function(share, peakedness) {
   width <- ifelse(share <= 1, 0.07, 0.09)
   share^-5 * exp(-1.25 * share^-4) * peakedness^exp(-(share - 1)^2 / (2 * width^2))
 }
 
-# Frequencies over the peak's within which a spectrum is cut: beyond lies 0.1 % of its energy.
+# Range of frequencies over the peak frequency. Only 0.1 % of the energy is outside it.
 spectrum_range <- c(0.4, 6)
 
-# Regular waves that share a spectrum's energy equally, each with the frequency in the middle of its
-# share; so their pattern does not come again.
+# Returns regular waves of equal energy. Median frequencies of bands avoid a repeating pattern.
 spectrum_parts <- function(waves) {
   n <- waves$components
   peakedness <- if (waves$spectrum == "jonswap") waves$peakedness else 1
@@ -51,14 +48,14 @@ spectrum_parts <- function(waves) {
   middle <- (seq_len(n) - 0.5) / n
   found <- stats::approx(below / below[length(below)], share, middle, ties = "ordered")$y
   list(
-    # of n waves with 1/2 a^2 each, of a surface whose variance is H^2/16
+    # n waves of 1/2 a^2 each; the surface has the variance H^2/16.
     amplitude = rep(waves$height / sqrt(8 * n), n), frequency = 2 * pi / waves$period * found,
     phase = 2 * pi * drawn_numbers(waves$seed, n)
   )
 }
 
-# Numbers between 0 and 1, the same on every machine and in every version of R: the minimal standard
-# generator (Park and Miller, Communications of the ACM 31, 1988), after its first ten.
+# Returns random numbers (0 to 1) that are identical on all machines: the minimal standard generator
+# (Park and Miller, Communications of the ACM 31, 1988) without its first ten numbers.
 drawn_numbers <- function(seed, n) {
   out <- numeric(n + 10L)
   state <- seed
@@ -69,21 +66,20 @@ drawn_numbers <- function(seed, n) {
   out[-(1:10)]
 }
 
-# The engine's waves, with the clock at the start of a tow: until then the water is still.
+# Returns the engine's waves, with time 0 at the start of a tow.
 engine_waves <- function(waves) {
   if (is.null(waves)) return(NULL)
   c(waves[c("amplitude", "frequency", "phase", "toward", "depth", "rising")], list(time = 0))
 }
 
-# The same at a time (s) as seen from a vessel that is at a place over the ground (x, y, m) on a
-# course (rad).
+# Returns the waves seen from a vessel: time (s), place (x, y over ground, m), course (rad).
 waves_from_vessel <- function(waves, time, place, course) {
   if (is.null(waves)) return(NULL)
   depth <- waves$depth
   number <- engine_wave_number(waves$frequency, depth)
   waves$phase <- waves$phase +
     number * (cos(waves$toward) * place[1] + sin(waves$toward) * place[2])
-  # axes that turn with the vessel, clockwise from above, see directions turned the other way
+  # The axes turn clockwise with the vessel, so directions turn the other way.
   waves$toward <- waves$toward + course
   waves$time <- time
   waves

@@ -1,9 +1,9 @@
-# The gear: a plan as given, with what its check made of it (`checked`, of check_whole()).
+# The gear: a plan as given, with the result of its check (`checked`, from `check_whole()`).
 
-# A gear from a tree of lists: put into its plain form and checked in full.
-# like: a gear, parts of which are checked already where this one is the same.
-# source: the text that it was read from, whose remarks a file of it keeps.
-# changed: paths, as their steps, of what in the tree is not known to be in plain form; NULL: all.
+# Returns a gear from a tree of lists, in plain form and checked completely.
+# `like`: a checked gear; identical parts are not checked again.
+# `source`: text of the plan file, whose remarks are kept when writing.
+# `changed`: paths (as steps) that may not be in plain form; NULL: all.
 as_gear <- function(tree, file = NULL, like = NULL, source = like$source, changed = NULL) {
   plan <- if (is.null(changed)) plain_tree(tree) else plain_again(tree, changed)
   if (!is.null(like)) plan <- without_gone(plan, like$plan)
@@ -17,29 +17,29 @@ as_gear <- function(tree, file = NULL, like = NULL, source = like$source, change
   )
 }
 
-# What the check made of a gear's plan; checked again where somebody changed the plan by hand.
+# Returns the result of the check. If a user changed the plan by hand, the plan is checked again.
 gear_checked <- function(gear) {
   if (identical(gear$checked$plan, gear$plan)) return(gear$checked)
   check_whole(gear$plan, gear$checked)
 }
 
-# The checked fields, in SI, of the assembly that a gear is or stands for.
+# Returns the checked fields, in SI, of the gear's assembly.
 gear_fields <- function(gear) gear_checked(gear)$assembly
 
-# The gear as SI numbers, of si_of().
 gear_si <- function(gear) gear_checked(gear)$si
 
 #' Read the plan of a gear
 #'
-#' Reads a plan file (YAML) and checks it in full before anything is computed: every field, unit and
-#' bound, and that the parts hang together. Nothing in the file is evaluated as code.
+#' Reads a plan file (YAML) and checks it completely before anything is computed. The check covers
+#' every field, unit and bound, and the connections of the parts. The file cannot contain code.
 #'
-#' @param plan Path of a YAML file, or the name of a plan that ships with the package ([gears()]).
-#' @return A gear: an object of class `codend_gear` that holds the plan as given (`plan`, a tree of
-#'   named lists), its path (`file`) and what the check made of it. A wrong plan is an error of
-#'   class `codend_error_plan`, with the path and the value of the first wrong field as `path` and
-#'   `value`.
-#' @seealso [gear()] for the same without a file, [write_gear()].
+#' @param plan Character: path of a YAML file, or name of a plan that ships with the package
+#'   ([gears()]).
+#' @return A gear of class `codend_gear`: a list of `plan` (the plan as given, a tree of named
+#'   lists), `file` (its path) and the result of the check. An invalid plan is an error of class
+#'   `codend_error_plan`; its `path` and `value` refer to the first wrong field.
+#' @seealso [gear()] to make a gear without a file, [new_plan()] to start a plan, [write_gear()] to
+#'   write one.
 #' @export
 #' @examples
 #' read_gear("towed_cable")
@@ -57,7 +57,7 @@ read_gear <- function(plan) {
     near <- c(written[file.exists(written)], nearest(plan, names(shipped)), NA)[1L]
     abort_plan(
       paste0(
-        "There is no plan file \"", plan, "\" and no shipped plan of that name",
+        "There is no plan file \"", plan, "\" and no shipped plan with that name",
         if (is.na(near)) "." else paste0("; did you mean `", near, "`?"),
         " Shipped: ", word_list(names(shipped)), "."
       ),
@@ -67,15 +67,14 @@ read_gear <- function(plan) {
   gear_of_bytes(plan_bytes(file), file, file)
 }
 
-# The gear of a plan's bytes (raw, of its YAML). name: what messages call them; file: their path or
-# NULL.
+# Returns the gear of a plan's bytes (raw YAML). `name`: name in messages; `file`: path or NULL.
 gear_of_bytes <- function(bytes, name, file = NULL) {
   tree <- plan_of_bytes(bytes, name)
   text <- plan_text_of(bytes, name)
   with_places(as_gear(tree, file = file, source = text), text)
 }
 
-# Paths of the plans that ship with the package, named by file name.
+# Returns the paths of the shipped plans, named by file name.
 shipped_plans <- function() {
   files <- list.files(
     system.file("gears", package = "codend"), pattern = "[.]yaml$", full.names = TRUE
@@ -83,9 +82,13 @@ shipped_plans <- function() {
   stats::setNames(files, sub("[.]yaml$", "", basename(files)))
 }
 
-#' Plans that ship with the package
+#' List the plans that ship with the package
 #'
-#' @return A data frame with one row per plan: `name` (for [read_gear()]), `title` and `kind`.
+#' Returns the shipped plans. Pass a `name` to [read_gear()].
+#'
+#' @return A data frame with one row per plan: `name` (for [read_gear()]), `title` and `kind`
+#'   (character).
+#' @seealso [read_gear()] to read a plan, [new_plan()] to start your own.
 #' @export
 #' @examples
 #' gears()
@@ -108,22 +111,24 @@ print.codend_gear <- function(x, ...) {
   cat("  towing speed ", format_si(fields$towing$speed, "speed"), "\n", sep = "")
   derived <- gear_checked(x)$derived
   if (length(derived)) {
-    cat("  found from cutting rates and take-up: ",
-      paste(names(derived), vapply(derived, shown_count, ""), collapse = ", "), "\n", sep = "")
+    cat("  computed from cutting rates and take-up: ",
+      paste(names(derived), vapply(derived, displayed_count, ""), collapse = ", "), "\n", sep = "")
   }
   invisible(x)
 }
 
 #' Change fields of a gear
 #'
-#' @param object A gear.
+#' Returns a copy of the gear with new values of one or several fields. The changed plan is checked
+#' completely.
+#'
+#' @param object A gear of class `codend_gear`.
 #' @param ... Fields by their path in the plan, such as `towing.speed = "5 knot"` or
-#'   `ropes.warp.length = 300`; `NULL` takes a field out. An item of a list goes by its number
-#'   (`water.current.1.speed`). Quantities are numbers in SI, texts with a unit, or objects of the
-#'   package units, which are converted to SI.
-#' @return The gear with these fields, checked in full again. An unknown path is an error of class
-#'   `codend_error_plan`; a value of another class, such as a date, is one of class
-#'   `codend_error_argument`.
+#'   `ropes.warp.length = 300`. `NULL` removes a field. Use numbers in SI, strings with a unit, or
+#'   objects of the package units. Address a list item by its number (`water.current.1.speed`).
+#' @return A gear of class `codend_gear`. An unknown path is an error of class `codend_error_plan`.
+#'   A value of an unsupported class, such as a date, is an error of class `codend_error_argument`.
+#' @seealso [vary()] to solve a gear for a range of values, [settle()] for the new shape.
 #' @importFrom stats update
 #' @export
 #' @examples
@@ -132,7 +137,7 @@ update.codend_gear <- function(object, ...) {
   fields <- list(...)
   if (length(fields) && (is.null(names(fields)) || any(!nzchar(names(fields))))) {
     abort_argument(
-      "Every change must be named by its path, such as {.code towing.speed = \"5 knot\"}."
+      "Every change needs its path as a name, such as {.code towing.speed = \"5 knot\"}."
     )
   }
   twice <- names(fields)[duplicated(names(fields))]
@@ -145,26 +150,25 @@ update.codend_gear <- function(object, ...) {
 #' @export
 update.codend_state <- function(object, ...) {
   abort_argument(c(
-    "A state cannot be changed: it is the balance of its gear.",
-    i = "Change the gear and settle that: {.code settle(update(state$gear, ...), from = state)}."
+    "A state cannot be changed: it is the equilibrium of its gear.",
+    i = "Change the gear and settle it: {.code settle(update(state$gear, ...), from = state)}."
   ))
 }
 
 #' @export
 update.codend_trajectory <- function(object, ...) {
   abort_argument(c(
-    "A tow that is done cannot be changed.",
-    i = "Change the gear and tow that: {.code tow(update(trajectory$gear, ...))}."
+    "A trajectory cannot be changed.",
+    i = "Change the gear and tow it: {.code tow(update(trajectory$gear, ...))}."
   ))
 }
 
-# The gear with one field changed (NULL: taken out), checked in full again.
 set_field <- function(gear, path, value) {
   as_gear(set_plan_field(gear$plan, path, value), file = gear$file, like = gear,
     changed = changed_steps(gear, path))
 }
 
-# The steps of paths in a gear's plan; NULL where somebody changed the plan by hand.
+# Returns the steps of paths in a gear's plan; NULL if a user changed the plan by hand.
 changed_steps <- function(gear, paths) {
   if (identical(gear$checked$plan, gear$plan)) lapply(paths, path_steps)
 }
