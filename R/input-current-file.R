@@ -1,28 +1,31 @@
 #' Read currents from a file of an ocean model
 #'
-#' Reads a NetCDF file by the CF conventions, as ocean services give them out, and takes the
-#' profile at a place and time out of it.
+#' Returns the current profile at one position and time from a NetCDF file that follows the CF
+#' conventions, the format of ocean data services.
 #'
-#' Variables are found by their `standard_name`: `eastward_sea_water_velocity` and
-#' `northward_sea_water_velocity`, `longitude`, `latitude`, `depth` (or none: then it is the
-#' surface) and `time`; calendars other than the common one (`noleap`, `360_day`, `julian` and so
-#' on) take the package CFtime. Velocities along the axes of a turned grid
-#' (`sea_water_x_velocity`) have no direction of their own and are refused. Between two times it is
-#' linear; the place is the centre of the nearest cell that has water, as interpolation would mix
-#' in land.
+#' - Variables are identified by `standard_name`: `eastward_sea_water_velocity` and
+#'   `northward_sea_water_velocity`, `longitude`, `latitude`, `time` and `depth`. Without `depth`
+#'   the current is the surface current.
+#' - Velocities along the axes of a rotated grid (`sea_water_x_velocity`) are rejected, because they
+#'   have no compass direction.
+#' - The profile is interpolated linearly in time. In space it is taken from the nearest cell with
+#'   water, because interpolation would include land.
+#' - Calendars other than the common one (`noleap`, `360_day`, `julian` and others) need the package
+#'   CFtime.
 #'
-#' @param file A NetCDF file.
-#' @param longitude,latitude The place, degrees east and north. Longitudes of the file may run to
-#'   180 or to 360.
-#' @param time When: a [POSIXct][base::DateTimeClasses], a [Date] or a text such as
-#'   `"2026-05-03 14:00"`, UTC.
-#' @param farthest How far the nearest cell may be, m.
-#' @return A data frame for [current_profile()]: `depth` (m), `eastward`, `northward` (m/s), with
-#'   the attribute `cell`: its `longitude`, `latitude` (deg) and `distance` (m). A file without such
-#'   variables, in unknown units or an unknown calendar, or that does not reach that place and time,
-#'   is an error of class `codend_error_file`.
+#' @param file Character: path of a NetCDF file.
+#' @param longitude,latitude Numbers: position in degrees east and north. Longitudes of the file may
+#'   run to 180 or to 360.
+#' @param time Time in UTC: a [POSIXct][base::DateTimeClasses], a [Date] or a string such as
+#'   `"2026-05-03 14:00"`.
+#' @param farthest Number: maximum distance of the nearest cell, m. Default 20 km.
+#' @return A data frame for [current_profile()] with columns `depth` (m), `eastward` and `northward`
+#'   (m/s). Its attribute `cell` is a list of `longitude`, `latitude` (deg) and `distance` (m). An
+#'   error of class `codend_error_file` is thrown for a file without these variables, with unknown
+#'   units or an unknown calendar, or without data at this position and time.
 #' @references Eaton and others: NetCDF Climate and Forecast (CF) Metadata Conventions, version 1.11
 #'   (2023), sections 4 and 3.3.
+#' @seealso [current_profile()] to use the result in a plan.
 #' @export
 #' @examplesIf requireNamespace("RNetCDF", quietly = TRUE)
 #' file <- system.file("extdata", "current_cf.nc", package = "codend")
@@ -36,13 +39,13 @@ read_currents <- function(file, longitude, latitude, time, farthest = 20e3) {
   check_between("farthest", farthest, 0, 2.1e7)
   time <- moment(time)
   check_file_exists(file)
-  # a damaged file may stop the NetCDF library or keep it busy: it does so in a process of its own
+  # A damaged file can crash or block the NetCDF library, so reading runs in a separate process.
   tryCatch(
     callr::r(read_cf_currents, list(file, longitude, latitude, time, farthest),
       package = "codend", timeout = most_reading_seconds),
     error = function(e) {
       if (inherits(e$parent, "codend_error")) stop(e$parent)
-      abort_file(file, "is damaged: the NetCDF library stopped or took longer than {most} s.",
+      abort_file(file, "is damaged: the NetCDF library failed or needed more than {most} s.",
         most = most_reading_seconds)
     }
   )
@@ -52,7 +55,7 @@ most_reading_seconds <- 60
 
 read_cf_currents <- function(file, longitude, latitude, time, farthest) {
   nc <- tryCatch(RNetCDF::open.nc(file), error = function(e) {
-    abort_file(file, "is no NetCDF file: {why}", why = conditionMessage(e))
+    abort_file(file, "is not a NetCDF file: {why}", why = conditionMessage(e))
   })
   on.exit(RNetCDF::close.nc(nc))
   variables <- cf_variables(nc)
@@ -89,7 +92,7 @@ read_cf_currents <- function(file, longitude, latitude, time, farthest) {
   profile
 }
 
-# What a variable has of name, dimensions and the attributes that are asked here.
+# Returns name, dimensions and the required attributes of each variable.
 cf_variables <- function(nc) {
   dimensions <- vapply(seq_len(RNetCDF::file.inq.nc(nc)$ndims) - 1L, function(k) {
     RNetCDF::dim.inq.nc(nc, k)$name
@@ -111,7 +114,6 @@ cf_variables <- function(nc) {
   stats::setNames(found, vapply(found, `[[`, "", "name"))
 }
 
-# The names that variables have in this file.
 cf_names <- function(variables, file) {
   standard <- vapply(variables, `[[`, "", "standard")
   named <- function(name) names(variables)[standard == name]
@@ -119,7 +121,7 @@ cf_names <- function(variables, file) {
     found <- named(name)
     if (length(found) == 1L || (!needed && !length(found))) return(found)
     turned <- if (length(named("sea_water_x_velocity"))) {
-      " Its velocities are along the axes of a turned grid."
+      " Its velocities follow the axes of a rotated grid."
     } else {
       ""
     }
@@ -135,13 +137,13 @@ cf_names <- function(variables, file) {
   )
 }
 
-# Longitudes and latitudes (deg), depths (m), and a function that gives one or two indices of time
-# with their shares.
+# Returns longitudes and latitudes (deg), depths (m), and `moments(time)`, a function that returns
+# one or two time indices with their weights.
 cf_axes <- function(nc, names, variables, file) {
   values <- function(name) {
     if (length(variables[[name]]$dimensions) > 1L) {
-      abort_file(file, "has \"{axis}\" by more than one dimension; only grids along meridians and
-        parallels are read.", axis = name)
+      abort_file(file, "has \"{axis}\" with more than one dimension; codend reads only grids along
+        meridians and parallels.", axis = name)
     }
     as.vector(RNetCDF::var.get.nc(nc, name, unpack = TRUE))
   }
@@ -150,7 +152,7 @@ cf_axes <- function(nc, names, variables, file) {
     of <- variables[[names$depth]]
     factor <- c(m = 1, meter = 1, meters = 1, metre = 1, metres = 1, km = 1000)[of$units]
     if (is.na(factor)) {
-      abort_file(file, "gives its depths in \"{unit}\"; it must be metres.", unit = of$units)
+      abort_file(file, "has depths in \"{unit}\"; the unit must be metres.", unit = of$units)
     }
     depth <- values(names$depth) * factor[[1L]] * if (of$positive == "up") -1 else 1
   }
@@ -160,14 +162,14 @@ cf_axes <- function(nc, names, variables, file) {
   )
 }
 
-# One or two indices of time with their shares, linear between them.
+# Returns one or two time indices with their weights for linear interpolation.
 cf_moments <- function(values, variable, time, file) {
   clock <- cf_clock(values, variable, time, file)
   times <- clock$times
   if (clock$asked < min(times) || clock$asked > max(times)) {
-    abort_file(file, "runs from {first} to {last} UTC, and has nothing at {wanted}.",
+    abort_file(file, "has times from {first} to {last} UTC, but not {wanted}.",
       first = clock$shown(which.min(times)), last = clock$shown(which.max(times)),
-      wanted = shown_moment(time))
+      wanted = format_moment(time))
   }
   before <- which.max(ifelse(times <= clock$asked, times, -Inf))
   after <- which.min(ifelse(times >= clock$asked, times, Inf))
@@ -176,11 +178,11 @@ cf_moments <- function(values, variable, time, file) {
   list(index = c(before, after), share = c(1 - later, later))
 }
 
-# A file's times and the one that is asked for, in one unit: list(times, asked, shown = a function
-# of a time's index). RNetCDF, by UDUNITS, knows the common calendar, CFtime the others.
+# Returns the times of a file and the requested time in one unit: `times`, `asked`, and `shown`, a
+# function of a time index. RNetCDF (UDUNITS) supports the common calendar, CFtime the others.
 cf_clock <- function(values, variable, time, file) {
   unread <- function(e) {
-    abort_file(file, "counts time in \"{unit}\" by the calendar \"{calendar}\": {why}",
+    abort_file(file, "has the time unit \"{unit}\" and the calendar \"{calendar}\": {why}",
       unit = variable$units, why = conditionMessage(e),
       calendar = if (nzchar(variable$calendar)) variable$calendar else "standard")
   }
@@ -188,12 +190,12 @@ cf_clock <- function(values, variable, time, file) {
     times <- tryCatch(
       as.double(RNetCDF::utcal.nc(variable$units, values, type = "c")), error = unread
     )
-    shown <- function(k) shown_moment(as.POSIXct(times[k], origin = "1970-01-01", tz = "UTC"))
+    shown <- function(k) format_moment(as.POSIXct(times[k], origin = "1970-01-01", tz = "UTC"))
     return(list(times = times, asked = as.double(time), shown = shown))
   }
   check_package("CFtime", sprintf("The calendar \"%s\"", variable$calendar))
   own <- tryCatch(CFtime::CFtime(variable$units, variable$calendar, values), error = unread)
-  # a day that the calendar has not is a warning and an error there
+  # CFtime gives a warning and an error for a day that the calendar lacks.
   asked <- tryCatch(
     suppressWarnings(
       CFtime::parse_timestamps(own, format(time, "%Y-%m-%dT%H:%M:%S", tz = "UTC"))$offset
@@ -201,8 +203,8 @@ cf_clock <- function(values, variable, time, file) {
     error = function(e) NA
   )
   if (is.na(asked)) {
-    abort_file(file, "counts time by the calendar \"{calendar}\", which has no {wanted}.",
-      calendar = variable$calendar, wanted = shown_moment(time))
+    abort_file(file, "has times of the calendar \"{calendar}\", in which {wanted} does not exist.",
+      calendar = variable$calendar, wanted = format_moment(time))
   }
   shown <- function(k) {
     stamp <- CFtime::CFtime(variable$units, variable$calendar, values[k])
@@ -211,9 +213,9 @@ cf_clock <- function(values, variable, time, file) {
   list(times = values, asked = asked, shown = shown)
 }
 
-shown_moment <- function(time) format(time, "%Y-%m-%d %H:%M", tz = "UTC")
+format_moment <- function(time) format(time, "%Y-%m-%d %H:%M", tz = "UTC")
 
-# One cell's values (m/s) at one time, for all depths.
+# Returns the values (m/s) of one cell at one time, for all depths.
 cf_profile <- function(nc, variable, names, cell, time, file) {
   where <- c(cell$i, cell$j, time, 1L)
   axes <- c(names$longitude, names$latitude, names$time, names$depth)
@@ -233,15 +235,15 @@ cf_profile <- function(nc, variable, names, cell, time, file) {
     "cm/s" = 0.01, "knot" = 1852 / 3600
   )[unit]
   if (is.na(factor)) {
-    abort_file(file, "gives \"{name}\" in \"{unit}\"; it must be \"m s-1\", \"cm s-1\" or
+    abort_file(file, "has \"{name}\" in \"{unit}\"; the unit must be \"m s-1\", \"cm s-1\" or
       \"knot\".", name = variable$name, unit = variable$units)
   }
   values * factor[[1L]]
 }
 
-# Cells within reach, the nearest first: a data frame of i, j and distance (m).
+# Returns the cells within reach in order of distance: data.frame(i, j, distance (m)).
 cells_by_distance <- function(longitude, latitude, east, north, farthest) {
-  # of a file of the globe, the parallels within reach
+  # Limit a global file to the parallels within reach.
   within <- earth_radius * from_unit(abs(latitude - north), "deg") <= farthest
   cells <- expand.grid(i = seq_along(longitude), j = which(within))
   cells$distance <- great_circle(
@@ -252,13 +254,13 @@ cells_by_distance <- function(longitude, latitude, east, north, farthest) {
   cells[order(cells$distance), ]
 }
 
-# m, on a sphere of the Earth's mean radius (haversine formula); rad.
+# Returns the distance (m) on a sphere of the Earth's mean radius (haversine formula; rad).
 great_circle <- function(east, north, north_of) {
   earth_radius * 2 *
     asin(sqrt(sin((north - north_of) / 2)^2 + cos(north) * cos(north_of) * sin(east / 2)^2))
 }
 
-# m, IUGG's mean radius R1 (Moritz 1980).
+# Mean radius R1 of IUGG (Moritz 1980), m.
 earth_radius <- 6371008.8
 
 moment <- function(time) {

@@ -1,23 +1,25 @@
-#' A measured current as a plan writes it
+#' Convert a measured current for a plan
 #'
-#' Turns the current of a profiler (ADCP), a mooring or an ocean model into what
-#' `update(gear, water.current = )` takes: one speed and direction for each depth, in the gear's
-#' own axes. Rows of one depth are averaged as vectors, so a whole log may be given.
+#' Converts the current of a profiler (ADCP), a mooring or an ocean model to the plan field
+#' `water.current`: one speed and direction per depth in the axes of the gear. Use it in
+#' `update(gear, water.current = )`.
 #'
-#' Compass bearings are turned into the plan's angles: a plan has 0 deg aft and 90 deg to starboard,
-#' so a current on the bow flows towards 0 deg.
+#' Rows of equal depth are averaged as vectors, so the table may be a whole log. Compass bearings
+#' are converted to the angles of plans: 0 deg is aft and 90 deg is to starboard. A current on the
+#' bow therefore flows towards 0 deg.
 #'
 #' @param table A data frame with `depth` (m below the surface, 0 or more) and the current over
-#'   ground, either as `eastward` and `northward` (m/s), or as `speed` (m/s) and `toward` (where it
-#'   flows to, rad clockwise from north). [read_currents()] gives the first, [read_sensor_log()] of
-#'   a profiler's log either. Rows with `NA` are left out.
-#' @param course Where the gear is towed to, or what a held gear's bow points to: rad clockwise from
-#'   north, or a text such as `"230 deg"`.
-#' @param least Readings that a depth must have to count.
-#' @return A list with `depth`, `speed` and `toward` in words for each depth, from the surface down:
-#'   the field `water.current` of a plan. Wrong arguments are an error of class
+#'   ground. Its columns are `eastward` and `northward` (m/s), or `speed` (m/s) and `toward`
+#'   (direction of flow, rad clockwise from north). [read_currents()] and [read_sensor_log()] return
+#'   such tables. Rows with `NA` are ignored.
+#' @param course Towing direction, or heading of a held gear: a number in rad clockwise from north,
+#'   or a string such as `"230 deg"`. Default 0.
+#' @param least Minimum number of readings at a depth. Default 1.
+#' @return A list with one element per depth, from the surface down. Each element is a list of the
+#'   strings `depth` (m), `speed` (m/s) and `toward` (deg). Wrong arguments are an error of class
 #'   `codend_error_argument`.
-#' @seealso [read_currents()] for files of ocean models.
+#' @seealso [read_currents()] for files of ocean models, [update()][update.codend_gear] to change
+#'   the plan.
 #' @export
 #' @examples
 #' measured <- data.frame(depth = c(0, 20, 60), eastward = c(0.4, 0.3, 0.1), northward = 0)
@@ -39,17 +41,17 @@ current_profile <- function(table, course = 0, least = 1) {
   if (length(wrong)) {
     row <- wrong[1L]
     speed <- sqrt(east[row]^2 + north[row]^2)
-    abort_argument("{.arg table} has in row {row} {figures(speed)} m/s at a depth of
-      {figures(table$depth[row])} m; depths must be 0 or more, and a current at most
-      {fastest_current} m/s. Are they in m and m/s, and depths positive downwards?")
+    abort_argument("Row {row} of {.arg table} has {figures(speed)} m/s at a depth of
+      {figures(table$depth[row])} m; depths must be 0 or more, and currents at most
+      {fastest_current} m/s. Check the units (m, m/s) and the sign: depths are positive downwards.")
   }
   depth <- sort(unique(table$depth[whole]))
   at <- factor(table$depth[whole], depth)
   enough <- as.vector(table(at)) >= least
   if (!any(enough)) {
-    abort_argument("{.arg table} has no depth with {least} reading{?s} of the current.")
+    abort_argument("{.arg table} has no depth with at least {least} reading{?s} of the current.")
   }
-  # the gear's x is aft and its y to starboard
+  # The gear's x is aft and its y to starboard.
   x <- -tapply(east[whole] * sin(bearing) + north[whole] * cos(bearing), at, mean)
   y <- tapply(east[whole] * cos(bearing) - north[whole] * sin(bearing), at, mean)
   lapply(which(enough), function(k) {
@@ -61,11 +63,10 @@ current_profile <- function(table, course = 0, least = 1) {
   })
 }
 
-# m/s: no current of the sea is faster (Saltstraumen, the strongest known, reaches about 10); what
-# is, is in other units.
+# Upper limit of currents, m/s; the strongest known current (Saltstraumen) reaches about 10.
 fastest_current <- 11
 
-# Columns of a table of currents that may be units objects, by dimension.
+# Columns of a current table that may be units objects, with their dimension.
 current_columns <- c(
   depth = "length", eastward = "speed", northward = "speed", speed = "speed", toward = "angle"
 )

@@ -1,6 +1,6 @@
-# The fields of a plan that studies and the flume tank begin with: those that people change first.
+# Default input fields of studies and the flume tank: the fields that users change most.
 
-# Usual fields of short forms: paths with their labels, in the order shown.
+# Usual fields of short forms: paths with their labels, in display order.
 usual_fields <- c(
   towing.speed = "Towing speed", water.current.speed = "Current",
   warps.length = "Warp out", otter_boards.area = "Otter board area",
@@ -11,7 +11,7 @@ usual_fields <- c(
   shortening_ratio = "Shortening ratio", branch_lines.length = "Branch lines"
 )
 
-# ... and of parts of an assembly, by their role.
+# Usual fields of the parts of an assembly, by role.
 usual_parts <- data.frame(
   group = c("ropes", "pieces", "pieces", "pieces", "pieces", "pieces"),
   role = c("warp", "otter_board", "hammer", "canvas", "float", "float"),
@@ -20,10 +20,10 @@ usual_parts <- data.frame(
     "Buoyancy of a float")
 )
 
-# The usual fields of a plan: lists of label and paths (fields that change together).
+# Returns the usual fields of a plan: lists of label and paths (fields that change together).
 usual_of_plan <- function(plan) c(usual_fields_given(plan), usual_part_fields(plan))
 
-# Of those that the plan gives; a current by layers has one each.
+# Returns the usual fields that the plan contains. A layered current has one field per layer.
 usual_fields_given <- function(plan) {
   given <- Filter(function(path) isTRUE(plan_field(plan, path)$given), names(usual_fields))
   layers <- plan$water$current
@@ -40,7 +40,7 @@ usual_fields_given <- function(plan) {
   )
 }
 
-# Parts of one role with one value change together, others one by one.
+# Parts with the same role and value change together. Other parts get one entry each.
 usual_part_fields <- function(plan) {
   unlist(lapply(seq_len(nrow(usual_parts)), function(k) {
     usual <- usual_parts[k, ]
@@ -58,7 +58,7 @@ usual_part_fields <- function(plan) {
   }), recursive = FALSE)
 }
 
-# Paths of all single values that a plan gives, beside what only describes it or a tow.
+# Returns the paths of all single values in a plan, except descriptions and the tow.
 given_paths <- function(plan) {
   beside <- c("codend", "kind", "name", "notes", "sources", "tow", "uncertain", "multipliers")
   leaves <- plan_leaves(plan[setdiff(names(plan), beside)])

@@ -1,18 +1,21 @@
 #' Read a MoorDyn file as a gear
 #'
-#' Reads the lines, points and water of an input file of MoorDyn 2, a program for mooring lines,
-#' into a gear. [write_result()] writes such files.
+#' Reads the lines, points and water of an input file of MoorDyn 2, a program for mooring lines.
+#' [write_result()] writes such files.
 #'
-#' Points are named `point_1`, lines `line_1` and so on. Points that are `Fixed`, or move with a
-#' vessel (`Vessel`, `Coupled`), are held where the file has them; free ones begin there and have a
-#' piece for their mass, volume and drag. `WtrDpth` becomes a sea bed with the file's friction (0
-#' where it has none); `Currents 1` takes `current_profile.txt` from the same folder. Waves,
-#' damping, time steps and outputs are left out: they have no part in a steady shape.
+#' - Points are named `point_1`, lines `line_1` and so on.
+#' - Points that are `Fixed`, or move with a vessel (`Vessel`, `Coupled`), are held at their
+#'   position in the file. Free points start at this position and get a piece for their mass, volume
+#'   and drag.
+#' - `WtrDpth` becomes a seabed with the file's friction (default 0).
+#' - `Currents 1` reads `current_profile.txt` from the same folder.
+#' - Waves, damping, time steps and outputs are ignored. They do not affect a steady shape.
 #'
-#' @param file Path of the file.
-#' @return A gear. A file that cannot be read, or has bodies, rods, a nonlinear stiffness, another
-#'   gravity than the earth's or a current that changes, is an error of class `codend_error_file`
-#'   that names it.
+#' @param file Character: path of the file.
+#' @return A gear of class `codend_gear`. An error of class `codend_error_file` is thrown if the
+#'   file cannot be read. The same error is thrown for bodies, rods, nonlinear stiffness, a
+#'   non-standard gravity or a varying current.
+#' @seealso [write_result()] to write MoorDyn files, [settle()] for the shape of the gear.
 #' @export
 #' @examples
 #' file <- file.path(tempdir(), "lines.txt")
@@ -46,7 +49,7 @@ read_moordyn <- function(file) {
     name <- paste0("point_", point$id)
     held <- switch(tolower(point$held), fixed = , fix = "fixed", vessel = , coupled = "moved",
       free = , connect = , point = NA_character_,
-      abort_file(file, "has point {id} attached to {to}, which codend does not read.",
+      abort_file(file, "has point {id} attached to {to}; codend does not support this attachment.",
         id = point$id, to = point$held))
     at <- list(point$x, point$y, point$z)
     tree$points[[name]] <- if (is.na(held)) list(near = at) else list(position = at, held = held)
@@ -62,18 +65,18 @@ read_moordyn <- function(file) {
     type <- types[match(line$type, types$name), ]
     ends <- paste0("point_", c(line$from, line$to))
     if (is.na(type$name)) {
-      abort_file(file, "has line {id} of the type {type}, which it does not describe.",
+      abort_file(file, "has line {id} of the type {type}, but does not define this type.",
         id = line$id, type = line$type)
     }
     if (!all(ends %in% names(tree$points))) {
-      abort_file(file, "has line {id} from {ends[1]} to {ends[2]}, of which one is no point of it.",
+      abort_file(file, "has line {id} from {ends[1]} to {ends[2]}, but not both points.",
         id = line$id, ends = ends)
     }
     tree$ropes[[paste0("line_", line$id)]] <- list(
       from = ends[1L], to = ends[2L], length = line$length, diameter = type$diameter,
       axial_stiffness = type$stiffness, mass_per_length = type$mass,
       volume_per_length = pi / 4 * type$diameter^2, bending_stiffness = type$bending,
-      # MoorDyn's is on the circumference
+      # MoorDyn's coefficient refers to the circumference.
       coefficients = list(normal = type$normal, tangential = pi * type$along),
       added_mass = list(normal = type$added, tangential = type$added_along),
       segments = line$segments
@@ -82,7 +85,7 @@ read_moordyn <- function(file) {
   as_gear(tree[lengths(tree) > 0L])
 }
 
-# Rows of numbers and words of the sections that are read, by name; comments are left out.
+# Returns the rows of numbers and words of each section, by name, without comments.
 moordyn_sections <- function(file) {
   lines <- readLines(file, warn = FALSE)
   lines <- iconv(lines, "UTF-8", "UTF-8", sub = "?")
@@ -94,10 +97,10 @@ moordyn_sections <- function(file) {
     lines = "\\blines\\b|line properties")
   for (k in rev(seq_along(known))) name[head & grepl(known[k], title)] <- names(known)[k]
   if (!all(c("line types", "points", "lines") %in% name)) {
-    abort_file(file, "must be a file of MoorDyn: with sections of line types, points and lines.")
+    abort_file(file, "must be a MoorDyn file with sections of line types, points and lines.")
   }
   if (any(name %in% c("rods", "bodies"))) {
-    abort_file(file, "has {part}, which codend does not read.",
+    abort_file(file, "has {part}; codend does not support them.",
       part = intersect(c("rods", "bodies"), name)[1L])
   }
   section <- cumsum(head)
@@ -110,7 +113,7 @@ moordyn_sections <- function(file) {
   stats::setNames(rows, name[head & !is.na(name)])
 }
 
-# A section as a data frame of its first columns; words: which are no numbers.
+# Returns the first columns of a section as a data frame. `words`: columns of strings.
 moordyn_table <- function(file, sections, section, columns, words) {
   rows <- sections[[section]]
   short <- which(lengths(rows) < length(columns))
@@ -132,10 +135,8 @@ moordyn_table <- function(file, sections, section, columns, words) {
   as.data.frame(cells)
 }
 
-# The file that MoorDyn reads a steady current from.
 moordyn_currents <- "current_profile.txt"
 
-# What options say of the water and the ground.
 moordyn_options <- function(file, rows) {
   rows <- rows[lengths(rows) >= 2L]
   names <- tolower(vapply(rows, `[`, "", 2L))
@@ -151,11 +152,11 @@ moordyn_options <- function(file, rows) {
   }
   gravity <- number(c("g", "gravity"), gear_gravity)
   if (abs(gravity / gear_gravity - 1) > 0.005) {
-    abort_file(file, "has a gravity of {gravity} m/s2; codend's is {own}.", gravity = gravity,
+    abort_file(file, "has a gravity of {gravity} m/s2; it must be {own} m/s2.", gravity = gravity,
       own = gear_gravity)
   }
   currents <- number("currents", 0)
-  if (!currents %in% 0:1) abort_file(file, "has a current that changes, which is not read.")
+  if (!currents %in% 0:1) abort_file(file, "has a time-dependent current; it must be constant.")
   list(
     density = number(c("wtrdnsty", "rhow"), 1025), depth = number("wtrdpth", NA),
     friction = number("frictioncoefficient", 0), stiffness = number("kbot", 3e6),
@@ -163,10 +164,9 @@ moordyn_options <- function(file, rows) {
   )
 }
 
-# The current of the file next to it, as a plan has it.
 moordyn_current <- function(file) {
   other <- file.path(dirname(file), moordyn_currents)
-  if (!file.exists(other)) abort_file(other, "must be there: the file refers to it.")
+  if (!file.exists(other)) abort_file(other, "does not exist, but the MoorDyn file refers to it.")
   rows <- tryCatch(utils::read.table(other, skip = 3L), error = function(e) NULL)
   if (is.null(rows) || ncol(rows) < 3L || !all(vapply(rows[1:3], is.numeric, NA))) {
     abort_file(other, "must have rows of z, ux, uy and uz after three lines.")

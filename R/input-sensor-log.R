@@ -1,26 +1,32 @@
 #' Read the log of door and net sensors
 #'
-#' Reads a CSV file as vessels' systems write it, by a small file that says which column is what,
-#' takes out what cannot be and what jumps, and gives a table in SI. [haul_means()] takes the tow's
-#' part of it.
+#' Returns the readings of a CSV log in SI, without impossible values and spikes. A small file
+#' defines the columns. Use [haul_means()] to average a tow.
 #'
-#' Echoes are lost and doubled, so that single readings are far off. A reading is taken for a spike
-#' where it differs from the running median of `window` readings by more than `spikes` times their
-#' spread: 1.4826 times the running median of such differences (Hampel's identifier; the factor
-#' makes it a standard deviation where readings are normal). What stays for more than half a window
-#' is no spike.
+#' Acoustic readings contain lost and double echoes, so single values can be far off. A reading is a
+#' spike if it differs from the running median of `window` readings by more than `spikes` standard
+#' deviations. The standard deviation is 1.4826 times the running median of the differences
+#' (Hampel's identifier; the factor holds for normal readings). A change that lasts more than half a
+#' window is not a spike.
 #'
-#' @param file A CSV file, with commas or semicolons.
-#' @param columns A YAML file, or a list, that names the columns of interest: each a name to give
-#'   it, with `column` (its name in the CSV), and for readings `unit` (of the plan's) and, where
-#'   wanted, `least` and `most`, which a real reading lies between, in that unit. `time` has a
-#'   `format` of [strptime()], or none where it is in seconds; the example has such a list.
-#' @param window Readings in the running median, an odd number.
-#' @param spikes How many standard deviations make a spike.
-#' @return A data frame with `time` (s from the first reading; times of a day alone go on after
-#'   midnight) and a column per reading in SI, `NA` where there is none or it was taken out. The
-#'   attribute `removed` counts what was. A file that cannot be read, a column that is not there and
-#'   a unit that is not known are errors of class `codend_error_file` or `codend_error_argument`.
+#' @param file Character: path of a CSV file, with commas or semicolons.
+#' @param columns A list, or the path of a YAML file: one entry per column, named as in the result.
+#'   The section Columns describes the entries.
+#' @param window Number of readings in the running median, odd. Default 11.
+#' @param spikes Number of standard deviations that make a spike. Default 4.
+#'
+#' @section Columns: Each entry has `column`, the name in the CSV file, and further fields:
+#'
+#' - Readings: `unit`, a unit of plans, and optionally `least` and `most`, the limits of a real
+#'   reading in this unit.
+#' - `time`: `format`, as in [strptime()]. Without `format`, times are in seconds.
+#'
+#' @return A data frame with `time` (s from the first reading) and one column per reading in SI.
+#'   Missing and removed readings are `NA`. Times of day continue after midnight. The attribute
+#'   `removed` counts the removed readings. An unreadable file or a missing column is an error of
+#'   class `codend_error_file`; an unknown unit has class `codend_error_argument`.
+#' @seealso [haul_means()] for haul averages, [track_schedule()] for positions, [calibrate()] to fit
+#'   a gear to readings.
 #' @export
 #' @examples
 #' log <- tempfile(fileext = ".csv")
@@ -62,12 +68,13 @@ read_sensor_log <- function(file, columns, window = 11, spikes = 4) {
   found
 }
 
-# What the columns file says, checked: lists of column, and format or unit, least and most.
+# Returns the checked column definitions: lists of column, and format or unit, least and most.
 log_columns <- function(columns) {
   if (is_text(columns)) {
-    if (!file.exists(columns)) abort_file(columns, "does not exist.")
+    if (!file.exists(columns)) abort_file(columns, "does not exist.", argument = "columns")
     columns <- tryCatch(yaml::read_yaml(columns), error = function(e) {
-      abort_file(columns, "is no YAML file: {why}", why = conditionMessage(e))
+      abort_file(columns, "is not a YAML file: {why}", why = conditionMessage(e),
+        argument = "columns")
     })
   }
   if (!is_map(columns) || !"time" %in% names(columns) || length(columns) < 2L) {
@@ -76,20 +83,21 @@ log_columns <- function(columns) {
   for (name in names(columns)) {
     one <- columns[[name]]
     if (!is_map(one) || !is_text(one$column)) {
-      abort_argument("{.arg columns} has {.field {name}} without the name of its {.field column}.")
+      abort_argument("{.arg columns} has {.field {name}} without {.field column}, the name of its
+        column.")
     }
     if (name == "time") next
     known <- unlist(lapply(plan_units, names))
     if (!is_text(one$unit) || !plain_unit(one$unit) %in% known) {
-      abort_argument("{.arg columns} gives {.field {name}} the unit {.val {one$unit}}; it must be a
-        unit of plans, such as {.val m} or {.val kN}.")
+      abort_argument("{.arg columns} has the unit {.val {one$unit}} for {.field {name}}; it must be
+        a unit of plans, such as {.val m} or {.val kN}.")
     }
     one$unit <- plain_unit(one$unit)
     for (end in c("least", "most")) {
       value <- first_of(one[[end]], if (end == "least") -Inf else Inf)
       if (!is.numeric(value) || length(value) != 1L || is.na(value)) {
-        abort_argument("{.arg columns} gives {.field {name}} the {end} {.val {value}}; it must be a
-          number.")
+        abort_argument("{.arg columns} has the {end} {.val {value}} for {.field {name}}; it must be
+          a number.")
       }
       one[[end]] <- value
     }
@@ -118,14 +126,14 @@ log_times <- function(text, format, file) {
     time <- suppressWarnings(as.double(text))
   } else {
     time <- as.double(as.POSIXct(strptime(text, format, tz = "UTC")))
-    # times of a day alone: past midnight when the clock goes back by more than half a day
+    # Times of day: the date changes if the clock jumps back by more than half a day.
     if (!grepl("%[dDFjxcs]", format)) {
       time <- time + 86400 * cumsum(c(0, diff(time) < -43200 & !is.na(diff(time))))
     }
   }
   if (anyNA(time)) {
     row <- which(is.na(time))[1L]
-    abort_file(file, "has \"{value}\" for a time in row {row}.", value = text[row], row = row)
+    abort_file(file, "has \"{value}\" as the time in row {row}.", value = text[row], row = row)
   }
   time
 }
@@ -136,20 +144,24 @@ is_spike <- function(values, window, spikes) {
   if (length(good) < window) return(spike)
   off <- abs(values[good] - stats::runmed(values[good], window, endrule = "median"))
   spread <- 1.4826 * stats::runmed(off, window, endrule = "median")
-  # a steady reading has no spread of its own: that of all
+  # A constant reading has zero local spread: use the spread of all readings as the minimum.
   least <- 1.4826 * stats::median(off)
   if (least == 0) least <- 1e-3 * abs(stats::median(values[good]))
   spike[good] <- off > spikes * pmax(spread, least)
   spike
 }
 
-#' What sensors said during hauls
+#' Average sensor readings over hauls
 #'
-#' @param log A table with `time` (s) and readings, from [read_sensor_log()].
-#' @param from,to Begin and end of each haul on the clock of `log`, s.
-#' @return A data frame with a row per haul: `haul`, `readings` (the fewest good ones of any sensor)
-#'   and the median of every reading, `NA` where a sensor has fewer than three. Wrong arguments are
-#'   an error of class `codend_error_argument`.
+#' Returns the median of each reading in each haul.
+#'
+#' @param log A data frame with `time` (s) and readings, from [read_sensor_log()].
+#' @param from,to Start and end of each haul on the clock of `log`, s.
+#' @return A data frame with one row per haul. Columns: `haul` (number), `readings` (smallest number
+#'   of valid readings of any sensor) and the median of every reading, in its unit. A median is `NA`
+#'   for fewer than three readings. Wrong arguments are an error of class `codend_error_argument`.
+#' @seealso [read_sensor_log()] for the log, [explain_misfit()] and [calibrate()] to compare it with
+#'   a gear.
 #' @export
 #' @examples
 #' log <- data.frame(time = 0:100, door_spread = 80 + sin(0:100))
@@ -162,8 +174,8 @@ haul_means <- function(log, from, to) {
   good <- is.numeric(from) && is.numeric(to) && length(from) == length(to) && length(from) > 0L &&
     !anyNA(c(from, to)) && all(from < to)
   if (!good) {
-    abort_argument("{.arg from} and {.arg to} must be as many numbers, each haul's begin before its
-      end.")
+    abort_argument("{.arg from} and {.arg to} must have the same number of times (s), and each start
+      must be before its end.")
   }
   sensors <- setdiff(names(log)[vapply(log, is.numeric, NA)], "time")
   rows <- lapply(seq_along(from), function(k) {

@@ -1,18 +1,17 @@
-# The speed that an engine tows a gear at.
-
-#' The speed that a power tows
+#' Compute the towing speed for an engine power
 #'
-#' Settles a gear at one speed after the other, each from the last, until its engine gives the power
-#' that is given: where the gear's drag is what the vessel pulls (see [vessel]).
+#' Returns the state in which the drag of a gear equals the pull of the vessel at a given engine
+#' power (see [vessel]). The gear is settled at a sequence of speeds, each from the last shape.
 #'
-#' @param gear A gear with a `vessel`, or the name or file of a plan.
-#' @param power Power of the engine, W, or text with a unit (`"1500 kW"`), or a share of full power
-#'   (`"80 %"`); `NULL` for all of it.
-#' @param nodes,netting As [settle()] takes them.
-#' @return The settled state at that speed, whose `si$towing$speed` is the speed (m/s) and whose
-#'   [measures()] have the engine's. The speed is found to 1e-4 of itself. A gear without a vessel,
-#'   a power above full power, or one that does not tow the gear at 0.2 m/s is an error of class
-#'   `codend_error_argument`.
+#' @param gear A gear of class `codend_gear` with a `vessel`, or the name or file of a plan.
+#' @param power Engine power: a number in W, a string with a unit (`"1500 kW"`), or a fraction of
+#'   full power (`"80 %"`). Default `NULL`: full power.
+#' @param nodes,netting As in [settle()].
+#' @return The settled state at this speed (class `codend_state`). The speed (m/s) is
+#'   `si$towing$speed`; [measures()] include the engine measures. The relative error of the speed is
+#'   1e-4. An error of class `codend_error_argument` is thrown for a gear without a vessel, a power
+#'   above full power, or a power too low to tow the gear at 0.2 m/s.
+#' @seealso [vessel] for the fields, [measures()] for power and fuel.
 #' @export
 #' @examples
 #' trawl <- update(read_gear("beam_trawl"), vessel = list(
@@ -30,7 +29,7 @@ tow_speed <- function(gear, power = NULL, nodes = 1500, netting = NULL) {
   if (is.null(vessel)) abort_argument("{.arg gear} has no {.field vessel} in its plan.")
   share <- power_share(power, vessel)
   state <- NULL
-  # How much more than the power asked for the gear takes, as a share of what the vessel pulls.
+  # Excess of the gear's required pull over the requested pull, as a fraction of the available pull.
   excess <- function(speed) {
     at <- update(gear, towing.speed = speed)
     state <<- settle(at, nodes, netting, from = state)
@@ -50,7 +49,7 @@ tow_speed <- function(gear, power = NULL, nodes = 1500, netting = NULL) {
     high <- low
     at_high <- at_low
     if (low <= least) {
-      abort_argument("{.arg power} does not tow the gear at {least} m/s.")
+      abort_argument("{.arg power} is too small to tow the gear at {least} m/s.")
     }
     low <- max(least, low / 1.15)
     at_low <- excess(low)
@@ -63,15 +62,15 @@ tow_speed <- function(gear, power = NULL, nodes = 1500, netting = NULL) {
   state
 }
 
-# A power as a share of a vessel's.
+# Returns a power as a fraction of the vessel's full power.
 power_share <- function(power, vessel) {
   if (is.null(power)) return(1)
   share <- given_si(power, "power", "power") / vessel$power
   if (is.na(share)) share <- given_si(power, "number", "power")
   if (is.na(share) || share <= 0 || share > 1 + 1e-9) {
     full <- format_si(vessel$power, "power")
-    abort_argument("{.arg power} is {.val {power}}; it must be a power above 0, at most the
-      vessel's {full}, or a share of it such as {.val 80 %}.")
+    abort_argument("{.arg power} is {.val {power}}; it must be a power above 0 and at most {full},
+      the power of the vessel, or a percentage such as {.val 80 %}.")
   }
   share
 }

@@ -1,21 +1,26 @@
-#' A vessel's track as what a tow follows
+#' Convert a vessel's track to a tow schedule
 #'
-#' Turns positions of a vessel's log into the speed and course of a [tow_schedule()], and the depths
-#' below it into a sea bed.
+#' Turns logged positions into the speed and course of a [tow_schedule()], and logged depths into a
+#' seabed.
 #'
-#' Positions scatter by metres, so speed and course are those of the chord from `every` seconds
-#' before to `every` seconds after: a shorter turn is smoothed. The bed is the plane that fits all
-#' depths best along the way (least squares); how far they lie off it is reported.
+#' Positions scatter by metres. Speed and course therefore follow from the chord between `every`
+#' seconds before and `every` seconds after; shorter turns are smoothed. The seabed is the plane
+#' along the track with the least squared distance from the depths.
 #'
-#' @param log A table with `time` (s), `longitude` and `latitude` (rad) and, for a bed, `depth` (m),
-#'   from [read_sensor_log()] with the unit `deg` of positions.
-#' @param from,to Begin and end of the tow on the clock of `log`, s.
-#' @param every Time between the points of the schedule, s.
-#' @return A list: `schedule`, of `speed` and `course` (data frames with `time`, s from `from`, and
-#'   `value`, m/s over ground and rad to starboard of the first), `bearing` of the first (rad
-#'   clockwise from north, for [current_profile()]), `until` (s), `distance` (m) and, where there
-#'   are depths, `seabed` (what a plan has under that name) and `bed_misfit` (the largest distance
-#'   of a depth from it, m). Wrong arguments are an error of class `codend_error_argument`.
+#' @param log A data frame with `time` (s), `longitude` and `latitude` (rad) and, for a seabed,
+#'   `depth` (m). [read_sensor_log()] returns it if positions have the unit `deg`.
+#' @param from,to Start and end of the tow on the clock of `log`, s.
+#' @param every Time step of the schedule, s. Default 60.
+#' @return A list. Wrong arguments are an error of class `codend_error_argument`. Elements:
+#' - `schedule`: data frames `speed` and `course` with `time` (s from `from`) and `value` (speed
+#'   over ground in m/s; course in rad to starboard of the initial course);
+#' - `bearing`: initial bearing (rad clockwise from north, for [current_profile()]);
+#' - `until`: duration (s);
+#' - `distance`: length of the track (m);
+#' - `seabed`: the `seabed` field of a plan, if there are depths;
+#' - `bed_misfit`: largest distance of a depth from the seabed (m).
+#' @seealso [tow()] to use the schedule, [read_sensor_log()] for the log, [current_profile()] for
+#'   the current.
 #' @export
 #' @examples
 #' time <- seq(0, 1200, 10)
@@ -34,8 +39,8 @@ track_schedule <- function(log, from, to, every = 60) {
   if (is.data.frame(log)) log <- si_columns(log, c(wanted, depth = "length"), "log")
   wanted <- names(wanted)
   if (!is.data.frame(log) || !all(vapply(wanted, function(name) is.numeric(log[[name]]), NA))) {
-    abort_argument("{.arg log} must be a data frame with the numbers {.field {wanted}}, in s and
-      rad.")
+    abort_argument("{.arg log} must be a data frame with the numeric columns {.field {wanted}}, in s
+      and rad.")
   }
   check_between("from", from, -1e12, 1e12)
   check_between("to", to, from, 1e12)
@@ -44,15 +49,15 @@ track_schedule <- function(log, from, to, every = 60) {
   log <- log[!duplicated(log$time) & is.finite(log$longitude) & is.finite(log$latitude), ]
   rows <- sum(log$time >= from & log$time <= to)
   if (rows < 3L || to - from < every) {
-    abort_argument("{.arg log} has {rows} position{?s} between {.arg from} and {.arg to}; it takes 3
-      or more, and at least {.arg every} seconds.")
+    abort_argument("{.arg log} has {rows} position{?s} between {.arg from} and {.arg to}; a track
+      needs at least 3 positions over at least {.arg every} seconds.")
   }
   if (max(abs(log$latitude)) > pi / 2 || max(abs(log$longitude)) > 2 * pi) {
-    abort_argument("{.arg log} has a latitude or longitude beyond the globe: positions are in rad,
-      which {.fn read_sensor_log} gives of the unit {.val deg}.")
+    abort_argument("{.arg log} has an impossible latitude or longitude: positions must be in rad.
+      {.fn read_sensor_log} converts them from the unit {.val deg}.")
   }
   middle <- log$latitude[log$time >= from][1L]
-  # metres on the plane that touches the globe where the tow begins; the date line is no jump
+  # Plane (m) tangential to the globe at the start of the tow, without a jump at the date line.
   turned <- (log$longitude - log$longitude[1L] + pi) %% (2 * pi) - pi
   east <- earth_radius * cos(middle) * turned
   north <- earth_radius * (log$latitude - middle)
@@ -77,18 +82,17 @@ track_schedule <- function(log, from, to, every = 60) {
   c(found, bed_along(log, from, to, found$schedule$speed))
 }
 
-# Where chords begin or end: within the tow and the log.
+# Returns the ends of chords, limited to the tow and the log.
 chord_ends <- function(time, at, from, to) {
   pmin(pmax(at, max(from, min(time))), min(to, max(time)))
 }
 
-# Angles without jumps of a whole turn.
 unwrapped <- function(angle) {
   step <- diff(angle)
   angle + 2 * pi * c(0, cumsum((step < -pi) - (step > pi)))
 }
 
-# The plane through the depths along the way, which a gear is towed over from where it is now.
+# Returns the seabed, a plane fitted to the depths. Its depth is at the start of the tow.
 bed_along <- function(log, from, to, speed) {
   if (!is.numeric(log$depth)) return(NULL)
   log <- log[log$time >= from & log$time <= to & is.finite(log$depth), ]
@@ -101,7 +105,7 @@ bed_along <- function(log, from, to, speed) {
   bed <- list(depth = paste(plain_number(round(depth, 2)), "m"))
   angle <- round(in_unit(atan(abs(fall)), "deg"), 3)
   if (angle > 0) {
-    # what grows deeper ahead falls towards 180 deg
+    # A seabed that deepens ahead falls towards 180 deg.
     bed$slope <- list(angle = paste(plain_number(angle), "deg"),
       toward = if (fall > 0) "180 deg" else "0 deg")
   }
