@@ -1,15 +1,15 @@
-# The beam trawl's short form and the assembly that it stands for: a net of two panels behind a
-# frame of a stiff beam on two shoes. The outer legs of the bridle pull at the shoes' toes, from
-# where the tickler chains hang too, a middle leg at the middle of the beam. The head line runs from
-# end to end of the beam, the footrope from heel to heel of the shoes.
+# Beam trawl (short form): a net of two panels behind a frame of a stiff beam on two shoes. The
+# outer bridles and the tickler chains are fastened to the toes of the shoes; a middle bridle is
+# fastened to the middle of the beam. The headline runs between the ends of the beam, and the
+# footrope between the heels of the shoes.
 
-# What makes the frame one stiff body: struts that weigh nothing and that the water does not feel.
+# Struts that make the frame a rigid body, without weight and hydrodynamic forces.
 frame_strut <- list(
-  pushes = TRUE, segments = 1L, diameter = 0.001, axial_stiffness = 1e8, mass_per_length = 0,
+  carries_compression = TRUE, segments = 1L, diameter = 0.001, axial_stiffness = 1e8,
+    mass_per_length = 0,
   volume_per_length = 0, coefficients = list(normal = 0), role = "frame"
 )
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_beam_trawl <- function(fields, plan) {
   fields$panels <- 2
   check_beam_trawl(fields)
@@ -25,9 +25,10 @@ expand_beam_trawl <- function(fields, plan) {
   for (name in names(start)) points[[name]]$near <- as.list(start[[name]])
   ropes <- list(
     warp = rope_between("block", "bridle_end", plan$warp, "warp"),
-    # An even number of segments puts a node at its middle.
+    # An even number of segments puts a node at mid-beam.
     beam = rope_between("upper_port", "upper_starboard",
-      c(plan$beam, if (is.null(plan$beam$segments)) list(segments = 4L), list(pushes = TRUE)),
+      c(plan$beam, if (is.null(plan$beam$segments)) list(segments = 4L),
+        list(carries_compression = TRUE)),
       "beam")
   )
   for (side in trawl_sides) {
@@ -63,7 +64,7 @@ check_beam_trawl <- function(fields) {
   more_than("bridles.outer.length", fields$bridles$outer$length, width / 2,
     "half the length of the beam")
   more_than("shoes.height", fields$shoes$height, shoe_middle(fields),
-    "the height of a shoe's middle above the sea bed")
+    "the height of the shoe centre above the sea bed")
   for (name in names(fields$ticklers)) {
     more_than(paste0("ticklers.", name, ".length"), fields$ticklers[[name]]$length, width,
       "the length of the beam")
@@ -74,7 +75,7 @@ check_beam_trawl <- function(fields) {
   }
 }
 
-# Half of a shoe as a piece at its toe or heel: each bears half its weight.
+# Half of a shoe as a piece: its toe and its heel each carry half its weight.
 half_shoe <- function(fields) {
   shoe <- fields$shoes[setdiff(names(fields$shoes), c("height", "length"))]
   halved <- intersect(c("mass", "volume", "area", "drag_area"), names(shoe))
@@ -90,17 +91,16 @@ shoe_pieces <- function(fields) {
   lapply(ends, function(end) c(list(at = end), half_shoe(fields), list(role = "shoe_end")))
 }
 
-# Height (m) above the sea bed of the middle of a shoe that stands on it, which is what the frame is
-# joined to.
+# Returns the height (m) of a shoe's centre above the seabed. The frame is joined to this centre.
 shoe_middle <- function(fields) {
   shoe <- half_shoe(fields)
   piece_height(shoe, piece_body(shoe, "shoes", fields)$volume) / 2
 }
 
-# Where frame and bridle are before the gear settles: the frame upright on the sea bed, the bridle
-# in line with the warp, as far behind the vessel as it reaches. The frame's shape is taken from
-# here; laid down or upside down it would be in balance too, so that it must not start so.
-# Returns list(bridle_end, upper_port, ...), each x, y, z (m).
+# Returns the initial position (x, y, z in m) of each point of frame and bridle: list(bridle_end,
+# upper_port, ...). The frame is upright on the seabed, and the bridle is in line with the warp.
+# These positions define the shape of the frame. A frame on its side or upside down is also an
+# equilibrium, so the initial frame must be upright.
 beam_trawl_start <- function(fields) {
   seabed <- fields$seabed
   half <- fields$beam$length / 2
@@ -125,9 +125,8 @@ beam_trawl_start <- function(fields) {
   )
 }
 
-# Struts between beam and shoes: around each shoe, from heel to heel and toe to toe and across
-# between them, and from the heels to the middle of the beam. With the beam these make six corners
-# rigid.
+# Returns struts that make the frame rigid together with the beam: around each shoe, between heels,
+# between toes, crosswise between the shoes, and from the heels to mid-beam.
 frame_struts <- function(start) {
   strut <- function(from, to) {
     between <- sqrt(sum((start[[from]] - start[[to]])^2))
@@ -154,11 +153,11 @@ beam_trawl_measures <- function(fields) {
     beam_height = list(clearance = "beam.middle"),
     toe_height = list(clearance = "toe_port"),
     wing_end_spread = list(spread = c("lower_port", "lower_starboard")),
-    net_mouth_height = list(height = c("head_line.middle", "footrope.middle")),
-    headline_height = list(clearance = "head_line.middle"),
+    net_mouth_height = list(height = c("headline.middle", "footrope.middle")),
+    headline_height = list(clearance = "headline.middle"),
     footrope_height = list(clearance = "footrope.middle"),
     mouth_area = list(
-      area = c("head_line", "side_line_starboard", "footrope", "side_line_port")
+      area = c("headline", "side_line_starboard", "footrope", "side_line_port")
     ),
     warp_tension = list(tension = "warp.start"),
     warp_declination = list(angle = list(warp.start = "declination")),

@@ -1,15 +1,14 @@
-# The bottom trawl's short form and the assembly that it stands for.
+# Bottom trawl (short form).
 #
 # From fore to aft on each side: warp, otter board, sweep, bridles, wing end. The net has upper
-# wings and a square above, lower wings below, and, in a net of four panels, one wing panel on each
-# side, with a jib ahead of it that a middle bridle may pull. The side line runs around the wing end
-# from the head line's end to the footrope's.
+# wings and a square above, and lower wings below. A net of four panels also has a wing panel on
+# each side, with an optional jib at its front for a middle bridle. The side line follows the wing
+# end from the headline to the footrope.
 
 bottom_trawl_rings <- list(
   `2` = c("back", "belly"), `4` = c("back", "side_starboard", "belly", "side_port")
 )
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_bottom_trawl <- function(fields, plan) {
   check_bottom_trawl(fields)
   rig <- bottom_trawl_rig(fields, plan)
@@ -19,7 +18,7 @@ expand_bottom_trawl <- function(fields, plan) {
   out
 }
 
-# What stands for a bottom trawl's net on its rig.
+# Returns the assembly of a bottom trawl's net and its rig.
 rigged_net <- function(fields, plan, rig) {
   net <- bottom_trawl_net(fields, plan)
   out <- shared_fields(plan, fields)
@@ -31,7 +30,7 @@ rigged_net <- function(fields, plan, rig) {
   out
 }
 
-# The rig of a net that no boards spread: warps from points apart, and legs from the warps' ends.
+# Returns a rig without otter boards: warps from separate points, and legs from the warp ends.
 boardless_rig <- function(fields, plan, apart) {
   check_section_names(fields)
   check_wing_ends(fields)
@@ -51,18 +50,18 @@ check_bottom_trawl <- function(fields) {
   if (is.null(fields$towing_points)) {
     for (part in c("warps", "otter_boards")) {
       if (is.null(fields[[part]])) {
-        abort_field(part, NULL, "given where there are no `towing_points`", "is missing")
+        abort_field(part, NULL, "given in a plan without `towing_points`", "is missing")
       }
     }
     check_boards(fields)
     free <- fields$otter_boards$attitude == "free"
     if (free && is.null(fields$backstrops)) {
-      abort_field("backstrops", NULL, "given where the otter boards are free", "is missing")
+      abort_field("backstrops", NULL, "given with free otter boards", "is missing")
     }
   } else {
     for (part in c("warps", "otter_boards", "backstrops")) {
       if (!is.null(fields[[part]])) {
-        abort_field(part, "given", "left out where the net is towed from `towing_points`")
+        abort_field(part, "given", "omitted in a plan with `towing_points`")
       }
     }
     free <- FALSE
@@ -72,14 +71,14 @@ check_bottom_trawl <- function(fields) {
     }
   }
   if (!free && !is.null(fields$backstrops)) {
-    abort_field("backstrops", "given", "left out where no otter board is free")
+    abort_field("backstrops", "given", "omitted without free otter boards")
   }
   check_section_names(fields)
   check_wing_ends(fields)
   check_middle_bridle(fields)
 }
 
-# Depth (m, stretched) of netting along the upper and the lower seam ahead of the first section.
+# Returns the stretched depth (m) along the upper, lower and side seams ahead of section 1.
 front_depth <- function(fields) {
   deep <- function(panel) {
     if (is.null(panel)) return(0)
@@ -99,7 +98,7 @@ check_wing_ends <- function(fields) {
   }
   for (part in c("side", "jib")) {
     if (!sides && !is.null(wings[[part]])) {
-      abort_field(paste0("wings.", part), "given", "left out in a trawl of 2 panels")
+      abort_field(paste0("wings.", part), "given", "omitted in a trawl of 2 panels")
     }
   }
   for (tier in names(wings)[names(wings) %in% c("upper", "lower")]) {
@@ -114,11 +113,11 @@ check_wing_ends <- function(fields) {
   })))
   if (!sides && height == 0) {
     abort_field("wings.lower.meshes.tip", 0,
-      "greater than 0 where no wing flies or has a blunt tip, or the wing ends have no height")
+      "greater than 0 without a flying wing or blunt tip; otherwise the wing ends have no height")
   }
   depth <- front_depth(fields)
   long <- function(x) format_si(x, "length")
-  # how many of a wing's meshes are that long
+  # Returns the number of meshes of a wing with that length.
   meshes_of <- function(x, wing) {
     format(round(x / wing$mesh_size + first_of(wing$flying, 0)))
   }
@@ -127,10 +126,10 @@ check_wing_ends <- function(fields) {
   if (!alike(depth[["lower"]], lower)) {
     abort_field("wings.lower.meshes.deep", fields$wings$lower$meshes$deep, sprintf(
       paste(
-        "such that the lower wings are as deep as %s, %s, within 5 %% (%s meshes); stretched they",
-        "are %s"
+        "a count that makes the lower wings as deep as %s, %s, within 5 %% (%s meshes); they",
+        "are %s deep"
       ),
-      if (sides) "the side wings" else "upper wings and square together",
+      if (sides) "the side wings" else "upper wings plus square",
       long(lower), meshes_of(lower, wings$lower), long(depth[["lower"]])
     ))
   }
@@ -139,8 +138,8 @@ check_wing_ends <- function(fields) {
     if (is.null(wings$jib) && !alike(depth[["upper"]], depth[["side"]])) {
       abort_field("wings.side.meshes.deep", wings$side$meshes$deep, sprintf(
         paste(
-          "such that the side wings are as deep as upper wings and square together, %s, within",
-          "5 %% (%s meshes; a jib may reach further); stretched they are %s"
+          "a count that makes the side wings as deep as upper wings plus square, %s, within 5 %%",
+          "(%s meshes; a jib may be longer); they are %s deep"
         ),
         long(depth[["upper"]]), meshes_of(depth[["upper"]], wings$side), long(depth[["side"]])
       ))
@@ -150,8 +149,8 @@ check_wing_ends <- function(fields) {
       if (ahead < -0.05 * depth[["side"]] || ahead >= reach) {
         abort_field("wings.jib.deep", wings$jib$deep, sprintf(
           paste(
-            "more than the %s (%s meshes) by which upper wings and square together are deeper than",
-            "the side wings, which must not be negative; stretched the jib is %s"
+            "more than %s (%s meshes), the depth of upper wings plus square minus the depth of the",
+            "side wings, which must not be negative; the jib is %s deep"
           ),
           long(ahead), meshes_of(ahead, wings$side), long(reach)
         ))
@@ -162,9 +161,9 @@ check_wing_ends <- function(fields) {
 
 check_middle_bridle <- function(fields) {
   if (!is.null(fields$bridles$middle) && is.null(fields$wings$jib)) {
-    # as far as half of the side wing reaches
+    # Suggest a jib half as deep as the side wing.
     deep <- ceiling(fields$wings$side$meshes$deep / 2)
-    words <- "left out where there is no `wings.jib` for it to pull"
+    words <- "omitted in a plan without `wings.jib`"
     if (length(deep)) words <- sprintf("%s, such as `jib: {deep: %s}`", words, format(deep))
     if (fields$panels == 2) words <- paste(words, "(in a trawl of 4 panels)")
     abort_field("bridles.middle", "given", words)
@@ -189,7 +188,7 @@ bottom_trawl_net <- function(fields, plan) {
     behind[["back"]] <- "back_square"
     across[["back"]] <- fields$square$meshes$upper
   }
-  # Without upper wings the head line runs along the whole front of the back.
+  # Without upper wings the headline follows the whole front of the back.
   tiers <- c(back = "upper", belly = "lower")
   tiers <- tiers[tiers %in% names(plan$wings)]
   pairs <- Map(function(panel, tier) {
@@ -200,7 +199,7 @@ bottom_trawl_net <- function(fields, plan) {
   sides <- if (fields$panels == 4) side_wings(fields, plan, first) else NULL
   square <- if (!is.null(plan$square)) c(left = "back_square.left", right = "back_square.right")
 
-  # The edges along the seams ahead of the first section, from the front, by panel.
+  # Edges along the seams ahead of the first section, from the front, by panel.
   outer <- function(panel, side) {
     part <- if (panel %in% names(tiers)) {
       flying_edge(fields$wings[[tiers[[panel]]]], pairs[[panel]][[side]], side)
@@ -234,8 +233,7 @@ bottom_trawl_net <- function(fields, plan) {
     },
     net$points
   )
-  # A wing's end: its tip and the free part of its outer edge, from port to starboard above and back
-  # below.
+  # Wing end: tip and free outer edge, from port to starboard above and back below.
   end <- function(panel, side) {
     if (!panel %in% names(tiers)) return(NULL)
     tier <- tiers[[panel]]
@@ -245,13 +243,13 @@ bottom_trawl_net <- function(fields, plan) {
     if (side == "right") c(tip, free) else c(if (!is.null(free)) paste0("-", free), tip)
   }
   mouth <- list(
-    head_line = first_of(pairs$back$inner, paste0(behind[["back"]], ".upper")),
+    headline = first_of(pairs$back$inner, paste0(behind[["back"]], ".upper")),
     side_line_starboard = c(end("back", "right"), sides$end$starboard, end("belly", "left")),
     footrope = pairs$belly$inner,
     side_line_port = c(end("belly", "right"), sides$end$port, end("back", "left"))
   )
-  # Head line and footrope by what runs along the bosom and along the wings.
-  for (line in c("head_line", "footrope")) {
+  # Separate the hanging of headline and footrope into bosom and wings.
+  for (line in c("headline", "footrope")) {
     plan[[line]] <- hung_line(fields, plan, line, length(mouth[[line]]))
   }
   net$ropes <- trawl_lines(plan, around, mouth, left)
@@ -261,13 +259,13 @@ bottom_trawl_net <- function(fields, plan) {
   net
 }
 
-# The corner of a wing's tip where the line of the mouth ends, or NULL without wings.
+# Returns the corner of a wing tip at the end of the mouth line, or NULL without wings.
 tip_corner <- function(pair, side) {
   if (is.null(pair)) return(NULL)
   paste0(pair[[side]], if (side == "left") ".upper_right" else ".upper_left")
 }
 
-# A wing's outer edge: list(free = its part that flies, or NULL; joined = the rest).
+# Splits a wing's outer edge: list(free = its flying part, or NULL; joined = the rest).
 flying_edge <- function(wing, name, side) {
   edge <- paste0(name, ".", side)
   if (wing$flying == 0) return(list(free = NULL, joined = edge))
@@ -278,16 +276,15 @@ flying_edge <- function(wing, name, side) {
   )
 }
 
-# The side wings of a net of four panels, each as wide as the side panel behind it, and their jibs:
-# pointed, with one straight edge in line with the upper seam.
-# Returns list(panels, seams, left, right = edges along the seams by panel, end = edges of the wing
-# end by side).
+# Returns the side wings of a net of four panels and their jibs. A side wing has the width of the
+# side panel behind it. A jib is pointed and has one straight edge in line with the upper seam.
+# Returns list(panels, seams, left, right = edges along seams by panel, end = wing end by side).
 side_wings <- function(fields, plan, first) {
   out <- list(panels = list(), seams = list(), left = list(), right = list(), end = list())
   wing <- fields$wings$side
   given <- plan$wings$side
   depth <- front_depth(fields)
-  # Meshes of the jib along the upper seam, behind the head line's end.
+  # Meshes of the jib along the upper seam, behind the headline end.
   seamed <- max(depth[["upper"]] - depth[["side"]], 0) / wing$mesh_size
   for (side in trawl_sides) {
     panel <- paste0("side_", side)
@@ -329,12 +326,12 @@ side_wings <- function(fields, plan, first) {
   out
 }
 
-# Mass in air over mass in water of steel, for ground gear of which only the latter is given.
+# Mass in air over mass in water of steel, for ground gear with only the mass in water.
 steel_in_air <- 7850 / (7850 - 1025)
 
-# The ground gear as a rope along the footrope, by its material or its mass in water: what it
-# displaces is the rest. lengths: the footrope's along each edge, which it is hung in proportion to,
-# or NULL.
+# Returns the ground gear as a rope along the footrope, from its material or its mass in water. The
+# difference of mass and mass in water gives its volume. `lengths`: lengths of the footrope along
+# each edge, which define the distribution of the ground gear, or NULL.
 ground_gear_rope <- function(fields, plan, along, lengths) {
   gear <- fields$ground_gear
   density <- fields$water$density
@@ -384,8 +381,7 @@ bottom_trawl_rig <- function(fields, plan) {
   trawl_legs(plan, fields, rig, start)
 }
 
-# joint: what the points where warp and sweep or bridles meet are named after, and measure: what
-# their spread is called.
+# joint: name of the points between warp and sweep or bridles; measure: name of their spread.
 bottom_trawl_measures <- function(fields, free_boards, joint = "board",
                                   measure = "door_spread") {
   pair <- function(tier) paste0(tier, c("_port", "_starboard"))
@@ -399,18 +395,18 @@ bottom_trawl_measures <- function(fields, free_boards, joint = "board",
     wing_end_spread = list(spread = list(pair("upper"), pair(lower))),
     upper_wing_spread = list(spread = pair("upper")),
     lower_wing_spread = list(spread = pair(lower)),
-    net_mouth_height = list(height = c("head_line.middle", "footrope.middle")),
-    headline_depth = list(depth = "head_line.middle"),
+    net_mouth_height = list(height = c("headline.middle", "footrope.middle")),
+    headline_depth = list(depth = "headline.middle"),
     wing_end_height = list(height = paste0(c("upper", lower), "_port")),
     mouth_area = list(
-      area = c("head_line", "side_line_starboard", "footrope", "side_line_port")
+      area = c("headline", "side_line_starboard", "footrope", "side_line_port")
     ),
     bridle_angle = angle(first, "divergence")
   )
   names(out)[1L] <- measure
   if (!is.null(fields$seabed)) {
     out <- append(out, after = match("net_mouth_height", names(out)), list(
-      headline_height = list(clearance = "head_line.middle"),
+      headline_height = list(clearance = "headline.middle"),
       footrope_height = list(clearance = "footrope.middle")
     ))
   }

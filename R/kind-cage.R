@@ -1,10 +1,9 @@
-# The net cage's short form and the assembly that it stands for.
+# Net cage (short form).
 #
-# Wall panels stand around the cage, each from a corner at its left, seen from outside, to the next;
-# the first corner lies upstream of a current towards x. Bottom panels are pointed and meet in the
-# bottom's centre: one below each wall panel of a round cage, one below each side of a square one.
+# Wall panels surround the cage, in order from left to right as seen from outside. The first corner
+# is upstream for a current along x. Pointed bottom panels meet at the centre of the bottom. A round
+# cage has one below each wall panel, a square cage one below each side.
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_cage <- function(fields, plan) {
   check_cage(fields, names(plan$collar))
   outline <- cage_outline(fields)
@@ -22,35 +21,35 @@ expand_cage <- function(fields, plan) {
   out
 }
 
-# given: fields of the collar that the plan gives.
+# given: names of the collar fields in the plan.
 check_cage <- function(fields, given) {
   wrong <- function(field, value, allowed) abort_field(field, value, allowed)
   if (fields$shape == "square" && fields$panels %% 4 != 0) {
-    wrong("panels", fields$panels, "a multiple of 4 around a square cage")
+    wrong("panels", fields$panels, "a multiple of 4 in a square cage")
   }
   collar <- fields$collar
   pipe <- setdiff(given, "held")
   if (collar$held) {
     if (length(pipe)) {
-      wrong(paste0("collar.", pipe[1]), collar[[pipe[1]]], "left out where the collar is held")
+      wrong(paste0("collar.", pipe[1]), collar[[pipe[1]]], "omitted with a held collar")
     }
     if (!is.null(fields$moorings)) {
-      wrong("moorings", "given", "left out where the collar is held")
+      wrong("moorings", "given", "omitted with a held collar")
     }
   } else {
     for (due in c("diameter", "bending_stiffness")) {
       if (is.null(collar[[due]])) {
-        abort_field(paste0("collar.", due), NULL, "given where the collar floats", "is missing")
+        abort_field(paste0("collar.", due), NULL, "given with a floating collar", "is missing")
       }
     }
     if (collar$bending_stiffness == 0) {
-      wrong("collar.bending_stiffness", 0, "greater than 0 where the collar floats")
+      wrong("collar.bending_stiffness", 0, "greater than 0 with a floating collar")
     }
     if (is.null(collar$material) && is.null(collar$mass_per_length)) {
-      abort_field("collar.mass_per_length", NULL, "given where the collar floats", "is missing")
+      abort_field("collar.mass_per_length", NULL, "given with a floating collar", "is missing")
     }
     if (is.null(fields$moorings)) {
-      abort_field("moorings", NULL, "given where the collar floats", "is missing")
+      abort_field("moorings", NULL, "given with a floating collar", "is missing")
     }
     moorings <- fields$moorings
     if (moorings$number > fields$panels) {
@@ -65,14 +64,15 @@ check_cage <- function(fields, given) {
     }
   }
   if (is.null(fields[["bottom"]]) && !is.null(fields$centre_weight)) {
-    wrong("centre_weight", "given", "left out in a cage without bottom netting")
+    wrong("centre_weight", "given", "omitted in a cage without bottom netting")
   }
 }
 
-# Corners of the wall panels seen from above, and the design's volume: list(x, y (m, of each
-# corner), side (m, open width of a wall panel), radius (m, from the centre to each corner), run (m,
-# from the middle of a side to the centre), top (m, height of the upper edge), volume (m3),
-# bottoms, pipes = wall panels over each bottom panel and along each pipe or rope).
+# Returns the outline and the design volume: list(x, y, side, radius, run, bottoms, pipes, top,
+# volume (m3)). Lengths are in m. `x`, `y`: position of each corner; `side`: open width of a wall
+# panel. `radius`: distance of each corner from the centre; `run`: distance of mid-side from the
+# centre; `top`: height of the upper edge. `bottoms` and `pipes` list the wall panels above each
+# bottom panel and along each pipe or rope.
 cage_outline <- function(fields) {
   n <- fields$panels
   k <- seq_len(n) - 1
@@ -81,7 +81,7 @@ cage_outline <- function(fields) {
     angle <- pi + 2 * pi * k / n
     x <- radius * cos(angle)
     y <- radius * sin(angle)
-    # A held collar has straight sides between its points, a pipe is round.
+    # A held collar has straight sides between its points; a pipe is round.
     area <- if (fields$collar$held) n / 2 * radius[1]^2 * sin(2 * pi / n) else pi * radius[1]^2
     side <- if (fields$collar$held) 2 * radius[1] * sin(pi / n) else 2 * pi * radius[1] / n
     run <- radius[1]
@@ -108,7 +108,7 @@ cage_outline <- function(fields) {
   )
 }
 
-# Meshes across an open width and down an open depth (m) of netting, to a tenth of a mesh.
+# Returns the meshes across an open width (m) and down an open depth (m), rounded to 0.1 mesh.
 open_meshes <- function(netting, width, depth) {
   ratio <- netting$hanging_ratio
   one <- netting$mesh_size * if (netting$orientation == "square") {
@@ -148,7 +148,7 @@ cage_net <- function(fields, plan, outline) {
       list(edges = c(paste0(wall, ".right"), paste0("wall_", after[k], ".left")))
   }
   if (!is.null(plan[["bottom"]])) {
-    # The netting below is that of the walls where it is not given otherwise.
+    # Default: bottom netting identical to the walls.
     given <- twine(plan$wall)
     own <- twine(plan[["bottom"]])
     given[names(own)] <- own
@@ -179,7 +179,6 @@ cage_net <- function(fields, plan, outline) {
   list(panels = panels, seams = seams, points = points)
 }
 
-# Pipes, ropes and weights of a cage: list(seams, ropes, pieces).
 cage_frame <- function(fields, plan, outline) {
   n <- fields$panels
   around <- seq_len(n)
@@ -198,14 +197,15 @@ cage_frame <- function(fields, plan, outline) {
   }
   if (!fields$collar$held && fields$shape == "square") {
     per_side <- n / 4
-    # Stiff braces keep the frame's corners: they weigh nothing and the water does not feel them.
+    # Stiff braces without weight and drag keep the frame square.
     stiff <- line_properties(fields$collar, fields$materials, "collar")$axial_stiffness
     for (brace in 1:2) {
       corner <- (brace - 1) * per_side + 1
       ropes[[paste0("brace_", brace)]] <- list(
         from = paste0("collar_", corner), to = paste0("collar_", corner + 2 * per_side),
         length = sqrt(2) * fields$diameter, diameter = fields$collar$diameter / 100,
-        axial_stiffness = stiff, mass_per_length = 0, volume_per_length = 0, pushes = TRUE,
+        axial_stiffness = stiff, mass_per_length = 0, volume_per_length = 0,
+          carries_compression = TRUE,
         segments = 1, coefficients = list(normal = 0), role = "brace"
       )
     }
@@ -223,7 +223,6 @@ cage_frame <- function(fields, plan, outline) {
   list(ropes = ropes, seams = seams, pieces = pieces)
 }
 
-# Mooring lines and their anchors: list(points, ropes).
 cage_moorings <- function(fields, plan, outline) {
   points <- ropes <- list()
   if (is.null(plan$moorings)) return(list(points = points, ropes = ropes))
@@ -245,7 +244,6 @@ cage_moorings <- function(fields, plan, outline) {
   list(points = points, ropes = ropes)
 }
 
-# Pipes or ropes along edges of the wall panels, by the name of their role.
 cage_pipes <- function(role, edges, given, outline) {
   pipes <- lapply(outline$pipes, function(on) {
     c(list(along = edges[on], length = length(on) * outline$side), given, list(role = role))
@@ -261,7 +259,7 @@ cage_measures <- function(fields, outline, moorings) {
   })
   out <- list(
     net_volume = list(volume = panels),
-    volume_left = list(volume_share = list(panels = panels, of = outline$volume)),
+    volume_left = list(volume_fraction = list(panels = panels, of = outline$volume)),
     net_drag = list(drag = panels), net_lift = list(lift = panels),
     upstream_foot_depth = list(depth = "foot_1"),
     downstream_foot_depth = list(depth = paste0("foot_", length(around) %/% 2 + 1))

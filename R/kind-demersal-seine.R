@@ -1,7 +1,6 @@
-# The demersal seine's short form and the assembly that it stands for: the net and legs of a bottom
-# trawl between two long ropes, its warps, which lie on the sea bed when hauling begins.
+# Demersal seine (short form): the net and legs of a bottom trawl between two long ropes (its
+# warps), which are on the seabed when hauling starts.
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_demersal_seine <- function(fields, plan) {
   if (is.null(plan$warps$segments)) {
     plan$warps$segments <- ceiling(fields$warps$length / rope_segment)
@@ -16,20 +15,20 @@ expand_demersal_seine <- function(fields, plan) {
   out
 }
 
-# Its ropes are modelled by segments of this length where the plan gives no number of them, m.
+# Default length of the segments of its ropes, m.
 rope_segment <- 30
 
-# Over this time the vessel takes up the speed of a phase, s.
+# Time in which the vessel reaches the speed of a phase, s.
 vessel_gathers <- 30
 
-# Of a rope, what must be left out at the end of a haul.
+# Minimum fraction of a rope that remains out at the end of a haul.
 least_left <- 0.05
 
-# Error that a step of a haul may make where the plan says nothing: a thousandth of its ropes would
-# do, and nets of tens of metres need this.
+# Default error of a time step of a haul. Ropes alone would need only 1/1000 of their length; nets
+# of tens of metres need this accuracy.
 haul_accuracy <- "0.3 m"
 
-# The haul: phase after phase, from rest.
+# Returns the `tow` of the haul: all phases in order, starting from rest.
 demersal_seine_tow <- function(fields, plan) {
   long <- vapply(trawl_sides, function(side) of_side(fields$warps, side)$length, 0)
   row <- function(time, value) list(time = time, value = value)
@@ -49,8 +48,8 @@ demersal_seine_tow <- function(fields, plan) {
   }
   most <- min(long) - least_left * max(long)
   if (hauled > most) {
-    abort_field("hauling", paste(format_si(hauled, "length"), "of each rope"),
-      paste("such that at most", format_si(most, "length"), "are hauled"))
+    abort_field("hauling", hauled, paste("at most", format_si(most, "length")),
+      is = paste("hauls", format_si(hauled, "length"), "of each rope"))
   }
   own <- list(
     until = time, every = time / 200, speed = speed[-1L], accuracy = haul_accuracy,
@@ -62,15 +61,15 @@ demersal_seine_tow <- function(fields, plan) {
   own
 }
 
-# How long (s) a phase lasts that begins with so much rope (m) out.
+# Returns the duration (s) of a phase that starts with `out` metres of rope.
 phase_time <- function(phase, out, path) {
   if (is.null(phase$rope_out)) return(phase$time)
   if (phase$winch == 0) {
-    abort_field(paste0(path, ".winch"), "0 m/s", "greater than 0 where it hauls until `rope_out`")
+    abort_field(paste0(path, ".winch"), "0 m/s", "greater than 0 with `rope_out`")
   }
   if (phase$rope_out >= out) {
     abort_field(paste0(path, ".rope_out"), format_si(phase$rope_out, "length"),
-      paste("less than what is out when it begins,", format_si(out, "length")))
+      paste("less than the length at the start,", format_si(out, "length")))
   }
   (out - phase$rope_out) / phase$winch
 }

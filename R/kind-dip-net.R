@@ -1,7 +1,6 @@
-# The dip net's short form and the assembly that it stands for: a bag of netting in a ring or a
-# square frame, built as a cage's net, which hangs by bridles from a line and is lifted.
+# Dip net (short form): a bag of netting in a ring or a square frame, which hangs by bridles from a
+# line and is lifted. It is built like the net of a cage.
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_dip_net <- function(fields, plan) {
   check_dip_net(fields)
   fields$collar <- c(fields$frame, list(held = FALSE))
@@ -35,9 +34,9 @@ expand_dip_net <- function(fields, plan) {
   panels <- names(net$panels)
   out$measures <- list(
     net_volume = list(volume = panels),
-    volume_left = list(volume_share = list(panels = panels, of = outline$volume)),
+    volume_left = list(volume_fraction = list(panels = panels, of = outline$volume)),
     net_drag = list(drag = panels), net_lift = list(lift = panels),
-    # a frame that leans may hang by any of its corners foremost
+    # Any corner of a tilted frame may be the lowest.
     frame_depth = list(depth = as.list(paste0("collar_", seq_len(fields$panels)))),
     bottom_depth = list(depth = if (is.null(fields[["bottom"]])) "foot_1" else "bottom_centre"),
     lift_tension = list(tension = "lift_line.start"),
@@ -48,11 +47,11 @@ expand_dip_net <- function(fields, plan) {
 
 check_dip_net <- function(fields) {
   if (fields$shape == "square" && fields$panels %% 4 != 0) {
-    abort_field("panels", fields$panels, "a multiple of 4 around a square frame")
+    abort_field("panels", fields$panels, "a multiple of 4 in a square frame")
   }
   if (fields$panels %% fields$bridles$number != 0) {
     abort_field("bridles.number", fields$bridles$number,
-      paste("a share of the", fields$panels, "corners of the panels"))
+      paste("a divisor of", fields$panels, "(the corners of the panels)"))
   }
   if (fields$frame$bending_stiffness == 0) {
     abort_field("frame.bending_stiffness", 0, "greater than 0")

@@ -1,7 +1,5 @@
-# The bottom-set gillnet's short form and the assembly that it stands for: one wall of netting along
-# y, which stands on its lead line between two anchors.
+# Bottom-set gillnet (short form): one wall of netting along y between two anchors.
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_gillnet <- function(fields, plan) {
   check_gillnet(fields)
   half <- fields$length / 2
@@ -67,7 +65,7 @@ check_gillnet <- function(fields) {
   reach <- fields$length + 2 * fields$anchors$length
   if (fields$anchors$apart > reach || fields$anchors$apart <= fields$length / 2) {
     abort_field("anchors.apart", format_si(fields$anchors$apart, "length"), paste(
-      "more than half the length of the net and at most that of the net and both anchor lines,",
+      "more than half the length of the net and at most the length of net plus both anchor lines,",
       format_si(reach, "length")
     ))
   }

@@ -1,10 +1,9 @@
-# The pelagic longline's short form and the assembly that it stands for.
+# Pelagic longline (short form).
 #
-# Along x: a float line hangs from every float, the main line runs from the foot of one to that of
-# the next (a basket), and branch lines hang from it at equal distances, as many stretches of main
-# line as branch lines and one more.
+# The longline runs along x. Every float carries a float line, and the main line connects the lower
+# ends of two neighbouring float lines (a basket). Branch lines hang from it at equal distances; n
+# branch lines divide a basket into n + 1 stretches of main line.
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_longline <- function(fields, plan) {
   check_longline(fields)
   baskets <- fields$baskets
@@ -65,7 +64,6 @@ expand_longline <- function(fields, plan) {
   out
 }
 
-# Branch lines of a whole longline, at most.
 most_branch_lines <- 3000
 
 check_longline <- function(fields) {
@@ -73,20 +71,20 @@ check_longline <- function(fields) {
   if (branch_lines > most_branch_lines) {
     most <- most_branch_lines %/% fields$branch_lines$number
     abort_field("baskets", fields$baskets,
-      paste("at most", most, "with so many branch lines in each"))
+      paste("at most", most, "with this number of branch lines per basket"))
   }
   if (fields$floats$held == "ends") {
     float <- fields$floats[setdiff(names(fields$floats), c("held", "added_mass"))]
     if (!length(float)) {
-      abort_field("floats.buoyancy", NULL, "given where floats are held at the ends alone",
+      abort_field("floats.buoyancy", NULL, "given if only the floats at the ends are held",
         "is missing")
     }
   } else if (!is.null(fields$end_lines)) {
-    abort_field("end_lines", "given", "left out where `floats.held` is all")
+    abort_field("end_lines", "given", "omitted if `floats.held` is all")
   }
 }
 
-# Of the middle basket, which the ends disturb least.
+# Measures of the middle basket, which has the smallest end effects.
 longline_measures <- function(baskets, number, drift) {
   k <- (baskets + 1) %/% 2
   hooks <- seq_len(number)

@@ -1,16 +1,15 @@
-# The midwater trawl's short form and the assembly that it stands for.
+# Midwater trawl (short form).
 
-# For each number of panels: their names in that order, which of them span each line of the mouth,
-# and the seams (panel before the seam) that end in a wing tip.
+# By number of panels: names in order around the net, and the panels along each mouth line.
 trawl_rings <- list(
   `2` = list(
     panels = c("back", "belly"),
-    mouth = list(head_line = "back", footrope = "belly")
+    mouth = list(headline = "back", footrope = "belly")
   ),
   `4` = list(
     panels = c("back", "side_starboard", "belly", "side_port"),
     mouth = list(
-      head_line = "back", side_line_starboard = "side_starboard", footrope = "belly",
+      headline = "back", side_line_starboard = "side_starboard", footrope = "belly",
       side_line_port = "side_port"
     )
   ),
@@ -20,20 +19,19 @@ trawl_rings <- list(
       "upper_side_port"
     ),
     mouth = list(
-      head_line = "back", side_line_starboard = c("upper_side_starboard", "lower_side_starboard"),
+      headline = "back", side_line_starboard = c("upper_side_starboard", "lower_side_starboard"),
       footrope = "belly", side_line_port = c("lower_side_port", "upper_side_port")
     )
   )
 )
 
 trawl_line_ends <- list(
-  head_line = c("upper_port", "upper_starboard"),
+  headline = c("upper_port", "upper_starboard"),
   side_line_starboard = c("upper_starboard", "lower_starboard"),
   footrope = c("lower_starboard", "lower_port"),
   side_line_port = c("lower_port", "upper_port")
 )
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_midwater_trawl <- function(fields, plan) {
   check_trawl(fields)
   ring <- trawl_rings[[as.character(fields$panels)]]
@@ -53,14 +51,14 @@ expand_midwater_trawl <- function(fields, plan) {
 check_trawl <- function(fields) {
   check_boards(fields)
   if (fields$panels > 2 && is.null(fields$side_lines)) {
-    abort_field("side_lines", NULL, "given where a trawl has side panels", "is missing")
+    abort_field("side_lines", NULL, "given in a trawl with side panels", "is missing")
   }
   check_section_names(fields)
   if (fields$panels == 2 && is.null(fields$wings) && !is.null(fields$side_lines)) {
-    abort_field("side_lines", "given", "left out in a trawl of 2 panels without wings")
+    abort_field("side_lines", "given", "omitted in a trawl of 2 panels without wings")
   }
   if (!is.null(fields$wings) && fields$panels == 6) {
-    abort_field("wings", "given", "left out in a trawl of 6 panels; describe it as an assembly")
+    abort_field("wings", "given", "omitted in a trawl of 6 panels; use an assembly for such wings")
   }
 }
 
@@ -70,7 +68,7 @@ trawl_net <- function(fields, plan, ring) {
   net <- trawl_sections(plan, around)
   first <- names(plan$sections)[1L]
 
-  # The front: along the first section's front edges, or ahead of them along the wings' inner edges.
+  # Front: the front edges of the first section, or the inner edges of the wings.
   if (!is.null(plan$wings)) {
     wings <- trawl_wings(fields, plan, around, first)
     net$panels <- c(wings$panels, net$panels)
@@ -83,7 +81,7 @@ trawl_net <- function(fields, plan, ring) {
       paste0(section_panel_name(panel, first), ".upper")
     })
     outer <- list()
-    # The wing tips are the front corners of the panels that a line of the mouth begins with.
+    # The wing tips are the front corners of the first panel along each line of the mouth.
     for (line in names(ring$mouth)) {
       tip <- trawl_line_ends[[line]][1L]
       corner <- paste0(section_panel_name(ring$mouth[[line]][1L], first), ".upper_left")
@@ -96,7 +94,7 @@ trawl_net <- function(fields, plan, ring) {
     }
   }
   mouth <- lapply(ring$mouth, function(panels) front[panels])
-  lines <- c(head_line = "head_line", footrope = "footrope", side_lines = "side_line_port")
+  lines <- c(headline = "headline", footrope = "footrope", side_lines = "side_line_port")
   for (line in intersect(names(lines), names(plan))) {
     edges <- length(unlist(mouth[[lines[[line]]]]))
     plan[[line]] <- hung_line(fields, plan, line, edges)
@@ -105,8 +103,7 @@ trawl_net <- function(fields, plan, ring) {
   net
 }
 
-# Two wings a panel, at the ends of its front edge; each ends gathered in the wing tip at its
-# corner.
+# Returns two wings per panel, at the ends of its front edge, each gathered at its wing tip.
 trawl_wings <- function(fields, plan, around, first) {
   panels <- seams <- front <- outer <- list()
   tips <- wing_corners(around)
@@ -122,7 +119,7 @@ trawl_wings <- function(fields, plan, around, first) {
   after <- panel_after(around)
   points <- list()
   for (k in seq_along(around)) {
-    # In a net of two panels the upper and the lower wings end apart.
+    # In a net of two panels, upper and lower wings have separate ends.
     joined <- length(around) > 2L
     left <- paste0(after[k], "_wing_left")
     right <- paste0(around[k], "_wing_right")
@@ -145,7 +142,7 @@ trawl_wings <- function(fields, plan, around, first) {
   list(panels = panels, seams = seams, front = front, outer = outer, points = points)
 }
 
-# The wing tip at which each wing ends, for nets of 2 and 4 panels.
+# Returns the wing tip of each wing, for nets of 2 and 4 panels.
 wing_corners <- function(around) {
   corners <- list(
     back = c("upper_port", "upper_starboard"), belly = c("lower_starboard", "lower_port"),
@@ -178,7 +175,7 @@ trawl_rig <- function(fields, plan, ring) {
     }
     pieces[[paste0("hammer_", side)]] <- part_with_role(plan$hammers, "hammer",
       at = paste0("lower_", side))
-    # Where no side panel holds them, the wing tips are joined by the side line alone.
+    # Without side panels, only the side line connects the wing tips.
     if (is.null(ring$mouth$side_line_port)) {
       ropes[[paste0("side_line_", side)]] <- part_with_role(plan$side_lines, "side_line",
         from = paste0("upper_", side), to = paste0("lower_", side))
@@ -195,14 +192,14 @@ trawl_measures <- function(ring, free_boards) {
   out <- list(
     door_spread = list(spread = pair("board")),
     wing_end_spread = list(spread = list(pair("upper"), pair("lower"))),
-    net_mouth_height = list(height = c("head_line.middle", "footrope.middle")),
+    net_mouth_height = list(height = c("headline.middle", "footrope.middle")),
     wing_end_height = list(height = c("upper_port", "lower_port"))
   )
   if (length(ring$mouth) == 4L) out$mouth_area <- list(area = names(ring$mouth))
   out <- c(out, board_measures(free_boards))
   c(out, list(
     door_depth = list(depth = "board_port"),
-    headline_depth = list(depth = "head_line.middle"),
+    headline_depth = list(depth = "headline.middle"),
     footrope_depth = list(depth = "footrope.middle"),
     warp_tension_port = list(tension = "warp_port.start"),
     warp_tension_starboard = list(tension = "warp_starboard.start"),

@@ -1,7 +1,6 @@
-# The pair trawl's short form: the net and legs of a bottom trawl, towed by two vessels instead of
-# spread by otter boards. Where warp and sweep or bridles meet there may be weights.
+# Pair trawl (short form): the net and legs of a bottom trawl, towed by two vessels without otter
+# boards. Optional weights are at the joints of warps and sweeps or bridles.
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_pair_trawl <- function(fields, plan) {
   rig <- boardless_rig(fields, plan, fields$vessels$distance)
   for (side in trawl_sides) {

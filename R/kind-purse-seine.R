@@ -1,10 +1,9 @@
-# The purse seine's short form and the assembly that it stands for.
+# Purse seine (short form).
 #
-# Panels hang side by side from the float line, each one's left edge at the side that is shot first.
-# The vessel lies between the ends of the net when it has run round: the first end is made fast at
-# its bow, the last at its stern, and the purse wire comes aboard at two davits between them.
+# Panels hang next to each other from the float line; the left edge of each is shot first. After
+# shooting, the vessel is between the ends of the net: the first end is fastened at the bow, the
+# last at the stern. The purse wire comes aboard at two davits between them.
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_purse_seine <- function(fields, plan) {
   lines <- list(
     float_line = seine_line_length(fields, "float_line"),
@@ -38,7 +37,7 @@ expand_purse_seine <- function(fields, plan) {
   out
 }
 
-# Length (m) of the float line or the lead line.
+# Returns the length (m) of the float line or the lead line.
 seine_line_length <- function(fields, line) {
   given <- fields[[line]]
   if (!is.null(given$length)) return(given$length)
@@ -48,13 +47,13 @@ seine_line_length <- function(fields, line) {
   }, 0))
 }
 
-# Panels with their selvedges, the seams between them and the lines around the net.
+# Returns the panels with their selvedges, the seams between them and the lines around the net.
 seine_net <- function(fields, plan) {
   names <- names(plan$panels)
   strips <- list(upper = "selvedge_upper", lower = "selvedge_lower")
   strips <- strips[intersect(names(strips), names(plan$selvedges))]
   panels <- seams <- list()
-  # The panels under one another at a panel of the net, from the float line down.
+  # Returns the panels in one column of the net, from the float line down.
   column <- function(name) {
     c(
       if (!is.null(strips$upper)) paste0(strips$upper, "_", name), name,
@@ -102,11 +101,11 @@ seine_net <- function(fields, plan) {
   list(panels = panels, seams = seams, ropes = ropes)
 }
 
-# Bow and stern where the way begins and ends, davits a third of the distance from either.
+# Bow and stern are at the ends of the shooting course, the davits at 1/3 and 2/3.
 seine_vessel <- function(fields, float_line) {
   way <- list(arc = fields$shooting$arc, from = c(0, 0))
   bow <- c(0, 0)
-  stern <- as.vector(vessel_way(way, float_line, float_line))
+  stern <- as.vector(vessel_path(way, float_line, float_line))
   held <- function(at, height) list(position = list(at[1], at[2], height), held = "fixed")
   davit <- fields$davit_height
   list(
@@ -116,7 +115,7 @@ seine_vessel <- function(fields, float_line) {
   )
 }
 
-# Rings at equal distances along the lead line, half of one from its ends.
+# Returns rings along the lead line at equal distances, half a distance from its ends.
 seine_rings <- function(fields, plan) {
   n <- fields$rings$number
   ring <- sprintf("ring_%d", seq_len(n))
@@ -142,7 +141,7 @@ seine_rings <- function(fields, plan) {
   )
 }
 
-# The operation: shot, left to sink, pursed until the wire is in.
+# Returns the `tow` of the operation: shooting, sinking, and pursing until the wire is hauled.
 seine_tow <- function(fields, plan, lines) {
   wire <- fields$purse_wire$length
   shot <- lines$float_line / fields$shooting$speed

@@ -1,8 +1,6 @@
-# The stow net's short form and the assembly that it stands for: a bag of four panels that a tidal
-# current keeps open, between an upper beam with floats and a lower beam, on bridles from an
-# anchor.
+# Stow net (short form): a bag of four panels that a tidal current keeps open. Its mouth is between
+# an upper beam with floats and a lower beam, on bridles from an anchor.
 
-# fields: checked, in SI; plan: as given, so that the assembly keeps the designer's units.
 expand_stow_net <- function(fields, plan) {
   check_stow_net(fields)
   around <- trawl_rings$`4`$panels
@@ -10,7 +8,7 @@ expand_stow_net <- function(fields, plan) {
   first <- names(plan$sections)[1L]
   edge <- function(panel) paste0(section_panel_name(panel, first), ".upper")
   width <- fields$mouth$width
-  # Where the gear lies before it settles: downstream of its anchor, at its full opening.
+  # Initial position: downstream of the anchor, with a fully open mouth.
   aft <- sqrt(fields$bridles$length^2 - (width / 2)^2) + fields$anchor_line$length * 0.9
   top <- -0.3 * fields$anchor_depth
   corner <- function(panel, side, y, tier) {

@@ -1,24 +1,22 @@
-# Parts that the short forms of trawls share: the net behind its mouth, wings, and the ropes along
-# them.
+# Common parts of trawl short forms: the net behind its mouth, wings, and the ropes along them.
 #
-# Panels around a net follow each other clockwise as seen from the vessel's deck looking aft: back,
-# starboard sides from top to bottom, belly, port sides from bottom to top. Seen from outside with
-# its front edge up, each panel's left edge meets the panel before it.
+# Panels are in clockwise order as seen from the vessel's deck looking aft: back, starboard sides
+# from top to bottom, belly, port sides from bottom to top. Seen from outside with its front edge
+# up, each panel's left edge is joined to the previous panel.
 
 nothing <- stats::setNames(list(), character())
 
-# A rope or piece as a plan gives it, in its place (...) and with its role; NULL where it has none.
+# Returns a rope or piece with its position (`...`) and its role; NULL if the plan has none.
 part_with_role <- function(given, role, ...) {
   if (!is.null(given)) c(list(...), given, list(role = role))
 }
 
-# A rope from one point to another.
 rope_between <- function(from, to, given, role) {
   c(list(from = from, to = to), given, list(role = role))
 }
 
-# Fields of a short form that the assembly takes as they are given, so that it keeps the designer's
-# units. Given or not, it has the law for the drag of netting that its kind takes (fields).
+# Returns the fields that the assembly copies from a short form, in the designer's units. It always
+# has the drag model of netting of its kind (from `fields`).
 shared_fields <- function(plan, fields) {
   out <- plan[intersect(
     c(
@@ -32,23 +30,22 @@ shared_fields <- function(plan, fields) {
   out
 }
 
-# The panel after each one around the net.
 panel_after <- function(around) c(around[-1L], around[1L])
 
 section_panel_name <- function(panel, section) paste0(panel, "_", section)
 
-# A panel of a section as given, with what its side says otherwise.
+# Returns a panel of a section: the fields of the section, overridden by the fields of its side.
 section_panel <- function(section, panel) {
   side <- if (panel %in% c("back", "belly")) panel else "side"
   own <- section[setdiff(names(section), c("back", "belly", "side", "take_up", "covers"))]
   other <- section[[side]]
-  # counts of its own are cut as they ask for
+  # Complete counts of a side replace the cutting rate of the section.
   if (all(c("upper", "lower", "deep") %in% names(other$meshes))) own$cutting <- NULL
   own[names(other)] <- other
   own
 }
 
-# The covers of a section over one of its panels, named as their panels are: what each is made of.
+# Returns the covers over one panel of a section, named after the panel.
 covers_of <- function(section, panel, name) {
   kind <- if (panel %in% c("back", "belly")) panel else "side"
   covers <- Filter(
@@ -59,8 +56,8 @@ covers_of <- function(section, panel, name) {
   covers
 }
 
-# Panels of all sections, joined around the net and end to end, gathered at the point `codline`; a
-# cover is joined to its panel along every edge. Returns list(panels, seams, points).
+# Returns list(panels, seams, points): the panels of all sections, joined around the net and end to
+# end, and gathered at the point `codline`. Every edge of a cover is joined to its panel.
 trawl_sections <- function(plan, around) joined_sections(plan$sections, around)
 
 joined_sections <- remembered(join_sections)
@@ -71,7 +68,7 @@ join_sections <- function(given, around) {
   after <- panel_after(around)
   sections <- names(given)
   id <- section_panel_name
-  # a panel's edge, and those of its covers
+  # Returns an edge of a panel and of its covers.
   edges <- function(panel, section, edge) {
     name <- id(panel, section)
     paste0(c(name, names(covers_of(given[[section]], panel, name))), ".", edge)
@@ -104,13 +101,14 @@ join_sections <- function(given, around) {
   list(panels = panels, seams = seams, points = list(codline = nothing))
 }
 
-# Two wings ahead of the front edge of a panel, one at each end.
+# Returns two wings ahead of the front edge of a panel, one at each end.
 #
-# panel: what they are named after; behind: the panel that they are joined to, across: meshes of its
-# front edge; given: the wings' fields as in the plan, meshes: their counts (tip, base, deep);
-# path: of the wings' meshes in the plan.
-# Returns list(panels, seams, inner = chain of the front from the left to the right wing's tip,
-# left, right = names of the wings).
+# `panel`: prefix of their names; `behind`: the panel behind them; `across`: meshes of its front
+# edge. `given`: fields of the wings as in the plan; `meshes`: their counts (tip, base, deep);
+# `path`: path of the counts in the plan.
+#
+# Returns list(panels, seams, inner, left, right). `inner` is the chain of front edges from the left
+# to the right wing tip; `left` and `right` are the names of the wings.
 wing_pair <- function(panel, behind, across, given, meshes, path) {
   if (2 * meshes$base > across) {
     abort_field(paste0(path, ".base"), meshes$base,
@@ -143,10 +141,10 @@ wing_pair <- function(panel, behind, across, given, meshes, path) {
   )
 }
 
-# Ropes along the mouth, along the seams between panels and around the net.
+# Returns ropes along the mouth, along the seams between panels and around the net.
 #
-# mouth: chain of edges by line of the mouth; outer: by panel, the edges ahead of its first section
-# along its left seam.
+# `mouth`: chain of edges for each line of the mouth; `outer`: for each panel, the edges of its left
+# seam ahead of the first section.
 trawl_lines <- function(plan, around, mouth, outer) {
   sections <- names(plan$sections)
   id <- section_panel_name
@@ -177,10 +175,9 @@ trawl_lines <- function(plan, around, mouth, outer) {
   ropes
 }
 
-# How many places around the net a grid's weight and drag are spread to.
+# Number of positions around the net that share a grid's weight and drag.
 places_of_grid <- 12
 
-# Grids at the rear edges of sections, as pieces.
 trawl_grids <- function(fields, around) {
   lapply(fields$grids, function(grid) {
     along <- paste0(vapply(around, section_panel_name, "", section = grid$behind), ".lower")
@@ -194,8 +191,8 @@ trawl_grids <- function(fields, around) {
   })
 }
 
-# Stops where belly lines, cross ropes or grids name a section that is not there, or where a cover
-# lies over a section whose front edge it cannot be laced to.
+# Throws an error if belly lines, cross ropes or grids name an unknown section, or if the first
+# section has a cover, which needs a section in front.
 check_section_names <- function(fields) {
   check_section <- function(name, path) {
     sections <- names(fields$sections)
@@ -212,12 +209,12 @@ check_section_names <- function(fields) {
   }
   if (length(fields$sections[[1L]]$covers)) {
     abort_field(paste0("sections.", names(fields$sections)[1L], ".covers"), "given",
-      "left out of the first section: cover one behind it, cut in two if need be")
+      "omitted in the first section; use it on a later section (cut the first one in two)")
   }
 }
 
-# A line of the mouth with its length or hanging ratio along each of its edges, where the plan gives
-# its bosom apart from the wings. edges: how many it has.
+# Returns a line of the mouth with its length or hanging ratio along each edge, if the plan gives
+# the bosom separately. `edges`: number of edges.
 hung_line <- function(fields, plan, line, edges) {
   given <- plan[[line]]
   field <- intersect(c("bosom", "bosom_hanging_ratio"), names(fields[[line]]))
@@ -225,7 +222,7 @@ hung_line <- function(fields, plan, line, edges) {
   path <- paste(line, field, sep = ".")
   if (edges != 3L) {
     abort_field(path, given[[field]],
-      "left out where it does not run along a wing, the front and a wing")
+      "omitted if the line does not follow a wing, the front and the other wing")
   }
   if (field == "bosom_hanging_ratio") {
     wing <- given$hanging_ratio

@@ -1,8 +1,8 @@
-# Parts that the short forms of trawls share: what tows a net and what is fastened to it.
+# Common parts of trawl short forms: the towing gear of a net and its fittings.
 
 trawl_sides <- c("port", "starboard")
 
-# A towing block's point on each side, half the spacing (m) from the middle at a depth (m).
+# Returns the towing points: one per side, half the spacing (m) off centre, at a depth (m).
 towing_points <- function(names, spacing, depth = 0) {
   aside <- c(-1, 1) * spacing / 2
   stats::setNames(
@@ -10,15 +10,14 @@ towing_points <- function(names, spacing, depth = 0) {
   )
 }
 
-# What is given of a rope or a board on one side: its fields, with what `port` or `starboard` says
-# otherwise.
+# Returns the fields on one side; `port` or `starboard` overrides the common fields.
 of_side <- function(given, side) {
   own <- given[setdiff(names(given), trawl_sides)]
   own[names(given[[side]])] <- given[[side]]
   own
 }
 
-# The warps, from the points `block_*` to the points `board_*` or as named.
+# Returns the warps from the points `block_*` to the points `board_*`, or to the prefix `to`.
 trawl_warps <- function(plan, to = "board") {
   given <- plan$warps[setdiff(names(plan$warps), "spacing")]
   warps <- lapply(trawl_sides, function(side) {
@@ -27,8 +26,8 @@ trawl_warps <- function(plan, to = "board") {
   stats::setNames(warps, paste0("warp_", trawl_sides))
 }
 
-# The otter boards at the points `board_*`: list(points, pieces, otter_boards). A free one has the
-# points `backstrop_upper_*` and `backstrop_lower_*` of its backstrops too.
+# Returns the otter boards at the points `board_*`: list(points, pieces, otter_boards). A free board
+# also has the points `backstrop_upper_*` and `backstrop_lower_*`.
 trawl_boards <- function(plan, free) {
   points <- pieces <- otter_boards <- list()
   for (side in trawl_sides) {
@@ -48,19 +47,18 @@ trawl_boards <- function(plan, free) {
   list(points = points, pieces = pieces, otter_boards = otter_boards)
 }
 
-# A free board and the points of its backstrops.
 free_board <- function(plan, side) {
   given <- plan$otter_boards
   points <- paste0(c("board_", "backstrop_upper_", "backstrop_lower_"), side)
   attachments <- given[c("warp_at", "upper_backstrop_at", "lower_backstrop_at")]
   c(
-    list(pushes = side),
+    list(lift_direction = side),
     given[setdiff(names(given), c("attitude", names(attachments)))],
     list(attachments = stats::setNames(attachments, points))
   )
 }
 
-# What a trawl's boards need by their attitude, and what they cannot take.
+# Checks the fields of otter boards: an attitude requires some fields and excludes others.
 check_boards <- function(fields) {
   boards <- fields$otter_boards
   fixed <- c("lift_coefficient", "drag_coefficient", "diameter", "vertical_lift_coefficient")
@@ -72,18 +70,18 @@ check_boards <- function(fields) {
   missing <- setdiff(due, names(boards))
   if (length(missing)) {
     abort_field(paste0("otter_boards.", missing[1]), NULL,
-      sprintf("given where the attitude is %s", boards$attitude), "is missing")
+      sprintf("given with the attitude %s", boards$attitude), "is missing")
   }
   excess <- intersect(if (is_free) fixed else free, names(boards))
   if (length(excess)) {
     abort_field(paste0("otter_boards.", excess[1]), boards[[excess[1]]],
-      sprintf("left out where the attitude is %s", boards$attitude))
+      sprintf("omitted with the attitude %s", boards$attitude))
   }
 }
 
-# Adds to a rig (list of points, ropes, pieces, otter_boards) what follows on each side from these
-# points: sweep, bridles to the wing ends with what they begin and end at, and extensions of head
-# line and footrope. fields: the plan's, checked, in SI.
+# Adds the legs behind the points `from` to a rig (list of points, ropes, pieces, otter_boards).
+# Legs are sweeps, bridles to the wing ends with the weights at their ends, and extensions of
+# headline and footrope. `fields`: checked, in SI.
 trawl_legs <- function(plan, fields, rig, from) {
   for (name in names(plan$ticklers)) {
     rig$ropes[[name]] <-
@@ -91,10 +89,10 @@ trawl_legs <- function(plan, fields, rig, from) {
   }
   tiers <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
   extensions <- list(
-    upper = plan[["head_line_extensions"]], lower = plan[["footrope_extensions"]]
+    upper = plan[["headline_extensions"]], lower = plan[["footrope_extensions"]]
   )
-  points <- c(upper = "head_line_extension", lower = "extension")
-  roles <- c(upper = "head_line_extension", lower = "footrope_extension")
+  points <- c(upper = "headline_extension", lower = "extension")
+  roles <- c(upper = "headline_extension", lower = "footrope_extension")
   for (k in 1:2) {
     side <- trawl_sides[k]
     named <- function(...) paste(..., side, sep = "_")
@@ -123,42 +121,42 @@ trawl_legs <- function(plan, fields, rig, from) {
   rig
 }
 
-# A bridle on one side, with its setback as more of it.
+# Returns a bridle on one side. Its setback is added to its length.
 set_back <- function(given, fields, side) {
   own <- of_side(given[names(given) != "setback"], side)
-  # as written where nothing is set back
+  # Without a setback, keep the length as written in the plan.
   if (isTRUE(fields$setback > 0)) own$length <- of_side(fields, side)$length + fields$setback
   own
 }
 
-# A group of floats as a piece along the head line. fields: the group, checked; given: as in the
-# plan; line: the head line's fields; path: of the group.
+# Returns a group of floats as a piece along the headline. `fields`: the checked group; `given`: as
+# in the plan; `line`: fields of the headline; `path`: path of the group.
 float_group <- function(fields, given, line, path) {
-  piece <- c(list(along = "head_line"), given[setdiff(names(given), "spacing")],
+  piece <- c(list(along = "headline"), given[setdiff(names(given), "spacing")],
     list(role = "float"))
-  spaced_group(piece, fields, given, line, path, "the head line")
+  spaced_group(piece, fields, given, line, path, "the headline")
 }
 
-# A group of discs or bobbins as a piece along the ground gear. A disc weighs and displaces as a
-# full cylinder of its material does, and drags as a short cylinder with its axis across the flow.
+# Returns a group of discs or bobbins as a piece along the ground gear. Mass and volume equal a
+# solid cylinder. The drag equals a short cylinder with its axis normal to the flow.
 disc_group <- function(fields, given, line, path) {
   full <- pi / 4 * fields$diameter^2 * fields$width
   density <- first_of(fields$density, rubber_density)
   mass <- first_of(fields$mass, density * full)
   volume <- if (!is.null(fields$mass) && !is.null(fields$density)) mass / density else full
   piece <- c(
-    list(along = "ground_gear"), given[intersect(c("number", "share"), names(given))],
+    list(along = "ground_gear"), given[intersect(c("number", "extent"), names(given))],
     list(mass = mass, volume = volume, area = fields$diameter * fields$width,
       drag_coefficient = fields$drag_coefficient, role = "disc")
   )
   spaced_group(piece, fields, given, line, path, "the ground gear")
 }
 
-# kg/m3, where a plan says nothing. An assumption: natural rubber is 920 raw and vulcanised with
-# fillers 1100 to 1500 by what is in it, of which makers of discs print nothing.
+# Default density, kg/m3 (an assumption). Raw natural rubber has 920; vulcanised rubber with fillers
+# has 1100 to 1500. Makers of discs do not publish theirs.
 rubber_density <- 1250
 
-# Groups along a line, one or a list of them, as pieces: `name`, or `name_1`, `name_2`...
+# Returns one group or a list of groups along a line as pieces: `name`, or `name_1`, `name_2`...
 grouped_pieces <- function(group, fields, given, line, name, path) {
   if (is.null(given)) return(list())
   if (!is.null(names(given))) {
@@ -170,47 +168,47 @@ grouped_pieces <- function(group, fields, given, line, name, path) {
   stats::setNames(pieces, sprintf("%s_%d", name, seq_along(given)))
 }
 
-# A piece along a line, spread over the room that the `spacing` of its group takes.
+# Limits a piece along a line to the stretch that the `spacing` of its group takes.
 spaced_group <- function(piece, fields, given, line, path, called) {
   if (is.null(fields$spacing)) return(piece)
   if (is.null(line$length)) {
     abort_field(paste0(path, ".spacing"), given$spacing,
-      sprintf("given where %s has a `length`", called))
+      sprintf("used only if %s has a `length`", called))
   }
-  share <- first_of(fields$share, c(0, 1))
+  share <- first_of(fields$extent, c(0, 1))
   room <- diff(share) * line$length
   number <- first_of(fields$number, floor(room / fields$spacing + 1e-9) + 1)
   taken <- (number - 1) * fields$spacing
   if (taken > room + 1e-6) {
     abort_field(paste0(path, ".spacing"), given$spacing, sprintf(
-      "at most %s, or %s of them take more than the %s of line that they are on",
+      "at most %s, so that all %s fit on %s",
       format_si(room / (number - 1), "length"), format(number), format_si(room, "length")
     ))
   }
   if (number == 1) return(piece)
   piece$number <- number
-  piece$share <- mean(share) + c(-0.5, 0.5) * taken / line$length
-  piece$share <- pmin(pmax(piece$share, 0), 1)
+  piece$extent <- mean(share) + c(-0.5, 0.5) * taken / line$length
+  piece$extent <- pmin(pmax(piece$extent, 0), 1)
   piece$end_to_end <- TRUE
   piece
 }
 
-# Floats along the head line, discs along the ground gear, grids, and a catch as a piece at the
-# codline. around: the panels around the net.
+# Returns floats on the headline, discs on the ground gear, grids, and a catch as a piece at the
+# codline. `around`: panels around the net.
 trawl_fittings <- function(fields, plan, around) {
   pieces <- c(
-    grouped_pieces(float_group, fields$floats, plan$floats, fields$head_line, "floats", "floats"),
+    grouped_pieces(float_group, fields$floats, plan$floats, fields$headline, "floats", "floats"),
     grouped_pieces(disc_group, fields$ground_gear$discs, plan$ground_gear$discs,
       fields$ground_gear, "discs", "ground_gear.discs"),
     trawl_grids(fields, around)
   )
-  pieces$canvas <- part_with_role(plan$canvas, "canvas", along = "head_line",
+  pieces$canvas <- part_with_role(plan$canvas, "canvas", along = "headline",
     lift_direction = "up")
   pieces$catch <- part_with_role(plan$catch, "catch", at = "codline")
   pieces
 }
 
-# Measures of attack and heel of the free boards.
+# Returns the measures of attack and heel of the free boards.
 board_measures <- function(free_boards) {
   angles <- lapply(stats::setNames(nm = free_boards), function(board) {
     stats::setNames(
