@@ -1,8 +1,7 @@
-# A gear as the engine reads it (src/engine/gear/gear.hpp): numbers alone, places and edges by their
-# numbers.
+# The engine's input (src/engine/gear/gear.hpp): numbers, with indices for positions and edges.
 
-# Names of all places of a gear, in the order of their numbers: points, corners of panels, starts,
-# middles and ends of ropes, then places at a share of a rope's length.
+# Returns the names of all positions of a gear in index order. They are points, corners of panels,
+# starts, middles and ends of ropes, and positions at a fraction of a rope's length.
 place_names <- function(si) {
   of <- function(names, places) {
     if (length(names)) paste0(rep(names, each = length(places)), ".", places)
@@ -14,8 +13,9 @@ place_names <- function(si) {
   )
 }
 
-# netting: "bars" or "cells" for every panel, or NULL for each panel's own; like: NULL, or list(si,
-# gear) of another gear with the same netting: what is made from the same parts is taken from there.
+# Returns the engine's input of a gear. `netting`: "bars" or "cells" for every panel, or NULL for
+# each panel's own. `like`: NULL, or list(si, gear) of another gear with the same netting. Identical
+# parts are copied from it.
 gear_numbers <- function(si, netting = NULL, like = NULL) {
   places <- place_names(si)
   place <- function(text) match(text, places, nomatch = 0L)
@@ -24,7 +24,6 @@ gear_numbers <- function(si, netting = NULL, like = NULL) {
   group <- function(name, make, of = name) {
     if (same_places && identical(si[[of]], like$si[[of]])) like$gear[[name]] else make()
   }
-  # part by part
   each <- function(name, make, ..., of = name) {
     parts <- unname(si[[of]])
     made <- if (same_places && length(parts) == length(like$si[[of]])) like$gear[[name]]
@@ -67,7 +66,7 @@ gear_numbers <- function(si, netting = NULL, like = NULL) {
   )
 }
 
-# Which of a gear's parts are not those of another with as many.
+# Returns the indices of parts that differ between two gears with equally many parts.
 changed_parts <- function(parts, before) {
   which(!mapply(identical, unname(parts), unname(before), USE.NAMES = FALSE))
 }
@@ -100,7 +99,7 @@ piece_numbers <- function(piece, place, si) {
     at = place(first_of(piece$at, "")),
     rope = if (identical(along$kind, "rope")) match(along$name, names(si$ropes)) else 0L,
     along = link_numbers(if (identical(along$kind, "chain")) along$edges, si),
-    share = first_of(piece$share, c(0, 1)), end_to_end = isTRUE(piece$end_to_end),
+    share = first_of(piece$extent, c(0, 1)), end_to_end = isTRUE(piece$end_to_end),
     number = piece$number, mass = piece$mass, volume = piece$volume, height = piece$height,
     drag_area = piece$drag_area, smooth_diameter = piece$smooth_diameter,
     added_mass = piece$added_mass, lift_area = piece$lift_area * way$sign,
@@ -117,7 +116,7 @@ plate_numbers <- function(board, place) {
   )
 }
 
-# A chain as list(edge, from, to), of no links where it is NULL.
+# Returns a chain as list(edge, from, to), without links for NULL.
 link_numbers <- function(chain, si) {
   at <- function(field, of) vapply(chain, `[[`, of, field, USE.NAMES = FALSE)
   ends <- rbind(at("from", 0), at("to", 0))
@@ -129,7 +128,7 @@ link_numbers <- function(chain, si) {
   )
 }
 
-# The columns of a gear's panels; 0 for counts that a plan leaves open.
+# Returns the columns of a gear's panels; 0 for counts that the plan omits.
 panel_numbers <- function(si, netting) {
   panels <- unname(si$panels)
   word <- function(name) vapply(panels, `[[`, "", name)
@@ -160,13 +159,13 @@ lift_directions <- list(
   starboard = list(to = "sideways", sign = 1), port = list(to = "sideways", sign = -1)
 )
 
-# Edge ids: 4 (p - 1) + 1 upper, 2 lower, 3 left, 4 right, for panel p.
+# Returns edge indices: 4 (p - 1) + 1 upper, 2 lower, 3 left, 4 right, for panel p.
 edge_number <- function(panels, panel, edge) {
   4L * (match(panel, names(panels)) - 1L) + match(edge, c("upper", "lower", "left", "right"))
 }
 
-# What a model of a gear takes beside its lattice (src/engine/gear/gear_model.hpp). like: as for
-# gear_numbers(), with its `model`.
+# Returns the input of a model in addition to its mesh (src/engine/gear/gear_model.hpp). `like`: as
+# for gear_numbers(), with its `model`.
 model_numbers <- function(si, like = NULL) {
   lines <- c("ropes", "panels", "otter_boards")
   same <- vapply(lines, function(group) identical(si[[group]], like$si[[group]]), NA)
@@ -195,7 +194,7 @@ model_numbers <- function(si, like = NULL) {
       load_table = load_rows(c(si$ropes, si$panels))
     ),
     list(
-      # the lattice has their nodes
+      # The engine inserts the nodes of the mesh here.
       plates = lapply(unname(si$otter_boards), engine_board, 1:3, si$water$density),
       multipliers = list(
         normal = rep(1, sum(lengths(si[lines]))), blended_normal = 1, screen_drag = 1,
@@ -206,9 +205,8 @@ model_numbers <- function(si, like = NULL) {
   )
 }
 
-# Both with components of force multiplied, list(gear, model). What a gear has in common with the
-# last one is taken from there.
-lattice_numbers <- function(si, netting) {
+# Returns list(gear, model) with multiplied force components; reuses the last gear.
+mesh_numbers <- function(si, netting) {
   like <- if (identical(netting, last_numbers$netting)) last_numbers$own
   own <- list(si = si, gear = gear_numbers(si, netting, like), model = model_numbers(si, like))
   last_numbers$own <- own
@@ -218,7 +216,7 @@ lattice_numbers <- function(si, netting) {
 
 last_numbers <- new.env(parent = emptyenv())
 
-# The engine's water: the current as the gear meets it, which is towed along -x.
+# Returns the engine's water. The current is relative to the gear, which is towed along -x.
 engine_water <- function(si) {
   water <- list(
     density = si$water$density, viscosity = si$water$viscosity,
@@ -229,9 +227,8 @@ engine_water <- function(si) {
   water
 }
 
-# Whether a plan gives an optional value.
 is_given <- function(x) length(x) > 0L && !anyNA(x)
 
-# Netting hangs open to about this share of its stretched width, to begin with.
+# Initial hanging ratio of netting: width over stretched width.
 nominal_hanging_ratio <- 0.3
 nominal_depth_ratio <- sqrt(1 - nominal_hanging_ratio^2)

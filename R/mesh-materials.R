@@ -1,12 +1,10 @@
-# The engine's table of materials: ropes and twines as lines of the water.
-
-# The engine's table of materials: a row per rope and per panel's twine, as columns.
-# alone: without what netting as a screen or blended has as whole cells.
+# Returns the engine's table of materials, as columns: one row per rope and per panel's twine.
+# `alone`: TRUE excludes the drag of netting with a screen or blended model, which its cells carry.
 twine_materials <- function(lines, alone = TRUE) {
   number <- function(field) vapply(lines, `[[`, 0, field, USE.NAMES = FALSE)
   laws <- lapply(lines, `[[`, "coefficients")
   screens <- alone & vapply(lines, function(line) !is.null(line$netting_drag) &&
-    line$netting_drag != "twines", NA)
+    line$netting_drag != "morison", NA)
   coefficient <- function(field) {
     given <- vapply(laws, `[[`, 0, field, USE.NAMES = FALSE)
     given[is.na(given) | screens] <- 0
@@ -37,10 +35,10 @@ twine_materials <- function(lines, alone = TRUE) {
   )
 }
 
-# Solidity Sn of a panel hanging at the nominal ratio: d / (a E1 E2) for diamond netting with bars
-# a, and 2 d/a - (d/a)^2 for square.
+# Returns the solidity Sn of a panel at the nominal hanging ratio: d / (a E1 E2) for diamond netting
+# with bars a, and 2 d/a - (d/a)^2 for square netting.
 panel_solidity <- function(panel) {
-  # hexagons: as diamonds of the same mesh size
+  # Hexagonal netting counts as diamonds of the same mesh size.
   ratio <- twine_width(panel) / (panel$mesh_size / 2)
   if (panel$orientation == "square") return(2 * ratio - ratio^2)
   min(1, ratio / (nominal_hanging_ratio * nominal_depth_ratio))

@@ -1,6 +1,6 @@
-# Places on panels, as fractions across and deep, and values between rows of such places.
+# Positions on panels, as fractions across and deep, and interpolation between rows of positions.
 
-# Where the nodes of panels lie on them: list(node, panel, s, t), s and t fractions across and deep.
+# Returns the positions of nodes on panels: list(node, panel, s, t = fractions across, deep).
 panel_places <- function(panels, division, drawn) {
   bars <- vapply(drawn, function(panel) panel$netting == "bars", NA)
   on_grids <- grid_places(division)
@@ -21,7 +21,7 @@ panel_places <- function(panels, division, drawn) {
   mapply(c, on_grids, on_edges, lapply(inside[names(on_grids)], `[`, own), SIMPLIFY = FALSE)
 }
 
-# The same of the nodes of grids alone, the panels of cells.
+# Returns the positions of the nodes of grids (panels of cells), in the same form.
 grid_places <- function(division) {
   size <- lengths(division$grids)
   panel <- rep.int(seq_along(size), size)
@@ -34,7 +34,7 @@ grid_places <- function(division) {
   )
 }
 
-# The same of all knots and middles of bars of these panels, with their mesh coordinates i and j.
+# Returns the positions of all knots and bar nodes of panels, with their mesh coordinates i and j.
 bar_places <- function(panels, numbers, drawn) {
   field <- function(name) unlist(lapply(drawn[numbers], `[[`, name), use.names = FALSE)
   panel <- rep.int(numbers, lengths(lapply(drawn[numbers], `[[`, "node")))
@@ -50,16 +50,17 @@ bar_places <- function(panels, numbers, drawn) {
   )
 }
 
-# Where these places lie among rows: along the row before and the one after them the places on both
-# sides with the share of the way (before, after), and the share of the way between the rows.
+# Returns the interpolation of positions between rows. `before`, `after`: neighbours and weight
+# along the row before and after; `share`: weight between the two rows.
 rows_at <- function(places, rows) {
   row <- between_values(places$panel, places$t, rows$panel, rows$t)
   along <- function(row) between_values(row, places$s, rows$row, rows$s)
   list(before = along(row$low), after = along(row$high), share = row$share)
 }
 
-# The values (0 to 1) of a group next to x in it: list(low, high = their numbers, share of the way).
-# groups, values: in order, groups as whole numbers of which each that is asked for is there.
+# Returns the two neighbours of x (0 to 1) within its group: list(low, high = indices, share =
+# weight of `high`). `groups` (integers) and `values` must be sorted, and must contain every
+# requested group.
 between_values <- function(group, x, groups, values) {
   low <- findInterval(2 * group + x, 2 * groups + values)
   low <- pmax(low, match(group, groups))

@@ -1,7 +1,6 @@
-# The panels of a gear as one table, so that the lattice of all netting is made at once.
+# The panels of a gear as one table, so that the mesh of all netting is built at once.
 
-# Returns a list of columns with an element per panel: the fields of `gear_si()`'s panels that every
-# plan gives.
+# Returns columns with one element per panel: the fields that every panel of `gear_si()` has.
 panel_table <- remembered(new_panel_table)
 
 new_panel_table <- function(panels) {
@@ -14,27 +13,26 @@ new_panel_table <- function(panels) {
   c(lapply(setNames(nm = numbers), field, 0), list(orientation = field("orientation", "")))
 }
 
-# Width of a panel's twine across the flow, m: of all that run side by side.
+# Returns the width of a panel's twine across the flow, m: the sum over parallel twines.
 twine_width <- function(panel) panel$twine_diameter * panel$twine_count
 
 is_square <- function(panel) panel$orientation == "square"
 
-# Bars of one family in a panel (as many of the other), and knots, in the plan.
+# Returns the planned number of bars per family in a panel, which equals the number of knots.
 panel_bars <- function(panel) {
   (panel$upper + panel$lower) / 2 * panel$deep * (2 - is_square(panel))
 }
 
-# Twine of a panel for each of these bars, m: that of one cell of its netting.
+# Returns the length of twine (m) for each such bar, which is the twine of one netting cell.
 cell_twine <- function(panel) panel$mesh_size - panel$straight_bar
 
-# The same with what its knots take, m: a diamond or square cell has one knot. Three bars meet in
-# each of the two joins of a hexagonal cell, which are taken as half a knot.
+# Returns the same length with the twine in knots, m. A diamond or square cell has one knot. A
+# hexagonal cell has two joins of three bars, each counted as half a knot.
 cell_twine_with_knots <- function(panel) cell_twine(panel) + panel$knot_twine
 
-# Fields that place a panel's sides.
 side_fields <- c("upper", "lower", "deep", "taper_left", "taper_right")
 
-# Where the left and the right side of a panel lie at a depth of j meshes, in meshes across.
+# Returns the position of the left or right side of a panel at depth j (meshes), in meshes across.
 panel_left <- function(panel, j) {
   panel$taper_left * (panel$upper - panel$lower) * j / panel$deep
 }

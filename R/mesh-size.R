@@ -1,12 +1,12 @@
-# How large a lattice may be. What a plan asks for is estimated before anything is allocated.
+# Limits the size of a mesh. The size is estimated before any memory is allocated.
 
 most_nodes <- 2e6
-# Of cells; bars take half.
+# Memory for cells; bars need half.
 bytes_per_node <- 1e4
 
-# Stops where a gear's lattice would have more nodes than `most`; nodes: about how many it should
-# have where its plan leaves that open.
-check_lattice_size <- function(si, nodes, netting = NULL, most = most_nodes) {
+# Throws an error if a gear's mesh would exceed `most` nodes. `nodes`: target number of nodes, if
+# the plan does not define the mesh.
+check_mesh_size <- function(si, nodes, netting = NULL, most = most_nodes) {
   if (nodes > most) {
     abort_argument("{.arg nodes} is {.val {nodes}}; it must be at most {.val {most}}.")
   }
@@ -19,8 +19,8 @@ check_lattice_size <- function(si, nodes, netting = NULL, most = most_nodes) {
   abort_plan(
     sprintf(
       paste(
-        "This plan needs %s nodes, which would take about %s of memory; at most %s are allowed.",
-        "Most of them are in `%s`."
+        "This plan needs %s nodes (about %s of memory), but at most %s are allowed.",
+        "Most nodes are in `%s`; reduce its size or segments."
       ),
       format(total, digits = 2), memory_text(total * bytes_per_node), format(most), worst
     ),
@@ -28,8 +28,8 @@ check_lattice_size <- function(si, nodes, netting = NULL, most = most_nodes) {
   )
 }
 
-# At least as many nodes as the plan's own divisions may give, whatever seams hand on from panel to
-# panel. Quick; exact counts are not.
+# Returns an upper bound of the number of nodes that the plan defines, including divisions
+# transferred through seams. It is fast, unlike an exact count.
 divided_at_most <- function(si) {
   ropes <- sum(unlist(lapply(si$ropes, `[[`, "segments")))
   across <- max(0, unlist(lapply(si$panels, function(panel) c(panel$columns, panel$rows))))

@@ -1,8 +1,8 @@
-# Multipliers of components of force: what of the laws of drag, lift and friction is uncertain as a
-# whole. Forces are linear in each. Laws of a screen have little or no drag along the flow, of which
-# a factor says nothing: there it is a coefficient that is added, and 0 leaves the force as it is.
+# Multipliers of force components, for uncertain drag, lift and friction coefficients. Forces are
+# linear in each multiplier. Screen models have little or no drag parallel to the flow, which a
+# factor cannot correct: `screen_friction` is instead an added coefficient with the neutral value 0.
 
-# What each multiplies, in words; in the order of the schema.
+# Description of each multiplier, in schema order.
 force_multipliers <- c(
   rope_normal_drag = "drag of ropes across their axis",
   rope_tangential_drag = "drag of ropes along their axis",
@@ -12,7 +12,7 @@ force_multipliers <- c(
   screen_lift = "lift of netting as a screen",
   screen_friction = "friction of netting as a screen along the flow",
   knot_drag = "drag of knots",
-  mesh_opening = "stiffness of meshes against opening",
+  mesh_opening = "opening stiffness of meshes",
   float_drag = "drag of floats",
   piece_drag = "drag of weights and other pieces",
   board_lift = "lift of boards, kites and canvas",
@@ -21,17 +21,17 @@ force_multipliers <- c(
   ground_gear_weight = "weight of ground gear in water"
 )
 
-# Which multipliers, by name, change the force.
+# TRUE for each multiplier that changes the force.
 is_multiplied <- function(by) {
   mapply(function(value, name) any(value != (name != "screen_friction")), by, names(by))
 }
 
-# Roles of ropes and pieces that are ground gear.
+# Roles of ropes and pieces that count as ground gear.
 ground_roles <- c("ground_gear", "footrope_extension", "tickler", "disc", "bobbin")
 
-# Numbers of a gear, list(gear, model), with components of force multiplied. by: multipliers named
-# as force_multipliers, the gear's own by default; none that changes a force: as they are, to the
-# bit.
+# Returns the numbers of a gear, list(gear, model), with multiplied force components. `by`:
+# multipliers named as in `force_multipliers`, by default the gear's. Neutral multipliers return the
+# numbers unchanged, bit for bit.
 multiplied_numbers <- function(numbers, si, by = unlist(si$multipliers)) {
   if (length(by)) by <- by[is_multiplied(by)]
   if (!length(by)) return(numbers)
