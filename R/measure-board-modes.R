@@ -1,31 +1,44 @@
-# How free otter boards and kites swing about where a state has them.
+# Growth rate (1/s) below which flutter causes no warning: such motions grow more slowly than the
+# manoeuvres of a tow.
+slowest_reported <- 0.002
 
-# Of a motion that grows or dies more slowly than this (1/s) nothing is said: over a tow's
-# manoeuvres it does not show.
-slowest_told <- 0.002
-
-#' How free otter boards and kites swing
+#' Stability of free otter boards and kites
 #'
-#' The motions of a settled gear in which a free otter board, kite or depressor takes part: pushed a
-#' little, the gear moves as a sum of them. They are eigenvalues of its equations of motion, with
-#' mass and added mass, drag and lift of everything as in [tow()], where the state has it; that flow
-#' slowed by netting follows the netting is left out. Motions that boards only follow, with less
-#' than a tenth of the way of the node that moves most, and those faster than 10 rad/s are left out
-#' too, and of a whole trawl's swings with more than half the critical damping some may be missing.
+#' Computes the small motions of a settled gear in which a free otter board, kite or depressor takes
+#' part. Each motion has a period, a growth rate and a verdict, such as `"flutters"`.
 #'
-#' A board is one rigid body: its mass about its own centre of gravity, as of a plate of one
-#' thickness with a camber of 12 %; the added mass of a flat plate about mid-chord, across its face
-#' (DNV-RP-C205) and of turning; and the moments against turning of a thin plate in a steady flow.
-#' The angle of attack follows the flow without delay, so that flutter which comes from a delay is
-#' not found.
+#' @section Method:
+#' The motions are eigenmodes of the gear's linearised equations of motion. They include mass, added
+#' mass, and the drag and lift of all parts, as in [tow()]. The wake of the netting stays fixed.
+#'
+#' These motions are missing:
+#' - motions faster than 10 rad/s;
+#' - motions in which the board moves less than a tenth as far as the node that moves most;
+#' - in a whole trawl, some swings with more than half of the critical damping.
+#'
+#' @section Model of a board:
+#' A board is one rigid body with these properties:
+#' - its mass acts at its centre of gravity, as in a plate of uniform thickness with 12 % camber;
+#' - the added mass is that for a flat plate, at mid-chord and normal to its face (DNV-RP-C205), and
+#'   for its rotation;
+#' - moments resist the rotation as on a thin plate in steady flow.
+#'
+#' Lift and drag follow the angle of attack without delay. Flutter that is caused by such a delay is
+#' therefore not detected.
 #'
 #' @param state A state, from [settle()].
-#' @return A data frame with a row per motion, the one that grows fastest first: `board` (that moves
-#'   most), `period_s` (`NA` where it does not swing), `growth_per_s` (rate at which it grows;
-#'   negative where it dies), `decay_s` (time in which it falls to 1/e; `NA` where it grows),
-#'   `damping` (share of the critical one) and `condition`: `"swings"`, `"creeps"` (dies without
-#'   swinging), `"flutters"` (swings and grows) or `"diverges"` (grows without swinging);
-#'   `NA` of a growing one that does not meet the gear's equations to 2 %: look at [tow()] then.
+#' @return A data frame with one row per motion, fastest growing first:
+#'   - `board`: the board that moves most.
+#'   - `period_s`: period; `NA` if the motion does not oscillate.
+#'   - `growth_per_s`: growth rate; negative if the motion decays.
+#'   - `decay_s`: time in which the motion falls to 1/e; `NA` if it grows.
+#'   - `damping`: fraction of the critical damping.
+#'   - `condition`: `"swings"` (oscillates and decays), `"creeps"` (decays without oscillation),
+#'     `"flutters"` (oscillates and grows) or `"diverges"` (grows without oscillation). A growing
+#'     motion whose residual in the gear's equations exceeds 2 % gets `NA`; check it with [tow()].
+#' @seealso [settle()], which warns of flutter; [tow()] to compute the motion itself;
+#'   [as.data.frame()][as.data.frame.codend_state] with `what = "boards"` for the attitude of
+#'   boards.
 #' @examples
 #' # a kite of 1 m by 2 m on two front lines and one behind
 #' on_lines <- function(from, to, length) {
@@ -39,7 +52,8 @@ slowest_told <- 0.002
 #'   front_starboard = on_lines("block_starboard", "starboard", "0.99 m"),
 #'   rear_port = on_lines("block_port", "tail", "1.293 m"),
 #'   rear_starboard = on_lines("block_starboard", "tail", "1.293 m"),
-#'   kite = kite(pushes = "up", chord = "1 m", span = "2 m", mass = "20 kg", volume = "0.03 m3",
+#'   kite = kite(lift_direction = "up", chord = "1 m", span = "2 m", mass = "20 kg", volume = "0.03
+#'   m3",
 #'     polar = "flat_plate", attachments = list(port = list(aft = "0.1 m", starboard = "-0.6 m"),
 #'       starboard = list(aft = "0.1 m", starboard = "0.6 m"), tail = list(aft = "0.8 m"))))
 #' board_modes(settle(flown))
@@ -48,7 +62,7 @@ board_modes <- function(state) {
   check_given("state")
   check_is_state(state)
   found <- if (length(state$si$otter_boards)) {
-    engine_body_modes(state$lattice$mesh, as.double(state$position), as.double(state$velocity))
+    engine_body_modes(state$mesh$model, as.double(state$position), as.double(state$velocity))
   }
   growth <- as.double(found$growth)
   frequency <- as.double(found$frequency)
@@ -66,14 +80,14 @@ board_modes <- function(state) {
 
 board_of_nodes <- function(state, nodes) {
   boards <- state$si$otter_boards
-  of <- lapply(boards, function(board) state$lattice$points[board$points])
+  of <- lapply(boards, function(board) state$mesh$points[board$points])
   vapply(nodes, function(node) {
     names(boards)[which(vapply(of, function(points) node %in% points, NA))[1L]]
   }, "", USE.NAMES = FALSE)
 }
 
-# The rows of board_modes() that tell of flutter which shows.
+# Returns the rows of board_modes() with noticeable flutter.
 fluttering_modes <- function(state) {
   modes <- board_modes(state)
-  modes[modes$condition %in% "flutters" & modes$growth_per_s > slowest_told, ]
+  modes[modes$condition %in% "flutters" & modes$growth_per_s > slowest_reported, ]
 }

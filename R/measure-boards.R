@@ -1,10 +1,8 @@
-# How free otter boards and kites stand in a state, and what is wrong with them.
-
-# Beyond this heel (deg) a board lies on its side.
+# Heel (deg) beyond which a board counts as fallen over.
 fallen_heel <- 45
 
-# A row per free otter board, kite and depressor of a state. Its columns are in the help of
-# as.data.frame.codend_state().
+# Returns a data frame: one row per free otter board, kite and depressor.
+# as.data.frame.codend_state() documents its columns.
 board_table <- function(state) {
   boards <- state$si$otter_boards
   found <- state$boards
@@ -28,15 +26,15 @@ board_table <- function(state) {
   )
 }
 
-# Warns of boards that do not fly, or not for long; swings: see warn_of_doubts().
+# Warns of boards that do not fly or that flutter. `swings`: see warn_of_doubts().
 warn_of_boards <- function(state, swings) {
   if (!length(state$si$otter_boards)) return(invisible())
   flutter <- if (swings) fluttering_modes(state)
   if (NROW(flutter)) {
     worst <- flutter[1L, ]
     cli::cli_warn(
-      c("{.field {worst$board}} flutters: pushed a little it swings with a period of
-        {figures(worst$period_s)} s, and each swing is larger than the last, by a factor of e in
+      c("{.field {worst$board}} flutters: after a small disturbance it oscillates with a period of
+        {figures(worst$period_s)} s, and the amplitude grows by a factor of e in
         {figures(1 / worst$growth_per_s)} s.",
         "i" = "See {.fn board_modes}, and {.fn tow} from this state."),
       class = c("codend_warning_board_flutter", "codend_warning"), call = NULL
@@ -48,9 +46,9 @@ warn_of_boards <- function(state, swings) {
     name <- if (is_kite(state$si$otter_boards[[k]])) "Kite" else "Otter board"
     kind <- gsub("[^a-z]", "_", board$condition)
     reason <- switch(board$condition,
-      "stalled" = sprintf("it meets the flow at %.0f deg, and its lift is largest at %.0f deg",
+      "stalled" = sprintf("its angle of attack is %.0f deg, but its lift is largest at %.0f deg",
         board$attack_deg, board$stall_deg),
-      "back-winded" = sprintf("the flow meets its outer face, at %.0f deg", board$attack_deg),
+      "back-winded" = sprintf("the flow hits its outer face, at %.0f deg", board$attack_deg),
       "fallen over" = sprintf("it heels by %.0f deg", board$heel_deg)
     )
     cli::cli_warn(

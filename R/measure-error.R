@@ -1,29 +1,28 @@
-# The errors that lattices leave in measures: what the engine computes them from
-# (src/engine/measure/measure_errors.hpp has how), and what is made of them.
+# Discretisation errors of measures. The method is in src/engine/measure/measure_errors.hpp.
 
-# What is reported where it is missed, a share of the main measures.
+# Relative error of the main measures above which summaries report a missed target.
 usual_accuracy <- 0.01
 
-# Kinds of measures that settle() aims its accuracy at: opening, spread, drag.
+# Kinds of measures that define the accuracy of settle(): openings, spreads and drag.
 main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "catch_volume",
   "catch_surface", "total_drag")
-# Drag that is a smaller share of the weights in water than this is no main measure.
+# Drag below this fraction of the weights in water is not a main measure.
 light_drag <- 0.01
 
-# Standard errors of a state's measures (state_values()), SI, by name; NA where no other lattice
-# says more. Those of a moment of a tow are of its lattice and its steps.
+# Returns standard errors of a state's measures (SI, by name). NA: no other mesh is comparable. In a
+# tow, the errors include the accuracy of the time steps.
 state_errors <- function(state, found = state_values(state)) {
   names <- names(found$values)
   levels <- levels_of(state, found$values)
-  error <- estimate_errors(found$values, found$kinds, state$lattice$nodes, levels,
+  error <- estimate_errors(found$values, found$kinds, state$mesh$nodes, levels,
     first_of(state$step_accuracy, 0))
-  # where the start had no such measure
+  # the initial state lacks these measures, so their errors are unknown
   if (!is.null(state$time)) error[!names %in% names(state$compared$levels[[1L]]$values)] <- NA
   setNames(error, names)
 }
 
-# The same of named values (SI) on a lattice of so many nodes. kinds: their entries in the
-# registries; levels: list of list(nodes, values).
+# Returns standard errors (SI) of named values on a mesh with this number of nodes. `kinds`: their
+# entries in the registries; `levels`: list of list(nodes, values).
 estimate_errors <- function(values, kinds, nodes, levels, step_accuracy = 0,
                             tolerance = settle_tolerance) {
   kinds <- vapply(kinds, `[[`, "", "kind")
@@ -36,8 +35,8 @@ estimate_errors <- function(values, kinds, nodes, levels, step_accuracy = 0,
 
 plain <- function(values) unname(as.double(values))
 
-# The lattices that the measures of a state, `values` in SI, may be compared with, from coarse to
-# fine: list(nodes, values). See new_levels().
+# Returns the mesh levels for comparison with a state's measures (`values`, SI), coarse to fine:
+# list of list(nodes, values). See new_levels().
 levels_of <- function(state, values) {
   compared <- state$compared
   if (!is.null(compared)) {
@@ -48,20 +47,20 @@ levels_of <- function(state, values) {
   base <- state$levels$base
   if (is.null(base)) return(own_levels(state))
   levels <- own_levels(base)
-  # without levels to carry the other gear is not measured
+  # avoid measuring the base state if it has no levels
   if (length(levels)) carry_levels(levels, base_values(base), values) else list()
 }
 
-# What the moments of a tow take of the state that it starts from: list(levels, values), SI;
-# NULL where its errors are not known.
-compared_lattices <- function(state) {
+# Returns list(levels, values) in SI of the state that a tow starts from; NULL if its errors are
+# unknown.
+compared_meshes <- function(state) {
   values <- state_values(state)$values
   levels <- levels_of(state, values)
   if (length(levels)) list(levels = levels, values = values)
 }
 
-# The levels of a state that began from another gear's: theirs, scaled with its measures. Gears that
-# differ little in shape have like errors, as shares.
+# Returns mesh levels from another gear, scaled by the ratio of the measures. This assumes that
+# gears of similar shape have the same relative errors.
 carry_levels <- function(levels, values_from, values) {
   lapply(levels, function(level) {
     names <- intersect(intersect(names(level$values), names(values_from)), names(values))
@@ -69,14 +68,14 @@ carry_levels <- function(levels, values_from, values) {
     now <- plain(values[names])
     then <- unname(level$values[names])
     scaled <- now * then / old
-    # what was nothing adds what the level has of it
+    # a ratio to zero is undefined: use the level's own value as the difference
     level$values <- setNames(ifelse(is.finite(scaled), scaled, now + then), names)
     level
   })
 }
 
-# The largest error of the main measures, as a share: of the measure itself or, among several of one
-# kind, of the largest. Of a gear without any, of its forces. NA where none is known.
+# Returns the largest relative error of the main measures; NA if unknown. The reference is the
+# largest measure of the same kind. Gears without main measures use their forces.
 main_error <- function(measures) {
   kind <- attr(measures, "kind")
   main <- attr(measures, "main")
@@ -87,17 +86,18 @@ main_error <- function(measures) {
   if (length(share)) max(share) else NA_real_
 }
 
-# Which measures are main ones. light: whether drag is little next to the weights.
+# Returns a logical vector: TRUE for main measures. `light`: drag is small compared with the
+# weights.
 main_measures <- function(kind, units, light) {
   main <- kind %in% setdiff(main_kinds, if (light) "total_drag")
   if (any(main)) main else units %in% names(plan_units$force) & kind != "total_drag"
 }
 
-# Most nodes that an accuracy is sought with.
+# Maximum number of nodes in the search for an accuracy.
 most_accurate_nodes <- 1e5
 
-# Nodes that would leave the error asked for, where so many leave this one: an error of first order
-# falls with their square root.
+# Number of nodes for the required error. A first-order error falls with the square root of the
+# number of nodes.
 nodes_for <- function(nodes, error, asked) nodes * (error / asked)^2
 
 percent_text <- function(share) {

@@ -1,17 +1,16 @@
-# Forces of a state: tensions, drag by component, reactions of the supports and their balance.
+# Forces of a state: tensions, drag by component, support reactions and their sum.
 
-# Tension at both ends of bars of ropes, N, 2 x bars.
+# Returns tensions at both ends of rope bars [N], 2 x bars.
 end_tensions <- function(state, bars) {
-  lattice <- state$lattice
-  matrix(engine_end_tensions(lattice$mesh, shape_of(state), as.integer(bars)), 2L)
+  mesh <- state$mesh
+  matrix(engine_end_tensions(mesh$model, shape_of(state), as.integer(bars)), 2L)
 }
 
-# Hydrodynamic force on every part, 3 x parts, N. Knots belong to their panel.
-part_drag <- function(state) matrix(engine_part_forces(state$lattice$mesh, shape_of(state)), 3L)
+# Returns the hydrodynamic force on each part [N], 3 x parts. Knots belong to their panel.
+part_drag <- function(state) matrix(engine_part_forces(state$mesh$model, shape_of(state)), 3L)
 
-# Unit vectors, as columns: along the flow past the gear, across it to starboard, and up. A towed
-# gear meets the flow along x; a held one along the fastest current of its profile, and along x when
-# the water stands still.
+# Returns unit vectors as columns: along the flow, across it to starboard, and up. Towed gears: the
+# flow is along x. Fixed gears: along the fastest current of the profile, or along x in still water.
 flow_axes <- function(si) {
   flow <- c(1, 0)
   current <- si$water$current
@@ -23,7 +22,7 @@ flow_axes <- function(si) {
   cbind(flow = c(flow, 0), across = c(-flow[2], flow[1], 0), up = c(0, 0, 1))
 }
 
-# Sums of columns by part: 3 x parts.
+# Sums columns by part: 3 x parts.
 sum_by_part <- function(force, part, parts) {
   total <- matrix(0, 3L, parts)
   if (length(part)) {
@@ -33,13 +32,12 @@ sum_by_part <- function(force, part, parts) {
   total
 }
 
-# Weight in water (weight less buoyancy, N, negative for what floats) of every part: of a rope and a
-# panel by its length in the lattice, knots with it, so that a rope gathered in one point weighs
-# what is left.
+# Returns the weight in water of each part [N]: weight less buoyancy, negative for floating parts.
+# Ropes and panels (with knots) use their length in the mesh, which is shorter for gathered ropes.
 part_weight <- function(state) {
   si <- state$si
   lines <- state_lines(state)
-  length <- numeric(nrow(state$lattice$parts))
+  length <- numeric(nrow(state$mesh$parts))
   sums <- rowsum(lines$lines * lines$rest, lines$part)
   length[as.integer(rownames(sums))] <- sums
   for (p in seq_along(si$panels)) {
@@ -59,21 +57,21 @@ part_weight <- function(state) {
   gear_gravity * unname(each) * length
 }
 
-# Drag by component: a row per rope, panel and piece, and for the catch in netting, with part, kind
-# (rope, netting, piece, catch), role, and in kN: drag along the flow, side force to starboard of
-# it, lift upwards (all hydrodynamic) and weight in water.
+# Returns a data frame: one row per rope, panel and piece, and for the catch in netting. Columns:
+# part, kind (rope, netting, piece, catch), role, and forces in kN. drag: along the flow; side: to
+# starboard; lift: up; weight in water.
 drag_table <- function(state) {
   force <- in_unit(t(flow_axes(state$si)) %*% part_drag(state), "kN")
   data.frame(
-    part = state$lattice$parts$name, kind = state$lattice$parts$kind,
-    role = state$lattice$parts$role,
+    part = state$mesh$parts$name, kind = state$mesh$parts$kind,
+    role = state$mesh$parts$role,
     drag_kN = force[1, ], side_kN = force[2, ], lift_kN = force[3, ],
     weight_in_water_kN = in_unit(part_weight(state), "kN")
   )
 }
 
-# Totals of a drag table by group: netting, ropes, otter boards, catch and fittings (all other
-# pieces), then all.
+# Returns totals of a drag table by group and overall. Pieces other than otter boards and catch are
+# "fittings".
 drag_totals <- function(drag) {
   group <- c(
     netting = "netting", rope = "ropes", piece = "fittings", catch = "catch"
@@ -87,14 +85,14 @@ drag_totals <- function(drag) {
   data.frame(group = rownames(total), total, row.names = NULL)
 }
 
-# Force of every support on the gear, N, 3 x held points. The vessel's pull on a warp points
-# forward, so its x is negative. What pulls at an edge held between two points they share as the
-# supports of a beam do.
+# Returns the force of each support on the gear [N], 3 x supports. The vessel pulls a warp forward
+# (negative x). A load on an edge between two supports is split between them as on a simply
+# supported beam.
 support_forces <- function(state) {
   held <- names(Filter(function(point) !is.na(point$held), state$si$points))
-  node <- vapply(held, function(name) state$lattice$points[[name]], 0L)
+  node <- vapply(held, function(name) state$mesh$points[[name]], 0L)
   force <- -state$force[, node, drop = FALSE]
-  for (edge in state$lattice$held_edges) {
+  for (edge in state$mesh$held_edges) {
     inner <- -c(1L, length(edge$node))
     on_edge <- -state$force[, edge$node[inner], drop = FALSE]
     share <- rbind(1 - edge$at[inner], edge$at[inner])
@@ -105,16 +103,15 @@ support_forces <- function(state) {
   force
 }
 
-# A row per held point: the force of its support, kN along x (aft), y (starboard) and z (up).
+# Returns a data frame: one row per support, force in kN along x (aft), y (starboard) and z (up).
 reaction_table <- function(state) {
   force <- in_unit(support_forces(state), "kN")
   data.frame(point = colnames(force), x_kN = force[1, ], y_kN = force[2, ], z_kN = force[3, ],
     row.names = NULL)
 }
 
-# Balance of all forces on the gear, kN: reactions, hydrodynamic forces, weight in water, loads of
-# the plan, where there are such the forces of the sea bed and buoyancy lost above the surface, and
-# what remains of their sum, which is zero but for the solver's tolerance.
+# Returns a data frame of all forces on the gear [kN] and their sum, `remainder`. The remainder is
+# zero within the solver's tolerance.
 balance_table <- function(state) {
   loads <- rowSums(vapply(state$si$points, function(point) as.double(point$load), numeric(3)))
   forces <- rbind(
@@ -131,12 +128,12 @@ balance_table <- function(state) {
   data.frame(force = rownames(forces), forces, row.names = NULL)
 }
 
-# Tensions by rope and panel, of one line, kN: largest, mean of the tenth of its length that is
-# loaded most, and mean over its length; breaking load where the plan knows it (kN) and the largest
-# tension's share of it (percent). Where a point pulls at netting the largest grows with every
-# refinement; the means close in on a value.
+# Returns a data frame: one row per rope and panel, tensions of one line [kN]. `max`: largest value;
+# `most_loaded`: mean over the most loaded tenth of the length; `mean`: mean over the length.
+# `strength`: breaking load, NA if unknown; `strength_percent`: largest tension over strength. At a
+# point load on netting, `max` grows with each mesh refinement; the means converge.
 tension_table <- function(state) {
-  parts <- state$lattice$parts
+  parts <- state$mesh$parts
   lines <- state_lines(state)
   part <- sort(unique(lines$part))
   strength <- vapply(state$si$ropes, function(rope) as.double(rope$strength), 0)
@@ -158,10 +155,10 @@ tension_table <- function(state) {
   )
 }
 
-# Share of the length that counts as loaded most.
+# Fraction of the length in most_loaded_tension().
 loaded_most <- 0.1
 
-# Mean tension over the tenth of the length that is loaded most.
+# Returns the mean tension over the most loaded fraction of the length.
 most_loaded_tension <- function(tension, long) {
   falling <- order(tension, decreasing = TRUE)
   whole <- loaded_most * sum(long)
@@ -169,16 +166,15 @@ most_loaded_tension <- function(tension, long) {
   sum(tension[falling] * pmin(long[falling], pmax(whole - before, 0))) / whole
 }
 
-# Mean tension by part, over its length.
 mean_by_part <- function(tension, long, part) {
   sums <- rowsum(cbind(tension * long, long), part)
   sums[, 1L] / sums[, 2L]
 }
 
-# Slack netting by panel: its length of twine (m) and the share of it without tension (percent).
+# Returns a data frame: one row per panel, length of twine [m] and slack fraction [percent].
 slack_table <- function(state) {
   lines <- state_lines(state)
-  parts <- state$lattice$parts
+  parts <- state$mesh$parts
   lines <- lines[parts$kind[lines$part] == "netting", ]
   twine <- lines$lines * lines$rest
   sums <- rowsum(cbind(twine, twine * (lines$tension == 0)), lines$part)

@@ -1,18 +1,18 @@
-# What measures are compared with for their errors: the same gear on other lattices.
+# Mesh levels: measures of the same gear on other meshes, for error estimates.
 
-# Lattices whose nodes differ by less than this factor say too little of each other, as in
+# Meshes are comparable if their node counts differ by at least this factor. Same value as in
 # src/engine/measure/measure_errors.cpp.
 least_ratio <- 1.5
 
-# The levels of a state: what its measures are compared with for their errors. Levels are measured,
-# and one more is settled where they say too little, when errors are first asked for: a change of a
-# gear that is looked at once needs neither.
+# Returns the mesh levels of a state. Measuring them, and settling an extra mesh if needed, waits
+# until errors are first required: many quick changes need no errors.
 #
-# A list of `coarser`, the levels that the gear was settled through, as list(nodes, values in SI);
-# `complete`, whether no other level may be settled; `netting`, as in settle(), for that one;
-# `base`, the state of another gear whose levels count instead, or NULL; and `found`, an environment
-# that keeps what was computed, `levels`, from coarse to fine, and `values`, measures of the state,
-# and until then `strain`, of its lines as the solver left it (NULL: by their lengths).
+# `coarser`: levels of the solver, list(nodes, values in SI).
+# `complete`: TRUE if no extra mesh may be settled.
+# `netting`: argument of settle() for the extra mesh.
+# `base`: state of another gear whose levels replace these, or NULL.
+# `found`: environment that caches `levels` (coarse to fine) and `values` (measures of the state).
+# `found$strain`: strains of all lines before the levels exist; NULL: computed from lengths.
 new_levels <- function(coarser = list(), netting = NULL, complete = FALSE, base = NULL,
                        strain = NULL) {
   found <- new.env(parent = emptyenv())
@@ -20,30 +20,28 @@ new_levels <- function(coarser = list(), netting = NULL, complete = FALSE, base 
   list(coarser = coarser, complete = complete, netting = netting, base = base, found = found)
 }
 
-# The levels of a state that settle_numbers() found; netting: as in settle(); from: the state it
-# began from, or NULL.
+# Returns the mesh levels of a state from settle_numbers(). `netting`: as in settle(); `from`: the
+# start state, or NULL.
 state_levels <- function(state, found, netting, from) {
   if (length(found$levels) || is.null(from$levels)) {
     return(new_levels(found$levels, netting, strain = found$strain))
   }
-  growth <- state$lattice$nodes / from$lattice$nodes
+  growth <- state$mesh$nodes / from$mesh$nodes
   if (identical(from$si, state$si) && max(growth, 1 / growth) >= least_ratio) {
     return(levels_with(from))
   }
   new_levels(base = first_of(from$levels$base, from))
 }
 
-# A state's levels and the state itself as the last of them.
+# Returns a state's levels with the state itself as the last level.
 levels_with <- function(state) {
   level <- level_of(state)
   new_levels(c(levels_of(state, level$values), list(level)), complete = TRUE)
 }
 
-# A state as a level of others.
-level_of <- function(state) list(nodes = state$lattice$nodes, values = state_values(state)$values)
+level_of <- function(state) list(nodes = state$mesh$nodes, values = state_values(state)$values)
 
-# Finds the levels of a state of its own gear, once. Returns the state of the one that was settled
-# for it, or NULL.
+# Computes the levels of a state once. Returns the state on the extra mesh, or NULL.
 find_levels <- function(state) {
   levels <- state$levels
   if (!is.null(levels$found$levels)) return(NULL)
@@ -53,7 +51,7 @@ find_levels <- function(state) {
   extra
 }
 
-# The state on one more lattice, where the coarser ones say too little of errors; else NULL.
+# Returns the state on an extra mesh if the coarser levels are insufficient for errors; else NULL.
 extra_state <- function(state, levels) {
   free <- undivided(state$si)
   shape <- state_shape(state)
@@ -61,22 +59,21 @@ extra_state <- function(state, levels) {
   levels$found$strain <- NULL
   started <- cpu_clock()
   found <- tryCatch(
-    settle_numbers(free, state$lattice$nodes, levels$netting, shape, FALSE,
+    settle_numbers(free, state$mesh$nodes, levels$netting, shape, FALSE,
       beside = vapply(levels$coarser, `[[`, 0, "nodes")),
     codend_error = function(e) NULL
   )
   if (is.null(found)) return(NULL)
   found$report$cpu_seconds <- cpu_clock() - started
-  new_state(state$gear, free, found$lattice, found$position, found$report)
+  new_state(state$gear, free, found$mesh, found$position, found$report)
 }
 
-# The levels of a state of its own gear, coarse to fine.
 own_levels <- function(state) {
   find_levels(state)
   state$levels$found$levels
 }
 
-# Measures of a state that others began from, SI, computed once.
+# Returns the measures of a start state (SI), computed once.
 base_values <- function(state) {
   found <- state$levels$found
   if (is.null(found$values)) found$values <- state_values(state)$values

@@ -1,20 +1,21 @@
-# How far the meshes of a net stand open, and what its twine covers of the flow.
+# Opening of meshes and solidity of netting.
 
-# Meshes at every place on the rows of panels, as the netting between rows stands.
+# Returns a data frame: one row per sampling point on the rows of each panel, interpolated in the
+# deformed netting.
 #
-# With x_i and x_j the derivatives of position by meshes across and by meshes down a panel, a mesh
-# of diamonds has the bars (x_j + x_i) / 2 and (x_j - x_i) / 2, one of squares the bars x_i and x_j.
+# Notation: x_i and x_j are derivatives of position by meshes across and down the panel. The bars of
+# a diamond mesh are (x_j + x_i) / 2 and (x_j - x_i) / 2; the bars of a square mesh are x_i and x_j.
 #
-# Returns a data frame with a row per place: panel (number), row, s and t (shares of the panel's
-# width and depth), x, y and z (m),
-# opening (m: |x_i|, how wide a mesh stands across the panel; of squares the distance of its bars),
-# depth (m, |x_j|), angle (rad, between the bars of a mesh, 0 where it is closed across the panel;
-# NA where a bar has no length), meshes (how many the place stands for, from `port` to `starboard`
-# across and from `fore` to `aft` down the panel, in meshes from the place), and for each family of
-# bars its vector of one bar: u_x, u_y, u_z, v_x, v_y, v_z (m).
+# `panel`: number of the panel; `row`: number of the row.
+# `s`, `t`: fractions of the panel's width and depth. `x`, `y`, `z`: position [m].
+# `opening`: |x_i| [m], for square meshes the bar distance. `depth`: |x_j| [m].
+# `angle`: between the bars of a mesh [rad]; 0 if closed across, NA if a bar has no length.
+# `meshes`: number of meshes that the point represents.
+# `port`, `starboard`, `fore`, `aft`: extent of this area, in meshes from the point.
+# `u_x` to `v_z`: bar vectors of both families [m].
 mesh_places <- function(state, names = base::names(state$si$panels)) {
-  at <- state$lattice$mesh$frame$meshes
-  found <- engine_mesh_places(state$lattice$mesh, as.double(state_points(state)))
+  at <- state$mesh$model$frame$meshes
+  found <- engine_mesh_places(state$mesh$model, as.double(state_points(state)))
   found$angle[is.nan(found$angle)] <- NA
   panel <- at$row_panel[at$row + 1L]
   all <- list2DF(c(
@@ -26,8 +27,8 @@ mesh_places <- function(state, names = base::names(state$si$panels)) {
   if (all(kept)) all else list2DF(lapply(all, `[`, kept))
 }
 
-# Solidity of panels by name as they stand, on the mean of their netting: twine, crossings of
-# knotless netting once, and knots, over the area of the netting.
+# Returns the mean solidity of the named panels in the deformed shape. Twine counts crossings of
+# knotless netting once; knots are added.
 solidity_of_panels <- function(state, names) {
   found <- mesh_places(state, names)
   bar <- function(family) as.matrix(found[paste0(family, c("_x", "_y", "_z"))])
@@ -35,7 +36,7 @@ solidity_of_panels <- function(state, names) {
   v <- bar("v")
   uu <- rowSums(u^2)
   vv <- rowSums(v^2)
-  # as twine_shadow() counts bars and area
+  # same count of bars and area as twine_shadow()
   cells <- found$meshes * (2 - is_square(panel_table(state$si$panels))[found$panel])
   sums <- rowsum(
     cbind(
@@ -50,33 +51,42 @@ solidity_of_panels <- function(state, names) {
   twine <- sums[, "bars"] * of(twine_width) / sums[, "area"]
   knots <- sums[, "cells"] * pi / 4 * of(function(panel) panel$knot_diameter^2) / sums[, "area"]
   overlap <- of(crossing_overlap)
-  stats::setNames(twine - overlap * twine^2 + knots, names)
+  # Closed meshes are solid: the covered fraction does not decrease again.
+  twine <- pmin(twine, 0.5 / overlap)
+  stats::setNames(pmin(twine - overlap * twine^2 + knots, 1), names)
 }
 
-#' Meshes along a net
+#' Mesh openings along a net
 #'
-#' How far the meshes are open along every panel: what decides which fish pass through them. Each
-#' row is a row of the model across a panel, from its front edge to its rear edge.
+#' Computes the opening of the meshes along each panel, which determines the fish that pass through.
+#' Each row of the result is a row of the model across a panel, from its front to its rear edge.
 #'
-#' Of diamond meshes the opening is the distance of the knots across the panel and the angle that
-#' between two bars, so that opening = mesh size times sin(angle / 2) where the twine is taut; of
-#' square meshes the opening is the distance of the bars. Hexagonal meshes are taken as diamonds of
-#' their cells. The edge of a codend that is gathered has opening 0.
+#' @section Definition of the opening:
+#' - Diamond meshes: the distance between the knots across the panel. The angle is between two bars.
+#'   With taut twine, opening = mesh size times sin(angle / 2).
+#' - Square meshes: the distance between the bars.
+#' - Hexagonal meshes: as diamond meshes of their cells.
+#' - The gathered edge of a codend has an opening of 0.
 #'
-#' For a model of selection take the codend's rows: `mesh_openings(state, "codend")` has the mean,
-#' the least and the greatest opening by distance from its rear end.
+#' For a selectivity model, use the codend: `mesh_openings(state, "codend")` lists the mean,
+#' smallest and largest opening by distance from its rear end.
 #'
 #' @param state A state, from [settle()] or [state_at()].
 #' @param parts Names of panels or of parts of the net (`"codend"`, `"section_3"`), or `NULL` for
-#'   all. An unknown one is an error of class `codend_error_argument`.
-#' @return A data frame of class `codend_mesh_openings` with a row per row of a panel: `panel`,
-#'   `part`, `meshes_from_front`, `from_front_m` and `from_rear_m` (along the netting), `x_m`,
-#'   `depth_m` (middle of the row), `meshes_across`, `mesh_size_mm`, `mesh_opening_mm` (mean),
-#'   `least_opening_mm`, `greatest_opening_mm`, `opening_percent` (mean opening over mesh size, of
-#'   square meshes over a bar), `mesh_angle_deg` (mean).
-#' @seealso [codend_charts]; [measures()] for the mean of a panel;
-#'   [as.data.frame()][as.data.frame.codend_trajectory] of a tow for the water that passed the
-#'   mouth.
+#'   all. An unknown name is an error of class `codend_error_argument`.
+#' @return A data frame of class `codend_mesh_openings` with one row per row of a panel:
+#'   - `panel`, `part`: names.
+#'   - `meshes_from_front`, `from_front_m`, `from_rear_m`: position along the netting.
+#'   - `x_m`, `depth_m`: middle of the row.
+#'   - `meshes_across`: number of meshes in the row.
+#'   - `mesh_size_mm`: mesh size in the plan.
+#'   - `mesh_opening_mm`, `least_opening_mm`, `greatest_opening_mm`: mean, smallest and largest
+#'     opening.
+#'   - `opening_percent`: mean opening over mesh size; for square meshes over the bar length.
+#'   - `mesh_angle_deg`: mean angle.
+#' @seealso [codend_charts] to plot the result; [measures()] for the mean of a panel;
+#'   [as.data.frame()][as.data.frame.codend_trajectory] of a tow for the water that passed through
+#'   the mouth.
 #' @export
 #' @examples
 #' state <- settle("t90_codend")
@@ -95,7 +105,7 @@ mesh_openings <- function(state, parts = NULL) {
   mean_of <- function(field, weight = found$meshes) {
     vapply(by_row, function(k) {
       good <- !is.na(found[[field]][k])
-      # a row at a point has no meshes
+      # a row that is gathered in a point has no meshes
       w <- if (sum(weight[k][good]) > 0) weight[k][good] else rep(1, sum(good))
       if (any(good)) sum(found[[field]][k][good] * w) / sum(w) else NA_real_
     }, 0, USE.NAMES = FALSE)

@@ -1,17 +1,17 @@
-# Measures as numbers that keep what they are: each one's unit and kind.
+# Class `codend_measures`: named numbers with units, kinds and errors.
 
-# values, errors: SI, by name; kinds: their entries in the registries; light: whether the gear's
-# drag is little next to its weights.
+# `values`, `errors`: SI, by name; `kinds`: their entries in the registries; `light`: drag is small
+# compared with the weights.
 new_measures <- function(values, kinds, errors, light) {
   units <- measure_units(kinds)
   kind <- vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE)
-  structure(shown_numbers(values, units), unit = setNames(units, names(values)),
-    kind = setNames(kind, names(values)), error = shown_numbers(errors, units),
+  structure(numbers_in_display_units(values, units), unit = setNames(units, names(values)),
+    kind = setNames(kind, names(values)), error = numbers_in_display_units(errors, units),
     main = setNames(main_measures(kind, units, light), names(values)),
     class = c("codend_measures", "numeric"))
 }
 
-shown_numbers <- function(values, units) {
+numbers_in_display_units <- function(values, units) {
   setNames(as.double(mapply(in_unit, values, units)), names(values))
 }
 
@@ -34,7 +34,7 @@ plain_measures <- function(x) setNames(as.double(x), names(x))
 #' @rawNamespace S3method(base::"$",codend_measures)
 `$.codend_measures` <- function(x, name) x[[name]]
 
-# Stops at the first that is no measure. In formulas a name may go without its unit; here it has it.
+# Stops at the first unknown name. Names need their unit here; formulas may omit it.
 check_measure_names <- function(wanted, known) {
   wrong <- setdiff(wanted, known)
   if (!length(wrong)) return(invisible())
@@ -42,7 +42,7 @@ check_measure_names <- function(wanted, known) {
   with_unit <- known[startsWith(known, paste0(wrong, "_"))]
   near <- c(with_unit, nearest(wrong, known))
   hint <- if (length(near)) " Did you mean {.val {near[1]}}?"
-  abort_argument(paste0("There is no measure {.val {wrong}}.", hint,
+  abort_argument(paste0("The measure {.val {wrong}} does not exist.", hint,
     " Known here: {.val {known}}."))
 }
 
@@ -54,7 +54,7 @@ as.data.frame.codend_measures <- function(x, row.names = NULL, optional = FALSE,
   as.data.frame(plain_measures(x), row.names, optional, ..., nm = "value")
 }
 
-# Under other names, or none, they are numbers alone.
+# Renamed values lose their units and errors and become plain numbers.
 #' @export
 `names<-.codend_measures` <- function(x, value) setNames(as.double(x), value)
 
@@ -65,16 +65,15 @@ print.codend_measures <- function(x, digits = getOption("digits"), ...) {
   invisible(x)
 }
 
-# What text shows of measures: list(words, unit, error = "0.6" or "").
-measure_words <- function(measures) {
+# Returns list(words, unit, error) for display; error is a string such as "0.6", or "".
+measure_labels <- function(measures) {
   unit <- unname(attr(measures, "unit"))
   list(
-    words = words_of(names(measures), unit), unit = unit,
+    words = label_of(names(measures), unit), unit = unit,
     error = error_text(unname(attr(measures, "error")))
   )
 }
 
-# The definitions of measures, one text each.
 definitions_of <- function(measures) {
-  measure_texts(all_kinds()[attr(measures, "kind")])
+  measure_strings(all_kinds()[attr(measures, "kind")])
 }

@@ -1,11 +1,10 @@
-# Where pieces are.
-
-# A row per piece at a place (hooks, floats, weights; not what is spread along a rope): part, role,
-# number (how many sit there), position x_m, y_m, z_m and depth_m below the water surface.
+# Returns a data frame: one row per piece at a point (hooks, floats, weights). Pieces that are
+# spread along a rope are omitted. Columns: part, role, number (of pieces there), x_m, y_m, z_m, and
+# depth_m below the surface.
 piece_table <- function(state) {
   pieces <- Filter(function(piece) !is.null(piece$at), state$si$pieces)
   place <- vapply(pieces, `[[`, "", "at")
-  at <- state$position[, state$lattice$places[place], drop = FALSE]
+  at <- state$position[, state$mesh$places[place], drop = FALSE]
   data.frame(
     part = as.character(names(pieces)),
     role = vapply(pieces, `[[`, "", "role", USE.NAMES = FALSE),

@@ -1,30 +1,39 @@
 #' Tensions along ropes
 #'
+#' Lists the tension in each bar of the model along ropes, for charts and tables.
+#'
 #' @param state A state, from [settle()] or [state_at()].
-#' @param ropes Which ropes: names of ropes or roles (`"warp"` for all warps), or `NULL` for all.
-#' @return A data frame of class `codend_rope_tensions` with a row per bar of a rope, in order from
-#'   its start: `rope`, `role`, `line`, `along_m` (distance of the bar's middle from the line's
-#'   start along it), `length_m` of the bar, its `tension_kN` and its middle `x_m`, `y_m`, `z_m`. A
-#'   line is a rope, or ropes of one role that follow each other, such as the stretches of a main
-#'   line between its branch lines. An unknown rope is an error of class `codend_error_argument`.
-#' @seealso [codend_charts]
+#' @param ropes Names of ropes or roles (`"warp"` for all warps), or `NULL` for all. An unknown name
+#'   is an error of class `codend_error_argument`.
+#' @return A data frame of class `codend_rope_tensions` with one row per bar of a rope, from the
+#'   start of the line:
+#'   - `rope`, `role`: names of the rope and its role.
+#'   - `line`: a rope, or consecutive ropes of one role, such as the parts of a main line between
+#'     its branch lines.
+#'   - `along_m`: distance of the bar's middle from the start of the line.
+#'   - `length_m`: length of the bar.
+#'   - `tension_kN`: tension of the bar.
+#'   - `x_m`, `y_m`, `z_m`: position of the bar's middle.
+#' @seealso [codend_charts] to plot the result; [as.data.frame()][as.data.frame.codend_state] for
+#'   the tensions of netting.
 #' @export
 #' @examples
-#' head(tensions_along(settle("crossing_cables")))
+#' state <- settle("midwater_trawl", nodes = 300)
+#' head(tensions_along(state, "warp"))
 tensions_along <- function(state, ropes = NULL) {
   check_given("state")
   check_is_state(state)
-  parts <- state$lattice$parts
+  parts <- state$mesh$parts
   every <- which(parts$kind == "rope")
   known <- unique(stats::na.omit(c(parts$name[every], parts$role[every])))
   if (!length(known)) abort_argument("The gear has no ropes.")
   ropes <- chosen_some(ropes, known)
   kept <- every[parts$name[every] %in% ropes | parts$role[every] %in% ropes]
-  line <- rope_lines_end_to_end(state$lattice, kept)
+  line <- rope_lines_end_to_end(state$mesh, kept)
   kept <- kept[order(match(line, line))]
   line <- line[order(match(line, line))]
   bars <- unlist(lapply(kept, function(part) bars_of_part(state, part)))
-  part <- state$lattice$bar_part[bars]
+  part <- state$mesh$bar_part[bars]
   line <- line[match(part, kept)]
   name <- parts$name[part]
   ends <- bar_ends(state, bars)
@@ -43,13 +52,13 @@ tensions_along <- function(state, ropes = NULL) {
   )
 }
 
-# Which line each of some ropes (rows of the table of parts) belongs to, as numbers. A rope goes on
-# another of its role where it alone starts and that alone ends.
-rope_lines_end_to_end <- function(lattice, ropes) {
-  name <- lattice$parts$name[ropes]
-  role <- lattice$parts$role[ropes]
+# Returns the line number of each rope (row of the parts table). A rope continues another rope of
+# the same role unless a third rope with this role starts or ends at their common point.
+rope_lines_end_to_end <- function(mesh, ropes) {
+  name <- mesh$parts$name[ropes]
+  role <- mesh$parts$role[ropes]
   node <- function(at) {
-    vapply(name, function(rope) at(lattice$ropes[[rope]]$node), 0L, USE.NAMES = FALSE)
+    vapply(name, function(rope) at(mesh$ropes[[rope]]$node), 0L, USE.NAMES = FALSE)
   }
   start <- paste(role, node(function(nodes) nodes[1L]))
   end <- paste(role, node(function(nodes) nodes[length(nodes)]))
@@ -68,14 +77,14 @@ rope_lines_end_to_end <- function(lattice, ropes) {
     } else if (is.na(before[path[1L]])) {
       path[1L]
     } else {
-      # a ring begins where the plan begins it
+      # a closed ring starts at its first rope in the plan
       min(path)
     }
   }
   line
 }
 
-# Names of lines: of their rope, or of their first and last.
+# Returns line names: the rope, or "first to last".
 line_names <- function(rope, line) {
   ends <- split(rope, line)
   words <- vapply(ends, function(ropes) {

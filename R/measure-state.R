@@ -1,38 +1,58 @@
 #' Measures of a state
 #'
-#' What the plan asks to be measured, and the measures that every gear has.
+#' Computes the measures that the plan defines and the standard measures of every gear, such as
+#' spreads, heights and drag.
 #'
-#' Measures of the plan come first, under the plan's names with their unit added (`door_spread`
-#' becomes `door_spread_m`). Then follow the standard ones that apply, unless the plan has a measure
-#' of the same name.
+#' Measures of the plan come first. Their names are the plan's names plus the unit: `door_spread`
+#' becomes `door_spread_m`. The standard measures that apply to the gear follow, except those with
+#' the same name as a measure of the plan.
 #'
-#' `vignette("measures", "codend")` shows them in pictures, and how sensors see them.
+#' `vignette("measures", "codend")` shows the measures in pictures and explains how sensors measure
+#' them.
+#'
+#' @section Discretisation error:
+#' The attribute `error` estimates the error from the finite number of nodes.
+#' \resultErrorsWithinTwo{} of measures are within two standard errors of the value on a much finer
+#' model (`make errors`). Errors of drag coefficients and other inputs are not included; see
+#' [uncertainty()].
+#'
+#' The estimate compares the coarser models that [settle()] goes through. If all of them are coarse,
+#' a model with 2.6 times as many nodes is settled when errors are first needed. The fit has two
+#' terms:
+#' - a drift with the element length to the power 0.75 to 1.5, fitted by generalised least squares;
+#' - a scatter between models.
+#'
+#' Lower limits keep the estimate from being too small by chance:
+#' - half of the usual error for the class of measure (forces, openings, positions, slack and
+#'   tension of netting);
+#' - for gears with netting, 0.2 % at 1,500 nodes, and less with more nodes in proportion to the
+#'   element length;
+#' - for slack netting, 10 % of its value and 0.3 percentage points.
+#'
+#' The true error exceeds five estimates for \resultErrorsMissedCoarse{} of the measures with 300 or
+#' 500 nodes, and for \resultErrorsMissedDefault{} with 1,500 nodes.
+#'
+#' A moment of a tow has the relative errors of the settled state at its start. The error of the
+#' time steps is added: for the default accuracy of 0.01 m, 1.5 times that accuracy for lengths and
+#' 2.5 % for forces. The errors are `NA` if the tow did not start from a settled state and has no
+#' comparison on another model.
 #'
 #' @eval measure_help()
 #'
 #' @param state A state, from [settle()] or [state_at()]; for `measure_definitions()` also `NULL`.
-#' @return `measures()` gives named numbers of class `codend_measures`; every name ends in its unit,
-#'   which the attribute `unit` has as it is printed (`"m3/h"`), by the measures' names. The
-#'   attribute `error` has the standard discretisation error of each, in its unit:
-#'   \resultErrorsWithinTwo{} of measures lie within twice their error of the value on a much finer
-#'   model (`make errors`). It is estimated from the
-#'   coarser models of the gear that [settle()] goes through and, where these are all coarse, from
-#'   one 2.6 times as fine that is settled when errors are first needed: a drift with the length of
-#'   elements to the power 0.75 to 1.5, as these models show it, and a scatter, fitted by
-#'   generalised least squares; at least half of what is usual in the gear's measures of that class
-#'   (forces, openings, places, slack and tension of netting) and, of gears with netting, 0.2 % with
-#'   1,500 nodes (less with more, by the length of elements; of slack netting 10 % of it and 0.3
-#'   points). The true error exceeds five estimates for \resultErrorsMissedCoarse{} of the measures
-#'   of models with 300 or 500 nodes, and for \resultErrorsMissedDefault{} with 1,500 nodes. It is
-#'   the discretisation's alone, not of drag coefficients. Of a moment of a tow it is that of the
-#'   settled state that the tow started from,
-#'   as a share of each measure, together with that of the steps by their accuracy: 1.5 times it of
-#'   lengths, 2.5 % of forces at 0.01 m; `NA` where the tow did not start from a settled state, as
-#'   one that is shot. The attribute `main` says which measures `settle(accuracy = )` looks at.
+#' @return `measures()` returns named numbers of class `codend_measures`. Each name ends in its
+#'   unit. Attributes, all named by measure:
+#'   - `unit`: the unit as printed, such as `"m3/h"`.
+#'   - `error`: the standard discretisation error, in the unit of the measure.
+#'   - `main`: `TRUE` for the main measures, which `settle(accuracy = )` refers to.
+#' @seealso [settle()]; [findings()] for values that need attention; [mesh_openings()] and
+#'   [tensions_along()] for values along the gear; [uncertainty()] for the effect of uncertain
+#'   inputs.
 #' @examples
-#' found <- measures(settle("crossing_cables"))
+#' state <- settle("midwater_trawl", nodes = 300)
+#' found <- measures(state)
 #' found[["total_drag_kN"]]
-#' attr(found, "unit")
+#' attr(found, "error")[["total_drag_kN"]]
 #' @export
 measures <- function(state) {
   check_given("state")
@@ -41,24 +61,24 @@ measures <- function(state) {
   new_measures(found$values, found$kinds, state_errors(state, found), found$light)
 }
 
-# The measures of a state without their errors: list(values (SI, by name), kinds, light = whether
-# its drag is little next to its weights).
+# Returns measures without errors: list(values (SI, by name), kinds, light = TRUE if drag is small
+# compared with the weights).
 state_values <- function(state) {
   drag <- list(list(kind = "total_drag"))
-  values <- measure_values(state, c(asked_of(state$si), drag))
-  light <- abs(values[length(values)]) < light_drag * sum(abs(state$lattice$mesh$load))
-  c(told_answers(state$si, values[-length(values)]), light = light)
+  values <- measure_values(state, c(measure_request(state$si), drag))
+  light <- abs(values[length(values)]) < light_drag * sum(abs(state$mesh$model$load))
+  c(valid_answers(state$si, values[-length(values)]), light = light)
 }
 
-# The engine's answers (SI) to asked_of() a gear, those of the standard ones that apply to it:
-# list(values by name, kinds).
-told_answers <- function(si, answers) {
+# Keeps the answers to measure_request() that apply to the gear; standard measures may be NaN.
+# Returns list(values by name, kinds), SI.
+valid_answers <- function(si, answers) {
   kinds <- measured_kinds(si)
   applies <- !is.nan(answers) | seq_along(answers) <= length(si$measures)
   list(values = setNames(answers, names(kinds))[applies], kinds = kinds[applies])
 }
 
-# What measures are of by name, with units: what the plan asks for, then the standard ones.
+# Returns kinds of measures by name with unit: measures of the plan, then standard measures.
 measured_kinds <- function(si) {
   own <- vapply(si$measures, `[[`, "", "column")
   standard <- setNames(standard_measures, standard_names())
@@ -68,25 +88,26 @@ measured_kinds <- function(si) {
   )
 }
 
-# The same as it is asked of the engine, see measure_values().
-asked_of <- function(si) {
+# Returns the measures of a gear as a request for measure_values().
+measure_request <- function(si) {
   kinds <- measured_kinds(si)
   standard <- kinds[seq_along(kinds) > length(si$measures)]
   c(si$measures, lapply(standard, function(measure) list(kind = measure$kind)))
 }
 
-# The standard measures' names in a state, with their units.
 standard_names <- function() with_unit(names(standard_measures), measure_units(standard_measures))
 
 measure_units <- function(kinds) vapply(kinds, `[[`, "", "unit", USE.NAMES = FALSE)
 
-measure_texts <- function(kinds, of = "definition") vapply(kinds, `[[`, "", of, USE.NAMES = FALSE)
+measure_strings <- function(kinds, of = "definition") vapply(kinds, `[[`, "", of, USE.NAMES = FALSE)
 
-#' @return `measure_definitions()` gives a data frame with `name`, `unit`, `definition` and `sensor`
-#'   (what measures it on a vessel or a model, and what that sees otherwise; `NA` where none is
-#'   known): without a state a row per kind of measure that a plan may define and per standard
-#'   measure, which `asked` distinguishes; of a state a row per measure that it has, under the names
-#'   that `measures()` uses.
+#' @return `measure_definitions()` returns a data frame. Without a state it has one row per kind of
+#'   measure that a plan may define, and one per standard measure. With a state it has one row per
+#'   measure of the state, named as in `measures()`. Columns:
+#'   - `name`, `unit`, `definition`: strings.
+#'   - `sensor`: the instrument on a vessel or a model, and its systematic differences; `NA` if
+#'     unknown.
+#'   - `user_defined`: `TRUE` for measures that a plan must define (only without a state).
 #' @rdname measures
 #' @export
 measure_definitions <- function(state = NULL) {
@@ -99,32 +120,30 @@ measure_definitions <- function(state = NULL) {
     kinds <- kinds[attr(found, "kind")]
   }
   table <- data.frame(
-    name = name, unit = measure_units(kinds), definition = measure_texts(kinds),
-    sensor = measure_texts(kinds, "sensor")
+    name = name, unit = measure_units(kinds), definition = measure_strings(kinds),
+    sensor = measure_strings(kinds, "sensor")
   )
-  if (is.null(state)) table$asked <- !name %in% names(standard_measures)
+  if (is.null(state)) table$user_defined <- !name %in% names(standard_measures)
   table
 }
 
-# The kinds of measures that a plan may ask for, in the order of their names.
-asked_kinds <- function() measure_kinds[sort(names(measure_kinds), method = "radix")]
+# Returns the kinds of measures that a plan may define, sorted by name.
+user_measure_kinds <- function() measure_kinds[sort(names(measure_kinds), method = "radix")]
 
-all_kinds <- function() c(asked_kinds(), standard_measures)
+all_kinds <- function() c(user_measure_kinds(), standard_measures)
 
-# The measures' definitions as sections of help.
 measure_help <- function() {
   items <- function(kinds, names) {
-    paste0("- `", names, "` (", measure_units(kinds), "): ", measure_texts(kinds))
+    paste0("- `", names, "` (", measure_units(kinds), "): ", measure_strings(kinds))
   }
-  asked <- asked_kinds()
+  asked <- user_measure_kinds()
   c(
     "@section Measures that a plan may define:", items(asked, names(asked)),
     "@section Standard measures:", items(standard_measures, standard_names())
   )
 }
 
-# States and trajectories are no lists of measures: one that is asked for by its name says where it
-# is.
+# A measure's name on a state or trajectory is an error that names the function to use.
 #' @rawNamespace S3method(base::"$",codend_state)
 `$.codend_state` <- function(x, name) {
   if (name %in% computed_fields) x[[name]] else field_of(x, name, "A state", "measures(state)")
@@ -132,16 +151,27 @@ measure_help <- function() {
 
 #' @rawNamespace S3method(base::"$",codend_trajectory)
 `$.codend_trajectory` <- function(x, name) {
-  if (name == "lattice") return(x[[name]])
+  if (name == "mesh") return(x[[name]])
   field_of(x, name, "A trajectory", "as.data.frame(trajectory)")
+}
+
+# Present names of elements of results by their names in version 0.1.0.
+renamed_elements <- c(
+  lattice = "mesh", aim = "objective", settles = "n_solves", narrow = "next_measurement"
+)
+
+# Returns an element of a result, NULL if there is none. A former name is an error.
+result_element <- function(x, name) {
+  if (name %in% names(x) || !name %in% names(renamed_elements)) return(.subset2(x, name))
+  abort_argument("{.field {name}} is now called {.field {renamed_elements[[name]]}}.")
 }
 
 field_of <- function(x, name, what, call) {
   if (name %in% names(x)) return(.subset2(x, name))
   if (name %in% c(standard_names(), names(standard_measures))) {
-    abort_argument("{what} has no {.field {name}}; its measures are those of {.code {call}}.")
+    abort_argument("{what} has no {.field {name}}; use {.code {call}} for the measures.")
   }
-  NULL
+  result_element(x, name)
 }
 
 has_towing <- function(state) state$si$towing$speed != 0

@@ -1,21 +1,19 @@
-# How much of the drag rests on the force of the water along twines and ropes, the coefficient that
-# is known worst.
+# Sensitivity of drag to the tangential force on twines and ropes, the least certain coefficient.
 
-# Total drag (kN, as measures()' total_drag_kN) with the tangential and skin coefficients of all
-# twines and ropes halved and doubled, at the settled shape: list(halved, settled, doubled). The
-# gear would settle into another shape with other coefficients; what is left of the change then is
-# not computed.
+# Returns list(halved, settled, doubled): total drag [kN] with all tangential and skin coefficients
+# scaled. The shape is fixed, so the effect of the changed equilibrium is not included.
 tangential_sensitivity <- function(state) {
-  mesh <- state$lattice$mesh
+  model <- state$mesh$model
   still <- numeric(length(state$position))
   flow <- flow_axes(state$si)[, "flow"]
   shared <- function(materials, share) {
     list(materials = list(tangential_share = share * materials$tangential_share))
   }
   along <- function(share) {
-    changes <- shared(mesh$materials, share)
-    changes$blended <- shared(mesh$blended$materials, share)
-    forces <- engine_evaluate(changed_mesh(mesh, changes), as.vector(state$position), still)$forces
+    changes <- shared(model$materials, share)
+    changes$blended <- shared(model$blended$materials, share)
+    forces <- engine_evaluate(changed_model(model, changes), as.vector(state$position),
+      still)$forces
     in_unit(sum(flow * total_force(list(forces = lapply(forces, matrix, 3L)), "flow")), "kN")
   }
   now <- in_unit(measure_value(state, "total_drag"), "kN")
