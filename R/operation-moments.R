@@ -1,24 +1,24 @@
-# Errors of a tow whose gear starts far from where it settles, shot or laid: the gear as it settles
-# says little of them, so that the same tow is marched first on a coarser lattice, or on one little
-# finer where none is coarser.
+# Errors of a tow that starts far from equilibrium (shot or laid gear). The settled gear cannot
+# estimate them. The same tow is therefore computed on a second mesh: a coarser one, or a slightly
+# finer one if the coarser tow fails.
 
 little_finer <- 1.6
 
 starts_elsewhere <- function(trajectory) {
-  !isTRUE(trajectory$lattice$let_go) && any(c("shooting", "laid") %in% names(trajectory$si))
+  !isTRUE(trajectory$mesh$let_go) && any(c("shooting", "laid") %in% names(trajectory$si))
 }
 
-# The measures of such a tow on another lattice at its kept times: list(time, nodes, measures,
-# values = measures x times, SI); NULL where none comes to its end. own: nodes of the tow's lattice;
-# the others as tow() has them.
+# Returns measures of the tow on another mesh at the saved times: list(time, nodes, measures, values
+# = measures x times, SI). NULL: no other mesh reached the end. `own`: nodes of the tow's mesh;
+# other arguments as in tow().
 moments_elsewhere <- function(gear, given, until, every, method, nodes, netting, own) {
   for (wanted in nodes * c(1 / extra_ratio, little_finer, little_finer^2)) {
     found <- tryCatch(
       {
         start <- settled_trajectory(gear, given, until, wanted, netting)
-        ratio <- start$lattice$nodes / own
+        ratio <- start$mesh$nodes / own
         if (max(ratio, 1 / ratio) >= least_ratio) {
-          march_trajectory(start, until, every, method, measures)
+          integrate_trajectory(start, until, every, method, measures)
         }
       },
       codend_error = function(e) NULL
@@ -30,14 +30,13 @@ moments_elsewhere <- function(gear, given, until, every, method, nodes, netting,
     moments <- lapply(found$time, function(time) state_values(state_at(found, time))$values)
     names <- unique(unlist(lapply(moments, names)))
     return(list(
-      time = found$time, nodes = found$lattice$nodes, measures = names,
+      time = found$time, nodes = found$mesh$nodes, measures = names,
       values = vapply(moments, function(one) unname(one[names]), numeric(length(names)))
     ))
   }
 }
 
-# A trajectory that goes on: past the moments that it is compared at the errors are, as shares,
-# those of the last one, whose measures are kept with them.
+# Stores the measures of the last compared moment. A continued tow uses its relative errors.
 with_last_moment <- function(trajectory) {
   compared <- trajectory$compared
   if (!is.null(compared$time) && is.null(compared$last)) {

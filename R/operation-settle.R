@@ -1,75 +1,117 @@
-#' Settle a gear
+#' Compute the equilibrium of a gear
 #'
-#' Finds the steady state of a gear in its plan's conditions: the shape in which every node is in
-#' balance. Nobody gives a starting shape: the gear is settled coarsely first, from a crude layout
-#' of its own, and each shape is the start of the next finer one.
+#' Computes the steady state of a gear in the conditions of its plan. In this equilibrium the net
+#' force on every node is zero.
 #'
-#' The solver is a pseudo-transient Newton method with the full derivative of all forces. It ends
-#' when the largest net force on any free node is at most 1e-8 of the largest tension in the gear
-#' and at most 1e-6 of the largest force on any line of the parts (ropes, panels, boards) that meet
-#' there, so that a warp's tension does not hide a light net. What rounding of the places makes is
-#' left out of the latter; more than 1e-3 of it is no balance.
+#' No initial guess is needed. The solver starts with a coarse mesh and a crude layout. Each
+#' solution is the initial guess on the next finer mesh.
 #'
-#' Where the plan needs `shielding`, netting slows the water behind it: every sheet of netting
-#' that the line straight upstream from a point crosses reduces the speed there. `loland`: by
-#' `1 - 0.46 C_D` with `C_D = 0.33 Sn + 6.54 Sn^2 - 4.88 Sn^3` (Loland 1991, Current forces on and
-#' flow through fish farms), whatever the angle; `cheng`: by
-#' `(cos t + 0.05 - 0.38 Sn) / (cos t + 0.05)` with `t` from the netting's normal to the flow (Cheng
-#' et al. 2020, Aquacultural Engineering 90:102070). `Sn` is the solidity of the netting in its
-#' present shape, held at 0.5. Netting nearly along the flow (more than 70 to 80 deg from across it)
-#' casts no wake of its own. A net that narrows aft has no netting straight upstream of most of its
-#' panels, so a trawl is hardly shielded by this; a cage's rear half is. Shape and wake are found
-#' in turn until no speed changes by more than 1e-5 of the free flow's (`wake_renewals` and
-#' `wake_change` in the report).
+#' @section Number of nodes and accuracy:
+#' The main measures define the accuracy:
+#' - the total drag;
+#' - the spreads, heights, areas and volumes that the plan defines;
+#' - the volume and surface of a catch.
 #'
-#' On the sea bed a state is one of steady sliding: what moves over the ground rubs on it with the
-#' whole of its friction, against its way. What lies still over the ground has none, though it could
-#' hold: which of the balances that friction allows a gear comes to rest in depends on how it got
-#' there. [tow()] has friction that sticks.
+#' The error of each main measure is relative to the largest measure of its kind. Drag below 1 % of
+#' the gear's weights in water is not a main measure. A gear without main measures uses its forces.
 #'
-#' A demersal seine is settled as it is towed when its ropes have come together, with all of them
-#' out: [tow()] gives the haul.
+#' The arguments `nodes` and `accuracy` work together:
+#' - Neither is given: the solver starts with 1,500 nodes. It refines the mesh once, to at most
+#'   3,900 nodes, if the estimated error exceeds 1 %. The printed state shows the result.
+#' - Only `nodes`: the solver uses this number and reports the error.
+#' - `accuracy`: the solver refines the mesh, from `nodes` on, until the estimated error reaches it.
+#'   It stops with a warning at 100,000 nodes, or if the plan prescribes a coarser mesh.
 #'
-#' A gear whose plan has a section `shooting` is settled with few nodes first, for as long as that
-#' takes. Where that fails it is shot, sinks for a quarter of an hour or two as in [tow()], and is
-#' settled from there. What is hauled during its operation stays out. In still water nothing holds
-#' such a net open: it ends as a bundle below its floats.
+#' @section Convergence:
+#' The solver is a pseudo-transient Newton method with exact derivatives of all forces. The residual
+#' is the largest net force on a free node. Two criteria must be met:
+#' - The residual is at most 1e-8 of the largest tension in the gear.
+#' - At each node it is at most 1e-6 of the largest force on any line of the parts that meet there
+#'   (ropes, panels, boards). A warp with a high tension can therefore not hide errors in a light
+#'   net.
+#'
+#' Rounding error in the node positions is subtracted from the residual in the second criterion. The
+#' solver rejects a state if rounding alone exceeds 1e-3 of this force.
+#'
+#' @section Wakes of netting:
+#' If the plan has `shielding`, netting slows the water behind it. Each sheet of netting straight
+#' upstream of a point multiplies the speed there by a factor:
+#' - `loland`: `1 - 0.46 C_D` at any angle, with `C_D = 0.33 Sn + 6.54 Sn^2 - 4.88 Sn^3` (Loland
+#'   1991, Current forces on and flow through fish farms).
+#' - `cheng`: `(cos t + 0.05 - 0.38 Sn) / (cos t + 0.05)`, with the angle `t` from the netting's
+#'   normal to the flow (Cheng et al. 2020, Aquacultural Engineering 90:102070).
+#'
+#' `Sn` is the solidity of the netting in its present shape, limited to 0.5. Netting with `t` above
+#' 70 to 80 deg has no wake.
+#'
+#' The rear half of a cage is shielded. A trawl is hardly shielded: it narrows aft, so most of its
+#' panels have no netting straight upstream.
+#'
+#' Shape and wake are computed alternately until all speeds change by less than 1e-5 of the free
+#' flow. The report has `wake_renewals` and `wake_change`.
+#'
+#' @section Sea bed:
+#' The result is a state of steady sliding:
+#' - Parts that move over the sea bed have full sliding friction, opposite to their motion.
+#' - Parts at rest have no friction, although static friction could hold them. Static friction
+#'   allows many equilibria, which depend on the loading history. Use [tow()] to include it.
+#'
+#' @section Seines and shot gears:
+#' - A demersal seine settles in its towing phase: the ropes are together and all of their length is
+#'   out. Use [tow()] for the haul.
+#' - A gear with a section `shooting` first settles on a coarse mesh. If that fails, it is shot and
+#'   sinks for a quarter or half an hour as in [tow()], and settles from there. Ropes that are
+#'   hauled during its operation keep their full length. In still water no force opens such a net:
+#'   it ends as a bundle below its floats.
+#'
+#' @section Initial state:
+#' With `from`, a small change takes only a few iterations if the number of nodes stays the same.
+#' The solver falls back to a cold start in two cases:
+#' - The initial state does not lead to convergence.
+#' - The netting holds a different catch.
+#'
+#' @section Errors and warnings:
+#' If the solver does not converge, an error of class `codend_error_not_converged` names the part
+#' and position of the largest residual and suggests remedies. Its field `report` is the solver's
+#' report.
+#'
+#' Some equilibria are unstable: a small push moves the gear away from them. The solver then pushes
+#' the gear and settles it again; `perturbations` in the report counts these pushes. It warns if it
+#' finds no stable equilibrium:
+#' - `codend_warning_board_unstable`: free otter boards or kites;
+#' - `codend_warning_pole_unstable`: poles in compression;
+#' - `codend_warning_catch_unstable`: netting around a catch.
+#'
+#' Further warnings:
+#' - `codend_warning_board_flutter`: a board oscillates with growing amplitude, see [board_modes()].
+#'   Skipped with `from`, because the check takes longer than the solution.
+#' - `codend_warning_board_stalled`, `codend_warning_board_back_winded`,
+#'   `codend_warning_board_fallen_over`: a free otter board or kite has a wrong attitude, see
+#'   [as.data.frame()][as.data.frame.codend_state].
+#' - `codend_warning_drag_model`: a drag model is used outside its tested range.
+#' - `codend_warning_accuracy`: the mesh limit prevents the required accuracy.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
-#' @param nodes About how many nodes the model should have. `NULL` seeks an error of 1 % in the
-#'   main measures: it begins with 1,500 nodes and, where the estimated error is over 1 %, goes on
-#'   to 3,900; the state prints what was reached. With `from` it is as many as were given there.
-#' @param netting `"cells"` or `"bars"` for every panel, or `NULL` for each panel's own choice
-#'   in the plan.
-#' @param from A state to start from: of this gear, or of one with the same ropes, panels and
-#'   points, at another speed, warp or design. Many times faster than to start anew where the change
-#'   is small and as many `nodes` are used; where that start does not lead to balance, or netting
-#'   holds another catch, the gear is settled anew.
-#' @param accuracy Largest discretisation error of the main measures, such as `"1 %"`: the gear
-#'   is divided more finely, from `nodes` on, until it is estimated to be reached. The main measures
-#'   are the total drag, the spreads, heights, areas and volumes that the plan needs, and the
-#'   volume and surface of a catch, each as a share of the largest of its kind; not a drag of less
-#'   than 1 % of the gear's weights in water; of a gear without any of them its forces. What 100,000
-#'   nodes or the plan's own division do not reach is a warning of class `codend_warning_accuracy`.
-#'   `NULL` with `nodes` settles at these and reports the error that is left.
-#' @return A state of class `codend_state`; see [as.data.frame.codend_state()] for what it holds.
-#'   A gear that does not reach balance is an error of class `codend_error_not_converged`, which
-#'   names the part and place of the worst imbalance, says what to try, and carries the solver's
-#'   report as `report`.
-#'   Free otter boards and kites, poles in compression and netting full of catch that settle in a
-#'   balance which a small push would carry them away from are pushed and settled again
-#'   (`perturbations` in the report counts how often); where none is found that lasts it is a
-#'   warning of class `codend_warning_board_unstable`, or of poles alone
-#'   `codend_warning_pole_unstable`, or of netting alone `codend_warning_catch_unstable`. That
-#'   reports static stability only. One whose swings would grow is a warning of class
-#'   `codend_warning_board_flutter`, where the gear is not settled `from` a state (which takes less
-#'   time than to look for swings); see [board_modes()] and [findings()]. A free otter board that
-#'   settles stalled, back-winded or fallen over is a warning of class
-#'   `codend_warning_board_stalled`, `codend_warning_board_back_winded` or
-#'   `codend_warning_board_fallen_over`; see [as.data.frame()][as.data.frame.codend_state].
+#' @param nodes Approximate number of nodes. `NULL` (default) chooses it for an error of 1 % in the
+#'   main measures; with `from` it is the number requested for that state.
+#' @param netting `"cells"` or `"bars"` for all panels, or `NULL` (default) for the choice of the
+#'   plan.
+#' @param from A state as the initial guess, or `NULL` (default). Its gear needs the same ropes,
+#'   panels and points; speed, lengths and other values may differ.
+#' @param accuracy Largest relative discretisation error of the main measures, such as `"1 %"`, or
+#'   `NULL` (default). See the section on accuracy.
+#' @return A state of class `codend_state`, which [as.data.frame.codend_state()] documents. Use
+#'   [measures()] and [summary()][summary.codend_state] to read it.
+#' @seealso [measures()], [findings()] and [plot()][plot.codend_state] for the result; [tow()] for
+#'   motion; [vary()] for many designs; `vignette("when-it-does-not-settle", "codend")` for
+#'   remedies.
 #' @examples
-#' state <- settle(read_gear("towed_cable"))
+#' state <- settle("midwater_trawl", nodes = 300)
 #' summary(state)
+#'
+#' # the same trawl at a higher speed, from the first state
+#' faster <- settle(update(state$gear, towing.speed = "4.5 knot"), from = state)
+#' measures(faster)[["total_drag_kN"]]
 #' @export
 settle <- function(gear, nodes = NULL, netting = NULL, from = NULL, accuracy = NULL) {
   check_given("gear")
@@ -80,7 +122,7 @@ settle <- function(gear, nodes = NULL, netting = NULL, from = NULL, accuracy = N
   if (!is.null(accuracy)) accuracy <- accuracy_share(accuracy)
   state <- settled_state(gear, nodes, netting, from)
   if (!is.null(accuracy)) state <- settle_accurately(state, accuracy, netting)
-  if (aims) state <- aim_accuracy(state, netting)
+  if (aims) state <- refine_to_accuracy(state, netting)
   warn_of_doubts(state, swings = is.null(from))
   state
 }
@@ -91,7 +133,7 @@ settle_gear <- function(gear, nodes, netting, from) {
   state
 }
 
-# As settle_gear(), without its warnings.
+# Same as settle_gear(), without its warnings.
 settled_state <- function(gear, nodes, netting, from) {
   started <- cpu_clock()
   si <- gear_si(gear)
@@ -112,9 +154,9 @@ settled_state <- function(gear, nodes, netting, from) {
   report$cpu_seconds <- cpu_clock() - started
   if (!report$converged) {
     advice <- unsettled_advice(gear, si, found)
-    abort_unsettled(report, found$lattice, found$position, advice)
+    abort_unsettled(report, found$mesh, found$position, advice)
   }
-  state <- new_state(gear, si, found$lattice, found$position, report)
+  state <- new_state(gear, si, found$mesh, found$position, report)
   state$levels <- state_levels(state, found, netting, from)
   state
 }
@@ -132,15 +174,14 @@ check_settle_arguments <- function(gear, nodes, netting) {
       "{.arg netting} is {.val {netting}}; it must be {.val cells}, {.val bars} or NULL."
     )
   }
-  check_lattice_size(gear_si(gear), nodes, netting)
+  check_mesh_size(gear_si(gear), nodes, netting)
 }
 
-# A balance that does not last, boards that do not fly, and laws outside what they were measured
-# for.
-# swings: whether to look for swings of boards that grow, which in a whole trawl takes longer than
-# to settle it from a state.
+# Warns of unstable equilibria, boards that do not fly, and drag models outside their range.
+# `swings`: TRUE to check for flutter, which for a whole trawl takes longer than settling it from a
+# state.
 warn_of_doubts <- function(state, swings) {
   warn_of_instability(state)
   warn_of_boards(state, swings)
-  warn_of_laws(state)
+  warn_of_drag_models(state)
 }

@@ -1,25 +1,24 @@
-# What to try where a gear does not settle, from what its last shape shows.
+# Advice for a gear that does not settle, from its last shape.
 
-# Share of a netting's twines that are slack from which on this is named as the likely cause.
+# Fraction of slack twines above which slack netting is the likely cause.
 much_slack <- 0.5
 
-# found: as settle_numbers() gives it. Returns sentences that name the fields to change, the most
-# telling first; one at least.
+# `found`: result of settle_numbers(). Returns at least one sentence that names fields to change,
+# most useful first.
 unsettled_advice <- function(gear, si, found) {
   advice <- c(slack_advice(gear, si, found), odd_plan(gear))
   if (length(advice)) return(advice)
-  paste("Settle it with fewer `nodes`, or `from` the state of a gear that is near;",
-    "`vignette(\"when-it-does-not-settle\", \"codend\")` has more.")
+  paste("Settle it with fewer `nodes`, or `from` the state of a similar gear;",
+    "see `vignette(\"when-it-does-not-settle\", \"codend\")`.")
 }
 
-# Of netting at the worst node: whether it is slack, which line along it may be too short, and its
-# law.
+# Returns advice on the netting at the worst node: slack twines, a short line, the drag model.
 slack_advice <- function(gear, si, found) {
-  parts <- found$lattice$parts
-  here <- parts_at(found$lattice, found$report$worst_node)
+  parts <- found$mesh$parts
+  here <- parts_at(found$mesh, found$report$worst_node)
   netting <- here[parts$kind[here] == "netting"]
   if (!length(netting)) return(NULL)
-  part <- line_part(found$lattice)
+  part <- line_part(found$mesh)
   share <- vapply(netting, function(one) mean(found$strain[part == one] < 0), 0)
   name <- parts$name[netting[which.max(share)]]
   law <- si$panels[[name]]$netting_drag
@@ -28,14 +27,14 @@ slack_advice <- function(gear, si, found) {
       sprintf("%.0f %% of the twines of netting `%s` are slack there%s", 100 * max(share), name,
         short_line(gear, si, parts$name[here[parts$kind[here] == "rope"]]))
     },
-    if (!identical(law, "twines")) {
-      sprintf(paste("The drag law `%s` gives netting along the flow next to no pull: try",
-        "`netting_drag: twines`, and see how much depends on it."), law)
+    if (!identical(law, "morison")) {
+      sprintf(paste("The drag model `%s` gives netting along the flow almost no tension. Try",
+        "`netting_drag: morison` and compare the results."), law)
     }
   )
 }
 
-# The end of a sentence on slack netting: the first of these ropes that is laced to netting.
+# Returns the end of a sentence on slack netting. It names the first rope that is laced to netting.
 short_line <- function(gear, si, ropes) {
   laced <- Filter(function(rope) !is.null(si$ropes[[rope]]$along), ropes)
   if (!length(laced)) return(".")
@@ -44,7 +43,7 @@ short_line <- function(gear, si, ropes) {
     if (is.na(field)) "hanging_ratio" else field)
 }
 
-# What is unusual in the plan, the most important first.
+# Returns the most important unusual value in the plan.
 odd_plan <- function(gear) {
   found <- findings_by(gear, sorted_checks())
   utils::head(finding_sentences(found[found$rank <= 2L, ]), 1L)
