@@ -1,35 +1,42 @@
-# Words of net makers that are no fields of a plan: how a plan says them instead, or that it cannot.
-# An unknown field whose name holds one of these words is answered with its advice.
+# Present names of fields by their names in version 0.1.0.
+renamed_fields <- list(
+  head_line = "headline", head_line_extensions = "headline_extensions", share = "extent",
+  place = "position", volume_share = "volume_fraction",
+  pushes = c("lift_direction", "carries_compression")
+)
+
+# Terms of net makers that are not plan fields, with advice: the field to use, or the reason why
+# plans do not support the part. An error about an unknown field includes the advice for its name.
 
 plan_advice <- c(
   "lifting_?bag|strengthening|chafer|chafing|second_layer|double_codend|cow_?hide" =
-    "netting over a section is said by its `covers`.",
+    "use `covers` of a section for netting over it.",
   "bobbin|rockhopper|rock_hopper|roller|cookie|disc" =
-    "they are said by `discs` of the `ground_gear`, by number or spacing, diameter and width.",
+    "use `discs` of the `ground_gear`, with number or spacing, diameter and width.",
   "round_?strap|strap|girdle" =
-    "ropes around the net are said by `cross_ropes`, one behind each section.",
-  "lastridge|selvedge_rope|rib_?line|laceage" = "ropes along the seams are said by `belly_lines`.",
-  "grid|grate" = "a sorting grid is said by `grids`, with the section behind which it is.",
+    "use `cross_ropes` for ropes around the net (one per section).",
+  "lastridge|selvedge_rope|rib_?line|laceage" = "use `belly_lines` for ropes along the seams.",
+  "grid|grate" = "use `grids` for a sorting grid, and name the section ahead of the grid.",
   "window|square_mesh_panel" =
-    "cut the section in two, and give the `back` of one its own `orientation` and mesh size.",
+    "cut the section in two, and give the `back` of one part its own `orientation` and mesh size.",
   "gusset|gore|wedge" = paste(
-    "a plan of this kind cannot say it: `codend expand` gives the assembly, where a panel with",
-    "`upper` or `lower` of 0 meshes is one."
+    "plans of this kind have no gussets. Use `codend expand` to get the assembly, and add a panel",
+    "with 0 meshes at `upper` or `lower`."
   ),
   "flapper|liner|separator" =
-    "netting within the net cannot be said; as `covers` it has its weight and drag.",
+    "codend does not model netting inside the net. Use `covers` for its weight and drag.",
   "dropper|toggle" =
-    "a plan cannot say it: the ground gear is on the same edge of netting as the footrope.",
+    "codend does not model dropper chains: the ground gear is attached directly to the footrope.",
   "danleno|butterfly|dan_leno|delta_?plate|triangle" =
-    "danlenos, butterflies and delta plates are described by `danlenos`: their mass and drag.",
+    "use `danlenos` for the mass and drag of danlenos, butterflies and delta plates.",
   "set_?back|settings|adjust" =
-    "what sets a wing end back is described by the `setback` of its bridle.",
+    "use `setback` of a bridle for the setback of its wing end.",
   "(wing|toe|clump)_?(end_?)?(weight|chain|clump)" =
-    "weights at the lower wing ends are described by `wing_end_weights`.",
-  "half_?mesh" = "half meshes are written as counts such as 60.5."
+    "use `wing_end_weights` for weights at the lower wing ends.",
+  "half_?mesh" = "write half meshes as counts such as 60.5."
 )
 
-# Advice on an unknown field, or NULL.
+# Returns the advice on an unknown field, or NULL.
 advice_on <- function(name) {
   found <- which(vapply(names(plan_advice), grepl, NA, x = tolower(name), perl = TRUE))
   if (length(found)) plan_advice[[found[1L]]]

@@ -1,8 +1,7 @@
-# The schema file is the one table of fields. It is made ready once, when the package is installed,
-# and a plan is walked along it. Only the keywords that the file uses are known; others are for
-# editors.
+# Validates plans against the schema file, which defines all fields. The schema is compiled when the
+# package is installed. Only the keywords in this file are supported.
 
-# The schema with references put in place: a compiled node per kind of plan, the default first.
+# Returns the compiled schema: one node per kind of plan, the default first.
 compile_schema <- function() {
   file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
   schema <- jsonlite::fromJSON(file, simplifyVector = FALSE)
@@ -12,15 +11,15 @@ compile_schema <- function() {
   )
 }
 
-# The compiled node of a kind of plan. Each is an object of its own (R/plan-zzz.R): all of them
-# together take longer to load than a plan takes to check.
+# Returns the compiled node of a kind of plan. Each node is a separate object (R/plan-zzz.R):
+# loading all nodes would take longer than checking a plan.
 kind_node <- function(kind) get(paste0("plan_kind_", kind), topenv())
 
 compile_node <- function(node, definitions) {
   while (!is.null(node[["$ref"]])) {
     target <- definitions[[sub("#/$defs/", "", node[["$ref"]], fixed = TRUE)]]
     node[["$ref"]] <- NULL
-    # what the definition itself says, where the field describes its own use of it
+    # Keep the general description if the field has its own.
     if (!is.null(node$description)) node$meaning <- target$description
     node <- c(node, target[setdiff(names(target), names(node))])
   }
@@ -36,13 +35,13 @@ compile_node <- function(node, definitions) {
     node$enum <- NULL
     "boolean"
   } else if (!is.null(node$type)) {
-    # a number may be a map of how well it is known, which is taken apart before
+    # A number may also be a map with its uncertainty, which split_uncertain() removes before.
     setdiff(unlist(node$type), if (length(node$type) > 1L) "object")
   } else {
     "any"
   }
   if (node$shape == "any") node$choices <- lapply(node$anyOf, compile_node, definitions)
-  # Other validators use `if` and `then`; groups and choices replace the other keywords.
+  # Other validators use `if` and `then`; here `groups` and `choices` replace these keywords.
   node[c("if", "then", "anyOf", "oneOf", "allOf")] <- NULL
   if (!is.null(node$items)) node$items <- compile_node(node$items, definitions)
   if (!is.null(node$propertyNames)) {
@@ -64,18 +63,18 @@ compile_node <- function(node, definitions) {
   node
 }
 
-# Alternatives that only list required fields, as a group of which one (or at least one) is due.
+# Returns alternatives of required fields as a group: exactly (or at least) one must be met.
 requirement <- function(alternatives, one) {
   choices <- lapply(alternatives, function(choice) unlist(choice$required))
   if (length(choices) == 0 || any(lengths(choices) == 0)) return(NULL)
   list(list(one = one, choices = choices))
 }
 
-# Checks a plan tree against the schema of its kind.
-# Returns the tree in SI numbers with every default of the schema filled in.
+# Checks a plan tree against the schema of its kind. Returns the tree in SI numbers with all schema
+# defaults.
 #
-# last, fields: another tree and what this function returned for it, or NULL; a field of the same
-# value is not checked again.
+# `last`, `fields`: another tree and the result of this function for it, or NULL; fields with
+# identical values are not checked again.
 check_plan <- function(tree, last = NULL, fields = NULL) {
   if (!is_map(tree) || length(tree) == 0) {
     abort_plan("A plan must be a map of fields such as `codend: 1` and `name`.", NULL, tree)
@@ -113,7 +112,7 @@ check_quantity <- function(value, node, path) {
 }
 
 check_number <- function(value, node, path) {
-  # YAML 1.1 reads 1e3, without a decimal point, as text
+  # YAML 1.1 reads 1e3, without a decimal point, as a string.
   if (is_text(value) && grepl("^[-+]?[0-9]+[eE][-+]?[0-9]+$", value)) value <- as.double(value)
   good <- is.numeric(value) && length(value) == 1 && is.finite(value) && in_bounds(value, node) &&
     (node$shape == "number" || value == round(value)) &&
@@ -123,12 +122,15 @@ check_number <- function(value, node, path) {
   as.double(value)
 }
 
-# No number so large that forces could overflow.
+# Rejects numbers that could make forces overflow.
 check_size <- function(value, si, dimension, path) {
   most <- plan_largest[[dimension]]
   if (abs(si) > most) abort_field(path, value, paste("at most", format_like(most, dimension,
     value)))
 }
+
+# Current names of field values, by their names in version 0.1.0.
+renamed_values <- c(twines = "morison")
 
 check_text <- function(value, node, path) {
   good <- is_text(value) && (is.null(node$enum) || value %in% node$enum) &&
@@ -136,17 +138,19 @@ check_text <- function(value, node, path) {
     (is.null(node$const) || value == node$const) &&
     (is.null(node$pattern) || fits(value, node$pattern))
   if (!good) {
-    abort_field(path, value, describe(node), hint = if (is_text(value)) nearest(value, node$enum))
+    abort_field(path, value, describe(node), hint = if (is_text(value)) {
+      if (value %in% names(renamed_values)) renamed_values[[value]] else nearest(value, node$enum)
+    })
   }
   value
 }
 
-# A pattern's end is the end of the text; to PCRE it is also before a line's end there.
+# In PCRE, `$` also matches before a final newline. Plans must not end in one.
 fits <- function(texts, pattern) grepl(pattern, texts, perl = TRUE) & !grepl("\n$", texts)
 
 truth_words <- c(yes = TRUE, Yes = TRUE, YES = TRUE, no = FALSE, No = FALSE, NO = FALSE)
 
-# A text yes or no is how YAML 1.2 reads it.
+# YAML 1.2 reads yes and no as strings.
 check_boolean <- function(value, node, path) {
   if (is_text(value) && value %in% names(truth_words)) return(truth_words[[value]])
   if (!is.logical(value) || length(value) != 1 || is.na(value)) {
@@ -161,7 +165,7 @@ check_list <- function(value, node, path) {
     (is.null(node$minItems) || n >= node$minItems) && (is.null(node$maxItems) || n <= node$maxItems)
   if (!good) abort_field(path, value, describe(node))
   if (is.character(value) && n > 0) {
-    # such as the chains of a seam, each one edge
+    # For example the chains of a seam, each of one edge.
     any <- node$items$shape == "any"
     items <- if (any) choose_node(value[[1]], node$items, path) else node$items
     if (all_text(value, items)) return(if (any) as.list(value) else value)
@@ -177,13 +181,12 @@ check_list <- function(value, node, path) {
   )
 }
 
-# Whether texts are all that a node of texts asks for.
 all_text <- function(texts, node) {
   node$shape == "string" && is.null(node$enum) && is.null(node$minLength) && is.null(node$const) &&
     !anyNA(texts) && (is.null(node$pattern) || all(fits(texts, node$pattern)))
 }
 
-# last, fields: another map of this node and what it was checked to, or NULL.
+# last, fields: another map of this node and its checked form, or NULL.
 check_map <- function(value, node, path, last = NULL, fields = NULL) {
   if (!is_map(value)) abort_field(path, value, describe(node))
   given <- names(value)
@@ -198,13 +201,13 @@ check_map <- function(value, node, path, last = NULL, fields = NULL) {
     if (is.null(property)) {
       property <- if (named_well[i]) node$additionalProperties
       if (is.null(property)) property <- open_property(name, value, node, path)
-      # the sides of a trawl follow each other and are alike
+      # The two sides of a trawl are often adjacent and identical.
       if (i > 1 && identical(value[[i]], value[[i - 1]])) {
         checked[i] <- checked[i - 1]
         next
       }
     }
-    # in single brackets: a place assigned NULL would go, and later fields move to wrong names
+    # Single brackets: `[[<-` with NULL would delete the element and shift the others.
     same <- name %in% names(last) && identical(value[[i]], last[[name]])
     checked[i] <- if (same) {
       fields[name]
@@ -223,13 +226,13 @@ check_map <- function(value, node, path, last = NULL, fields = NULL) {
   c(checked, node$defaults[!names(node$defaults) %in% given])
 }
 
-# Which names a schema's rule for names allows.
+# Returns TRUE for each name that the schema's rule for names allows.
 may_name <- function(names, rule) {
   good <- !is.na(names) & nzchar(names)
   if (is.null(rule)) good else good & fits(names, rule$pattern)
 }
 
-# The node of a name that is not among the properties of a map.
+# Returns the node of a name outside the properties of a map.
 open_property <- function(name, value, node, path) {
   if (is.null(node$additionalProperties)) {
     abort_unknown(path, name, names(node$properties), value[[name]])
@@ -259,17 +262,8 @@ check_presence <- function(given, value, node, path) {
   for (group in node$groups) {
     met <- vapply(group$choices, function(choice) all(choice %in% given), logical(1))
     if (sum(met) == 0 || (group$one && sum(met) > 1)) {
-      choices <- vapply(group$choices, function(choice) {
-        paste0("`", choice, "`", collapse = " with ")
-      }, "")
-      abort_plan(
-        sprintf(
-          "Plan field `%s` has %s; it must have %s of: %s.", path,
-          if (sum(met) == 0) "none of what it needs" else "too much",
-          if (group$one) "exactly one" else "at least one", paste(choices, collapse = "; ")
-        ),
-        path, value
-      )
+      abort_plan(sprintf("Plan field `%s` %s.", path, choices_text(group$choices, met, given)),
+        path, value)
     }
   }
   size <- length(given)
@@ -285,7 +279,20 @@ check_presence <- function(given, value, node, path) {
   }
 }
 
-# The alternative of `node` that a value is meant as, by its shape alone.
+# Describes why alternative sets of required fields do not fit: the fields that each set lacks, the
+# nearest set first, or the sets that exclude each other.
+choices_text <- function(choices, met, given) {
+  quoted <- function(names) paste0("`", names, "`", collapse = ", ")
+  if (any(met)) {
+    sets <- vapply(choices[met], quoted, "")
+    return(paste("has", paste(sets, collapse = " and "), "together; it must have only one"))
+  }
+  lacks <- lapply(choices, setdiff, given)
+  nearest <- order(lengths(lacks) == lengths(choices), lengths(lacks))
+  paste("lacks", paste(vapply(lacks[nearest], quoted, ""), collapse = "; or "))
+}
+
+# Returns the alternative of `node` that matches the shape of a value.
 choose_node <- function(value, node, path) {
   found <- NULL
   for (choice in node$choices) {
@@ -298,7 +305,7 @@ choose_node <- function(value, node, path) {
       boolean = length(value) == 1 && (is.logical(value) || value %in% names(truth_words))
     )
     if (!fits) next
-    # A name is looked for first where the text may also be a quantity.
+    # Prefer an enumerated name if the string may also be a quantity.
     if (is.null(choice$enum) || value %in% choice$enum) return(choice)
     if (is.null(found)) found <- choice
   }

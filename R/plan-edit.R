@@ -1,9 +1,7 @@
-# The text of a plan file after a change of its plan: what did not change stays as it was written,
-# with its remarks.
+# Edits the text of a changed plan. Unchanged fields keep their text and remarks.
 
-# source: the text that a plan was read from, or NULL; plan: as it is now. The text of a file that
-# reads back as `plan`: the source with the changed fields put in; else with its changed groups
-# written anew; else all of it anew.
+# Returns plan text that reads back as `plan`. `source`: the original text, or NULL. It is the
+# source with changed fields, else with changed groups rewritten, else a new text.
 edited_text <- function(source, plan) {
   plan <- join_uncertain(plan)
   anew <- paste0(c(yaml_lines(plan, 0), ""), collapse = "\n")
@@ -20,13 +18,13 @@ edited_text <- function(source, plan) {
   anew
 }
 
-# deepest: fields further down than this many steps are changed with the field around them.
+# deepest: a change below this depth replaces the enclosing field.
 edit_fields <- function(source, old, plan, deepest) {
   places <- plan_places(source)
   if (!isTRUE(attr(places, "whole"))) unplaced()
   changes <- plan_changes(old, plan, deepest)
   edits <- lapply(changes, function(change) change_edit(source, places, change))
-  # from the end, so that places before an edit stay
+  # Edit from the end, so that earlier positions remain valid.
   for (edit in edits[order(-vapply(edits, `[[`, 0, "from"))]) {
     source <- paste0(substr(source, 1L, edit$from - 1), edit$text,
       substring(source, edit$to + 1))
@@ -34,8 +32,8 @@ edit_fields <- function(source, old, plan, deepest) {
   source
 }
 
-# What two trees differ in: a list of list(path, parent, name, value, was), value NULL where the
-# field is gone, was NULL where it is new. deepest: as of edit_fields().
+# Returns the differences of two trees: a list of list(path, parent, name, value, was). `value` is
+# NULL for a removed field, `was` is NULL for a new one. `deepest`: as in `edit_fields()`.
 plan_changes <- function(old, new, deepest = Inf, path = "", depth = 1) {
   out <- list()
   for (name in union(names(old), names(new))) {
@@ -52,7 +50,7 @@ plan_changes <- function(old, new, deepest = Inf, path = "", depth = 1) {
   out
 }
 
-# list(from, to, text): the characters of a text that a change replaces; to < from inserts.
+# Returns list(from, to, text): the characters that a change replaces; to < from inserts.
 change_edit <- function(source, places, change) {
   k <- match(change$path, places$path)
   if (is.null(change$was)) return(added_edit(source, places, change))
@@ -72,7 +70,7 @@ change_edit <- function(source, places, change) {
   list(from = begin, to = whole, text = text)
 }
 
-# Replaces a value on a line so that a remark after it stays in its column where there is room.
+# Replaces a value on a line. A remark after it stays in its column if there is room.
 aligned_edit <- function(source, from, to, text) {
   rest <- sub("\n.*", "", substring(source, to + 1))
   blanks <- attr(regexpr("^ +(?=#)", rest, perl = TRUE), "match.length")
@@ -103,7 +101,7 @@ removed_edit <- function(source, places, k) {
   )
 }
 
-# A field that is new goes behind the others of its map.
+# A new field follows the other fields of its map.
 added_edit <- function(source, places, change) {
   name <- yaml_text(change$name)
   root <- !nzchar(change$parent)
@@ -131,7 +129,6 @@ added_edit <- function(source, places, change) {
   list(from = last + end, to = last + end - 1, text = lines)
 }
 
-# Any value on one line.
 yaml_inline <- function(value) {
   if (!is.list(value) && length(value) > 1L) value <- as.list(value)
   if (!is.list(value) || !length(value)) return(yaml_flow(value))

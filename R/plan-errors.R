@@ -1,8 +1,5 @@
-# What a wrong plan is answered with: one message form, one condition class.
-
-# Stops with a "codend_error_plan" that carries the field's path and its value, and `said`, the
-# message as it is here; `...`: further fields of the condition. Who collects all that is wrong
-# (draft_gear()) goes on behind it.
+# Throws a "codend_error_plan" with path, value and `said` (the message). `...`: further fields.
+# draft_gear() continues after it, to collect all problems.
 abort_plan <- function(message, path, value = NULL, ...) {
   withRestarts(
     abort_as("plan", "{message}", path = path, value = value, said = message, ...,
@@ -11,7 +8,7 @@ abort_plan <- function(message, path, value = NULL, ...) {
   )
 }
 
-# The same error with line and column of its field in the text of a plan file, where they are known.
+# Adds the line and column of the field in the plan file to an error, if they are known.
 with_places <- function(expression, text) {
   tryCatch(expression, codend_error_plan = function(e) {
     place <- if (is.null(e$line)) field_place(text, e$path)
@@ -23,7 +20,7 @@ with_places <- function(expression, text) {
   })
 }
 
-# "Plan field `path` is VALUE; it must be MUST."
+# Throws "Plan field `path` is VALUE; it must be MUST."
 abort_field <- function(path, value, must, is = paste("is", show_value(value)), hint = NULL) {
   message <- sprintf("Plan field `%s` %s", path, is)
   message <- paste0(message, if (!is.null(must)) paste0("; it must be ", must), ".")
@@ -32,7 +29,8 @@ abort_field <- function(path, value, must, is = paste("is", show_value(value)), 
 }
 
 abort_unknown <- function(path, name, known, value = NULL) {
-  near <- nearest(name, known)
+  near <- intersect(renamed_fields[[name]], known)
+  if (!length(near)) near <- nearest(name, known)
   where <- join(path, name)
   advice <- if (!length(near)) advice_on(name)
   abort_plan(
@@ -48,6 +46,7 @@ abort_unknown <- function(path, name, known, value = NULL) {
 
 show_value <- function(value) {
   if (is.null(value)) return("empty")
+  if (identical(value, "given")) return("given")
   if (is.list(value)) {
     return(if (length(names(value))) "a map" else paste("a list of", length(value)))
   }
@@ -65,7 +64,7 @@ show_value <- function(value) {
   paste0("\"", value, "\"")
 }
 
-# What a schema node allows, in words; bounds of a quantity in the unit of the value that was given.
+# Describes the allowed values of a schema node, with bounds in the unit of the given value.
 describe <- function(node, value = NULL) {
   if (!is.null(node$enum)) return(paste("one of", word_list(node$enum)))
   if (is.character(node$const)) return(paste0("\"", node$const, "\""))

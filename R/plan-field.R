@@ -1,21 +1,15 @@
-# The one way from a plan's path to its node of the schema.
-
-# The node of a plan as a whole.
 plan_node <- function(plan) {
   kind_node(first_of(plan$kind, plan_kinds[1L]))
 }
 
-# The steps of a path; a dot at its end is followed by an empty one, which no plan has.
+# Returns the steps of a path. A final dot gives an empty last step, which no plan contains.
 path_steps <- function(path) strsplit(sub("[.]$", "..", path), ".", fixed = TRUE)[[1]]
 
-# A path with its items' numbers as steps: `a[2].b` as `a.2.b`.
+# Returns a path with list indices as steps: `a[2].b` becomes `a.2.b`.
 dotted_path <- function(path) gsub("\\[([0-9]+)\\]", ".\\1", path)
 
-# The node one step below `node`, or NULL where it allows no such field. Items of a list go by their
-# number.
-#
-# Where a node leaves a choice, the step tells which: a number is an item of a list, anything else a
-# field of a map.
+# Returns the node one step below `node`, or NULL if it does not allow the field. A list item has
+# its number as its step. If the node is a choice, a number selects the list and a name the map.
 child_node <- function(node, step) {
   number <- grepl("^[0-9]+$", step)
   if (identical(node$shape, "any")) {
@@ -26,7 +20,6 @@ child_node <- function(node, step) {
   first_of(node$properties[[step]], node$additionalProperties)
 }
 
-# The node that a path leads to, or NULL.
 path_node <- function(plan, path) {
   node <- plan_node(plan)
   for (step in path_steps(path)) {
@@ -36,8 +29,7 @@ path_node <- function(plan, path) {
   node
 }
 
-# A field of a plan: list(node = of the schema, value = as given or by default, given), or NULL
-# where the plan has none of that path.
+# Returns a field of a plan: list(node, value (given or default), given), or NULL.
 plan_field <- function(plan, path) {
   given <- TRUE
   node <- plan_node(plan)
@@ -58,13 +50,13 @@ plan_field <- function(plan, path) {
   list(node = meant_node(value, node), value = value, given = given)
 }
 
-# A node that leaves a choice becomes the alternative that a value is meant as, or NULL.
+# Returns the alternative of a choice that matches a value, or NULL.
 meant_node <- function(value, node) {
   if (!identical(node$shape, "any")) return(node)
   tryCatch(choose_node(value, node, ""), codend_error_plan = function(e) NULL)
 }
 
-# The plan with one field changed (NULL: taken out).
+# Returns the plan with one field changed (NULL removes it).
 set_plan_field <- function(plan, path, value) {
   set_at(plan, path_steps(path), value, plan_node(plan), "")
 }

@@ -1,8 +1,6 @@
-# The reader of values that users pass to functions.
-
-# Returns a value, or all values of a list or data frame, without a class: numbers, texts and truth
-# values unchanged, objects of the package units as texts in SI. Other classes are an error.
-# name: the argument or the path, for that error.
+# Returns a value, or all values of a list or data frame, without a class. Numbers, strings and
+# logicals remain unchanged. Objects of the package units become strings in SI. Other classes are an
+# error. `name`: argument or path in this error.
 given_value <- function(value, name) {
   if (is.data.frame(value) || (is.list(value) && !is.object(value))) {
     inner <- names(value)
@@ -17,18 +15,18 @@ given_value <- function(value, name) {
   if (!is.object(value) || !is.atomic(value)) return(value)
   if (inherits(value, "units")) return(stats::setNames(units_text(value), names(value)))
   if (is.factor(value) || is.character(value)) return(as.character(value))
-  abort_argument("{.arg {name}} is of class {.cls {class(value)}}; it must be a number, a text with
-    a unit or an object of the package {.pkg units}.")
+  abort_argument("{.arg {name}} has the class {.cls {class(value)}}; it must be a number, a string
+    with a unit or an object of the package {.pkg units}.")
 }
 
-# Returns a given value in SI: one number, or NA if it is not one quantity of this dimension.
+# Returns a given value in SI: one number, or NA if it is not a quantity of this dimension.
 given_si <- function(value, dimension, name) {
   value <- given_value(value, name)
   one <- length(value) == 1L && (is_text(value) || is.numeric(value))
   if (one) quantity_si(value, dimension) else NA_real_
 }
 
-# Returns a table with the units objects in these columns converted to SI. dimensions: by column.
+# Returns a table with its units objects converted to SI. `dimensions`: named by column.
 si_columns <- function(table, dimensions, name) {
   for (column in intersect(names(dimensions), names(table))) {
     values <- table[[column]]
@@ -46,13 +44,13 @@ si_columns <- function(table, dimensions, name) {
   table
 }
 
-# Returns units objects as texts in the SI unit of their dimension, or as numbers if they have no
-# unit. Units that plans do not have stay in the brackets of the package, which plans refuse.
+# Returns units objects as strings in the SI unit of their dimension, or as numbers if they have no
+# unit. Units unknown to plans keep the brackets of the package, which plans reject.
 units_text <- function(value) {
   check_package("units", "An object of class units")
   unit <- as.character(units(value))
   if (unit == "1") return(as.double(value))
-  # udunits converts percent to radians
+  # The udunits library converts percent to radians.
   si <- vapply(plan_units, function(of) names(of)[1L], "")
   si <- si[setdiff(names(si), if (unit %in% names(plan_units$angle)) "number" else "angle")]
   si <- Filter(function(one) units::ud_are_convertible(unit, one), si)

@@ -1,15 +1,17 @@
-# Materials of ropes and twines. A rope is not a solid circle, so mass, stiffness and breaking load
-# are given for the square of its nominal diameter d:
-#   density    of the solid (kg/m3), which gives the displaced volume from the mass
-#   mass       mass per length / d^2 (kg/m3)
-#   stiffness  EA / d^2 (Pa)
-#   strength   breaking load / d^2 (Pa)
-# Sources. MoorPy: NREL MoorPy, library/MoorProps_default.yaml (leading terms in d^2). Wilson:
-# twine law T = d^2 C1 e^C2 of Wilson (1967), which for polyethylene is close to linear.
-# EN 12385-4: 6x36 wire rope with steel core, grade 1770 (0.356 x 1770 MPa). "assumed" values are
-# usual for the trade but not traced to a publication.
+# Materials of ropes and twines. A rope is not a solid circle. Mass, stiffness and breaking load
+# therefore refer to the square of its nominal diameter d:
+# `density`: of the solid (kg/m3), which gives the displaced volume from the mass.
+# `mass`: mass per length / d^2 (kg/m3).
+# `stiffness`: EA / d^2 (Pa).
+# `strength`: breaking load / d^2 (Pa).
+#
+# Sources:
+# MoorPy: NREL MoorPy, library/MoorProps_default.yaml (leading terms in d^2).
+# Wilson: twine law T = d^2 C1 e^C2 of Wilson (1967), nearly linear for polyethylene.
+# EN 12385-4: 6x36 wire rope with steel core, grade 1770 (0.356 x 1770 MPa).
+# Assumed: typical for the trade, without a publication.
 gear_materials <- rbind(
-  # 4.1 kg/m and EA = 48 MN at 32 mm, a usual trawl warp (assumed); strength EN 12385-4
+  # 4.1 kg/m and EA = 48 MN at 32 mm, a typical trawl warp (assumed); strength EN 12385-4
   steel_wire = c(density = 7850, mass = 4004, stiffness = 46.9e9, strength = 630e6),
   # MoorPy, studless chain; d is the diameter of the bar
   steel_chain = c(7850, 20000, 85.6e9, 1.21e9),
@@ -32,7 +34,7 @@ material_abbreviations <- c(
   PE = "polyethylene", PA = "polyamide", PES = "polyester", PP = "polypropylene", HMPE = "hmpe"
 )
 
-# What the trade also calls them, for the hint of an error; a plan has the names above.
+# Trade names for hints in errors. Plans use the names above.
 material_trade_names <- c(
   nylon = "PA", perlon = "PA", kapron = "PA", courlene = "PE", polythene = "PE",
   polyethene = "PE", nymplex = "PE", hdpe = "PE", terylene = "PES",
@@ -42,14 +44,14 @@ material_trade_names <- c(
   combination = "combination_rope", compound = "combination_rope", taifun = "combination_rope"
 )
 
-# The known material that a name is like or another word for, or NULL.
+# Returns the known material with a similar name or this trade name, or NULL.
 material_meant <- function(name, known) {
   word <- gsub("[ -]+", "_", tolower(name))
   if (word %in% names(material_trade_names)) return(material_trade_names[[word]])
   nearest(name, known)
 }
 
-# The row of `gear_materials` for a name, or of the plan's own materials (solid circles).
+# Returns the row of `gear_materials` for a name, or of the plan's own materials (solid circles).
 find_material <- function(name, own, path) {
   if (!is.null(own[[name]])) {
     given <- own[[name]]
@@ -68,9 +70,9 @@ find_material <- function(name, own, path) {
   gear_materials[name, ]
 }
 
-# Mass, volume, stiffness, damping and strength of one rope or twine of a diameter: explicit values
-# first, then the material's. Displaced volume is that of the material's solid, or of the full
-# circle when there is no material.
+# Returns mass, volume, stiffness, damping and strength of a rope or twine with a diameter. Explicit
+# values take precedence over the material's. The displaced volume equals the solid material, or the
+# full circle if no material is given.
 line_properties <- function(given, own, path) {
   material <- if (!is.null(given$material)) {
     find_material(given$material, own, join(path, "material"))
@@ -92,7 +94,7 @@ line_properties <- function(given, own, path) {
   }
   list(
     axial_stiffness = stiffness, load_table = table,
-    # on the rate of strain, per length of a bar: see elements/twine.hpp
+    # Damping by strain rate, per length of a bar: see elements/twine.hpp.
     damping = given$damping_ratio * sqrt(stiffness * mass),
     mass_per_length = mass,
     volume_per_length = first_of(given$volume_per_length, volume),
@@ -100,14 +102,14 @@ line_properties <- function(given, own, path) {
   )
 }
 
-# Loads (N) by strain of a rope or twine that a plan gives so: list(strain, load), or NULL.
+# Returns the load curve of a rope or twine in the plan: list(strain, load (N)), or NULL.
 load_table <- function(given, path) {
   rows <- given$load_by_elongation
   if (is.null(rows)) return(NULL)
   path <- join(path, "load_by_elongation")
   if (!is.null(given$axial_stiffness)) {
     abort_plan(sprintf(
-      "Plan field `%s` is given together with `axial_stiffness`; one of them must go.", path
+      "Plan field `%s` is given together with `axial_stiffness`; remove one.", path
     ), path, rows)
   }
   table <- list(
@@ -116,22 +118,22 @@ load_table <- function(given, path) {
   for (row in seq_along(rows)[-1L]) {
     if (all(vapply(table, function(column) column[row] > column[row - 1L], NA))) next
     abort_field(sprintf("%s.%d", path, row), rows[[row]],
-      "more elongation and more load than the row before")
+      "a greater elongation and load than the row before")
   }
   table
 }
 
-# Factor on the drag across a line that strums in the flow: 1 + 1.043 (2 Y/d)^0.65, Y/d the
-# amplitude (root mean square) over the diameter (J. K. Vandiver, Drag coefficients of long flexible
+# Returns the factor on normal drag of a line with strumming: 1 + 1.043 (2 Y/d)^0.65. `amplitude` is
+# Y/d, root mean square amplitude over diameter (J. K. Vandiver, Drag coefficients of long flexible
 # cylinders, Offshore Technology Conference, OTC 4490, 1983).
 strumming_factor <- function(amplitude) if (amplitude > 0) 1 + 1.043 * (2 * amplitude)^0.65 else 1
 
-# A line's law of drag when it strums.
+# Returns the drag coefficients of a line with strumming.
 strummed <- function(law, amplitude, path) {
   if (is.null(amplitude) || amplitude == 0) return(law)
   if (law$law != "constant") {
     abort_field(join(path, "strumming"), amplitude,
-      "left out with coefficients that depend on the Reynolds number; give the rope `coefficients`")
+      "omitted if coefficients depend on the Reynolds number; give the rope `coefficients`")
   }
   law$normal <- law$normal * strumming_factor(amplitude)
   law

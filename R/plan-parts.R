@@ -1,11 +1,9 @@
-# Parts of a plan by their names: copied, renamed and moved.
-
-# The plan with a part as another is, next to the part `after` (NULL: behind all).
+# Returns the plan with a copy of the part `like` at `path`, after the part `after` (NULL: last).
 copied_part <- function(plan, path, like, after = NULL) {
   steps <- path_steps(path)
   name <- steps[length(steps)]
   map <- at_path(plan, steps[-length(steps)])
-  if (name %in% names(map)) abort_field(path, name, "a name that no other part here has")
+  if (name %in% names(map)) abort_field(path, name, "a new name; another part has this name")
   plan <- set_plan_field(plan, path, at_path(plan, path_steps(like)))
   if (is.null(after)) return(plan)
   others <- names(map)
@@ -13,14 +11,14 @@ copied_part <- function(plan, path, like, after = NULL) {
     nomatch = length(others))))
 }
 
-# ... with a part under another name, which follows wherever the plan speaks of it.
+# Returns the plan with a part renamed, including all references to it.
 renamed_part <- function(plan, path, name) {
   steps <- path_steps(path)
   old <- steps[length(steps)]
   if (identical(old, name)) return(plan)
   parent <- steps[-length(steps)]
   map <- at_path(plan, parent)
-  if (name %in% names(map)) abort_field(path, name, "a name that no other part here has")
+  if (name %in% names(map)) abort_field(path, name, "a new name; another part has this name")
   names(map)[match(old, names(map))] <- name
   plan <- put_parts(plan, parent, map)
   whole <- paste0("(?<![A-Za-z0-9_])", old, "(?![A-Za-z0-9_])")
@@ -40,7 +38,7 @@ renamed_part <- function(plan, path, name) {
   plan
 }
 
-# ... with a part so many places further on (by < 0: ahead) among its like.
+# Returns the plan with a part moved by `by` positions within its group (by < 0: towards the front).
 moved_part <- function(plan, path, by) {
   steps <- path_steps(path)
   parent <- steps[-length(steps)]

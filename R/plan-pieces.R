@@ -1,15 +1,13 @@
-# What a piece of a plan displaces and weighs, and how high it is.
-
 # m/s2
 gear_gravity <- 9.81
 
-# Mass in air (kg) and displaced volume (m3) of one piece.
+# Returns mass in air (kg) and displaced volume (m3) of one piece.
 piece_body <- function(piece, path, fields) {
   ways <- intersect(c("volume", "density", "material"), names(piece))
   if (length(ways) > 1) {
     abort_plan(
       sprintf(
-        "Plan field `%s` has both `%s` and `%s`; it must have one of them.", path, ways[1], ways[2]
+        "Plan field `%s` has both `%s` and `%s`; remove one.", path, ways[1], ways[2]
       ),
       path, piece
     )
@@ -35,7 +33,7 @@ piece_body <- function(piece, path, fields) {
   if (length(excess)) {
     abort_plan(
       sprintf(
-        "Plan field `%s` has both `buoyancy` and `%s`; it must have one of them.", path, excess[1]
+        "Plan field `%s` has both `buoyancy` and `%s`; remove one.", path, excess[1]
       ),
       path, piece
     )
@@ -43,29 +41,29 @@ piece_body <- function(piece, path, fields) {
   water <- fields$water$density
   if (water == 0) {
     abort_plan(
-      sprintf("Plan field `%s.buoyancy` needs water: `water.density` is 0.", path),
+      sprintf("Plan field `%s.buoyancy` needs water, but `water.density` is 0.", path),
       paste0(path, ".buoyancy"), piece$buoyancy
     )
   }
   lifted <- piece$buoyancy / gear_gravity
   volume <- first_of(sphere, lifted / water)
-  # a massless float displaces its buoyancy to the last bit
+  # For a float without mass, buoyancy and displacement are exactly equal.
   mass <- if (is.null(sphere)) 0 else water * volume - lifted
   if (mass < 0) {
     abort_field(
       paste0(path, ".buoyancy"), piece$buoyancy,
-      paste(
-        "at most what a sphere of its diameter displaces,",
-        format_si(water * volume * gear_gravity, "force")
+      sprintf(
+        "at most %s, the buoyancy of a weightless sphere of this diameter (%s)",
+        format_si(water * volume * gear_gravity, "force"), format_si(piece$diameter, "length")
       )
     )
   }
   list(mass = mass, volume = volume)
 }
 
-# Height (m) of a piece on the ground or at the surface: its diameter, or that of a cube of its
-# volume, or of a square of its area; of a sheet that lifts up or down, which lies nearly flat in
-# the water, a tenth of that.
+# Returns the height (m) of a piece on the ground or at the surface. It is the diameter, the edge of
+# a cube of equal volume, or the side of a square of equal area. A sheet with vertical lift is
+# nearly flat and has 1/10 of this side.
 piece_height <- function(piece, volume) {
   if (!is.null(piece$diameter)) return(piece$diameter)
   if (volume > 0) return(volume^(1 / 3))

@@ -1,17 +1,16 @@
-# Where each field of a plan stands in the text of its file, so that errors name line and column and
-# a change leaves the remarks around it alone. The YAML that people write: maps and lists in block
-# and in flow form, and scalars; what an alias stands for has no place of its own. Where a text has
-# tags or complex keys its places end.
+# Locates the fields of a plan in the text of its file, for line and column in errors and for edits
+# that keep remarks. It supports common YAML: maps and lists in block and flow form, and scalars.
+# The target of an alias has no position. The search ends at tags and complex keys.
 
-# Longer texts are not gone through: it takes time, and no plan that people write is as long.
+# Longer texts are not scanned, to limit the run time. No plan written by hand is as long.
 placed_characters_limit <- 3e5
 
-# The places of a text's fields, or NULL where they cannot be told: a list of equal lengths
-#   path     steps joined by ".", items of lists by their number
-#   key      first character of the key (of an item: of its dash, or of its value within [ ])
-#   from, to first and last character of the value; NA where it is empty
-#   flow     whether it stands within { } or [ ]
-#   line, column  of the key
+# Returns the positions of a text's fields as a list of equal lengths, or NULL:
+# `path`: steps joined by ".", list items by their number.
+# `key`: first character of the key (for an item: its dash, or its value within [ ]).
+# `from`, `to`: first and last character of the value; NA if it is empty.
+# `flow`: TRUE within { } or [ ].
+# `line`, `column`: of the key.
 plan_places <- function(text) {
   if (!length(text) || nchar(text) > placed_characters_limit) return(NULL)
   scanner <- new_scanner(text)
@@ -29,14 +28,14 @@ plan_places <- function(text) {
   places
 }
 
-# Ends the search for places, or what needs them.
+# Stops the scan or an edit that needs positions.
 unplaced <- function() {
   stop(structure(class = c("codend_unplaced", "error", "condition"),
     list(message = "unplaced", call = NULL)))
 }
 
-# What a scanner takes at once, as regular expressions that always fit; each sees the one character
-# before it. A key ends where its colon can be, the line ends or, in { } and [ ], it cannot be one.
+# Tokens of the scanner: regular expressions that always match, with a lookbehind of one character.
+# Keys end at a colon, a line end, or (in { } and [ ]) an invalid character.
 plan_tokens <- list(
   line_blanks = "(?:[ \\t\\r]|(?<=\\s)#[^\\n]*+)*+",
   blanks = "(?:\\s|(?<=\\s)#[^\\n]*+|(?<=\\n)---[^\\n]*+|(?<=\\n)\ufeff)*+",
@@ -48,8 +47,7 @@ plan_tokens <- list(
   flow_text = "(?:[^,\\]}{\\[:#]|:(?![\\s,\\]}{\\[]|\\z)|(?<!\\s)#)*+"
 )
 
-# A scanner of a text: list of the functions that plan_places() goes by. What has been found before
-# it stops stays found.
+# Returns the functions of a scanner for `plan_places()`. Positions found before a stop remain.
 new_scanner <- function(text) {
   ch <- strsplit(text, "", fixed = TRUE)[[1]]
   n <- length(ch)
@@ -60,7 +58,7 @@ new_scanner <- function(text) {
   here <- function(k = 0L) if (at + k <= n) ch[at + k] else ""
   ended <- function() at > n
   column <- function() at - starts[findInterval(at, starts)] + 1L
-  # Past a token; window: how many characters are looked at, as long as it does not fill them.
+  # Moves past a token. `window`: number of characters to match; it grows if the token fills it.
   take <- function(token, window = 400L) {
     to <- min(n, at + window)
     piece <- paste(c(if (at > 1L) ch[at - 1L] else "\n", if (!ended()) ch[at:to]), collapse = "")
@@ -69,7 +67,7 @@ new_scanner <- function(text) {
     if (to < n && length > window - 4L) return(take(token, 8L * window))
     at <<- at + length
   }
-  # From a place to before the scanner's, less blanks at its end.
+  # Returns the range from a position to the scanner's, without trailing blanks.
   range_from <- function(from) {
     last <- at - 1L
     while (last >= from && grepl("\\s", ch[last])) last <- last - 1L
@@ -83,7 +81,7 @@ new_scanner <- function(text) {
   }
   is_quoted <- function() here() %in% c("\"", "'")
   is_dash <- function() here() == "-" && grepl("^\\s?$", here(1L))
-  # Past a key and its colon: the name that it gives, or NULL where there is none.
+  # Moves past a key and its colon. Returns the name, or NULL without a key.
   key <- function(flow) {
     from <- at
     if (is_quoted()) {
@@ -100,7 +98,7 @@ new_scanner <- function(text) {
     at <<- at + 1L
     as.character(name)
   }
-  # Whether a key of a block map begins here.
+  # TRUE if a key of a block map starts here.
   is_key <- function() {
     was <- at
     held <- !is.null(tryCatch(key(FALSE), codend_unplaced = function(e) NULL))
@@ -108,8 +106,7 @@ new_scanner <- function(text) {
     at <<- was
     held && lines[1] == lines[2]
   }
-  # Notes a field before what it holds, so that places keep the order of the text. hold(): goes past
-  # what it holds and gives its range.
+  # Records a field before its content, in text order. hold(): returns the range of the content.
   note <- function(path, key, flow, hold) {
     k <- length(found) + 1L
     found[[k]] <<- list(path = path, key = key, from = NA_integer_, to = NA_integer_, flow = flow)
@@ -117,8 +114,8 @@ new_scanner <- function(text) {
     found[[k]][c("from", "to")] <<- as.list(range)
     range
   }
-  # The value that begins here. above: the column that the further lines of a text lie right of;
-  # nests: whether a block map or list may begin here.
+  # Returns the range of the value that starts here. `above`: continuation lines start right of this
+  # column; `nests`: a block map or list may start here.
   value <- function(path, above, nests, flow = FALSE) {
     if (here() %in% c("{", "[")) return(flow_items(path))
     if (nests && is_dash()) return(block_items(path, listed = TRUE))
@@ -170,7 +167,7 @@ new_scanner <- function(text) {
     at <<- at + 1L
     c(from, at - 1L)
   }
-  # listed: a list, by its dashes; else a map.
+  # listed: TRUE for a list (dashes), FALSE for a map.
   block_items <- function(path, listed) {
     from <- at
     column_of <- column()
@@ -190,7 +187,7 @@ new_scanner <- function(text) {
       if (column() > column_of) unplaced()
     }
   }
-  # What follows a key's colon or an item's dash at a column, on its line or below.
+  # Returns the range of the value after a key's colon or an item's dash, on the same line or below.
   block_value <- function(path, above, listed) {
     take("line_blanks")
     if (here() == "&") {
@@ -217,8 +214,7 @@ new_scanner <- function(text) {
   list(skip = function() take("blanks"), ended = ended, value = value, places = places)
 }
 
-# Line and column of the field at a path, of the nearest one around it where it is missing; NULL
-# where that cannot be told.
+# Returns line and column of a field or its nearest existing parent; NULL if unknown.
 field_place <- function(text, path) {
   if (is.null(path) || !is_text(path)) return(NULL)
   places <- plan_places(text)
@@ -231,8 +227,7 @@ field_place <- function(text, path) {
   }
 }
 
-# The first key that a map of a text has twice: list(path, line, column, first = line of the first),
-# or NULL.
+# Returns the first duplicate key: list(path, line, column, first = first line), or NULL.
 doubled_key <- function(text) {
   places <- plan_places(text)
   k <- which(duplicated(places$path))[1]

@@ -1,19 +1,18 @@
-# A plan file becomes a plain tree: named lists, text, doubles, logicals. Nothing in it is ever
-# evaluated, and hostile files are refused before they cost time or memory.
+# Reads a plan file into a plain tree: named lists, strings, doubles, logicals. Nothing in the file
+# is evaluated. Malicious files are rejected before they use time or memory.
 
 plan_bytes_limit <- 2 * 1024^2
 plan_depth_limit <- 20
 plan_values_limit <- 5e4
-# a plan of a hundred panels has two thousand
+# A plan with a hundred panels has two thousand.
 plan_marks_limit <- 5e3
 
-# The tree of a YAML plan file.
 read_plan <- function(file) plan_of_bytes(plan_bytes(file), file)
 
-# The tree of a plan; bytes: of its YAML, raw; file: what messages call it.
+# Returns the tree of a plan. `bytes`: raw YAML; `file`: name in messages.
 plan_of_bytes <- function(bytes, file) {
   text <- plan_text_of(bytes, file)
-  # an error in the midst of the parser would be caught by it and told as one of its own
+  # The parser would catch an error raised inside it and report it as its own.
   warned <- NULL
   tree <- tryCatch(
     withCallingHandlers(
@@ -29,14 +28,14 @@ plan_of_bytes <- function(bytes, file) {
   tree <- plain_tree(tree)
   if (!is_map(tree) || length(tree) == 0) {
     abort_plan(
-      sprintf("Plan file \"%s\" must hold a map of fields such as `codend: 1` and `name`.", file),
+      sprintf("Plan file \"%s\" must be a map of fields such as `codend: 1` and `name`.", file),
       NULL
     )
   }
   tree
 }
 
-# A file's bytes; only a regular one is opened, as a pipe would keep everybody waiting.
+# Returns the bytes of a file. Only regular files are opened: a pipe would block.
 plan_bytes <- function(file) {
   size <- file_size(file)
   if (is.na(size)) abort_plan(sprintf("\"%s\" is not a plan file.", file), NULL)
@@ -58,7 +57,7 @@ check_plan_size <- function(size, file) {
 plan_text_of <- function(bytes, file) {
   check_plan_size(length(bytes), file)
   if (any(bytes == 0)) {
-    abort_plan(sprintf("Plan file \"%s\" is not text: it holds NUL bytes.", file), NULL)
+    abort_plan(sprintf("Plan file \"%s\" is not text: it has NUL bytes.", file), NULL)
   }
   text <- rawToChar(bytes)
   Encoding(text) <- "UTF-8"
@@ -71,8 +70,8 @@ plan_text_of <- function(bytes, file) {
   sub("^\ufeff", "", text)
 }
 
-# The YAML parser takes time that grows with the square of nesting and of the fields in a map, so
-# files with far more of either than a plan needs are refused unread.
+# The parser's time grows with the square of the nesting and of the fields in a map. Files far
+# beyond the needs of a plan are rejected before parsing.
 check_marks <- function(bytes, text, file) {
   opens <- bytes == 0x5b | bytes == 0x7b
   closes <- bytes == 0x5d | bytes == 0x7d
@@ -81,7 +80,7 @@ check_marks <- function(bytes, text, file) {
   if (deep) {
     abort_plan(
       sprintf(
-        "Plan file \"%s\" is nested too deeply: at most %d lists or maps in one another.",
+        "Plan file \"%s\" is nested too deeply; at most %d levels of lists or maps are allowed.",
         file, plan_depth_limit
       ),
       NULL
@@ -89,12 +88,13 @@ check_marks <- function(bytes, text, file) {
   }
   if (sum(opens) > plan_marks_limit || sum(bytes == 0x3a) > plan_marks_limit) {
     abort_plan(
-      sprintf("Plan file \"%s\" has too many fields: at most %d.", file, plan_marks_limit), NULL
+      sprintf("Plan file \"%s\" has too many fields; at most %d are allowed.", file,
+        plan_marks_limit), NULL
     )
   }
 }
 
-# The parser reads the first document and passes over the others.
+# The parser reads only the first document.
 check_one_document <- function(text, file) {
   lines <- strsplit(text, "\r\n|\r|\n", perl = TRUE)[[1]]
   begins <- grep("^---([ \t]|$)", lines)
@@ -102,29 +102,28 @@ check_one_document <- function(text, file) {
   before <- utils::head(lines, begins[1] - 1L)
   if (length(begins) > 1 || !all(grepl("^\ufeff?[ \t]*(#.*)?$|^%", before, perl = TRUE))) {
     abort_plan(
-      sprintf("Plan file \"%s\" holds several YAML documents; a plan is one.", file), NULL
+      sprintf("Plan file \"%s\" has several YAML documents; it must have one.", file), NULL
     )
   }
 }
 
-# A merge key, `<<`, or its tag: which of two values then counts depends on their order.
+# Rejects merge keys (`<<`) and their tag: the order of fields would then decide their values.
 check_no_merge <- function(text, file) {
   lines <- strsplit(text, "\r\n|\r|\n", perl = TRUE)[[1]]
-  # without remarks and quoted texts
+  # without remarks and quoted strings
   bare <- gsub("(^|[[:space:]])#.*$|\"[^\"]*\"|'[^']*'", "", lines)
   merges <- grep("(^|[[:space:]{,?\\[-])<<[[:space:]]*(:|$)|![^[:space:]]*merge", bare)
   if (!length(merges)) return(invisible())
   abort_plan(
     sprintf(
       "Plan file \"%s\", line %d, has a merge key `<<`; %s.", file, merges[1],
-      "a plan must give each of its fields itself"
+      "write every field in full"
     ),
     NULL, line = merges[1]
   )
 }
 
-# Stops with what is wrong in a file that YAML cannot read, its line and its column.
-# problem: as the parser says it.
+# Throws an error with line and column. `problem`: message of the YAML parser.
 abort_yaml <- function(file, text, problem) {
   doubled <- if (grepl("Duplicate map key", problem, fixed = TRUE)) doubled_key(text)
   place <- if (is.null(doubled)) yaml_place(problem, text) else doubled[c("line", "column")]
@@ -132,23 +131,23 @@ abort_yaml <- function(file, text, problem) {
   why <- if (!is.null(doubled)) {
     sprintf("the field `%s` is given twice, first in line %d", doubled$path, doubled$first)
   } else if (!is.null(place) && !is.na(line) && grepl("^ *\t", line)) {
-    "a line begins with a tab; it must be indented by spaces"
+    "a line starts with a tab; indent with spaces"
   } else if (grepl("mapping values are not allowed", problem, fixed = TRUE)) {
     paste(
-      "there is a colon where none can be: text that holds a colon needs quotes, and fields that",
-      "follow each other the same indentation"
+      "a colon is not allowed here: text with a colon needs quotes, and the fields of one map need",
+      "the same indentation"
     )
   } else if (grepl("did not find expected ',' or ']'", problem, fixed = TRUE)) {
     paste(
-      "a list is not closed by ]; an edge with a mesh range inside [ ] needs quotes, such as",
+      "a closing ] is missing; an edge with a mesh range inside [ ] needs quotes, such as",
       "[\"belly.upper[0:6]\"]"
     )
   } else if (grepl("did not find expected ',' or '}'", problem, fixed = TRUE)) {
-    "a map is not closed by }, or a comma between its fields is missing"
+    "a closing } is missing, or a comma between fields"
   } else if (grepl("while scanning a quoted scalar", problem, fixed = TRUE)) {
-    "a quoted text has no end"
+    "a closing quote is missing"
   } else if (grepl("did not find expected key", problem, fixed = TRUE)) {
-    "a field is indented unlike those next to it"
+    "the indentation of a field differs from the fields around it"
   } else {
     gsub("[[:space:]]+", " ", sub(" at line [0-9]+, column [0-9]+[[:space:]]*$", "", problem))
   }
@@ -159,18 +158,17 @@ abort_yaml <- function(file, text, problem) {
   )
 }
 
-# The place that a parser's message ends with: where it could not go on.
+# Returns the position at the end of a parser message, where parsing stopped.
 yaml_place <- function(problem, text) {
   found <- regmatches(problem, gregexpr("line ([0-9]+), column ([0-9]+)", problem))[[1]]
   if (!length(found)) return(NULL)
-  # a quoted text without an end is told of where it begins
+  # Report the start of an unterminated quoted string.
   pick <- if (grepl("quoted scalar", problem, fixed = TRUE)) found[1] else found[length(found)]
   numbers <- as.integer(regmatches(pick, gregexpr("[0-9]+", pick))[[1]])
   list(line = numbers[1], column = numbers[2])
 }
 
-# YAML 1.1 reads more than people mean: only yes, no, true and false are truth values, numbers are
-# decimal, and a tag is an error.
+# Limits YAML 1.1: only yes, no, true and false are logicals, numbers are decimal, no tags.
 yaml_handlers <- list(
   "bool#yes" = function(x) if (tolower(x) %in% c("yes", "true")) TRUE else x,
   "bool#no" = function(x) if (tolower(x) %in% c("no", "false")) FALSE else x,
@@ -181,25 +179,25 @@ yaml_handlers <- list(
   "int#hex" = function(x) x,
   "float#nan" = function(x) NaN,
   "seq" = function(x) x,
-  # refused by plain_tree(): an error inside a handler would only be printed
+  # Rejected by plain_tree(): an error inside a handler would only be printed.
   "expr" = function(x) as.symbol(x)
 )
 
-# YAML 1.1 knows thousands apart by commas, which many write before decimals: such is text.
+# A comma may separate thousands (YAML 1.1) or decimals: such a number is a string.
 yaml_number <- function(text) if (grepl(",", text, fixed = TRUE)) text else as.double(text)
 
-# Any tree of R lists and vectors in its one plain form, so that equal plans are identical:
-# no attributes but names, doubles for integers, a list of several scalars of one type as a vector.
-# depth, path: of the tree in the plan that it is a part of.
+# Returns the plain form of any tree of R lists and vectors; equal plans then are identical. It has
+# no attributes except names, doubles instead of integers, and vectors instead of lists of scalars
+# of one type. `depth`, `path`: position of the tree in its plan.
 plain_tree <- function(tree, depth = 0, path = "") {
   count <- 0
-  # paths are evaluated for errors only
+  # Paths are evaluated only for errors.
   plain <- function(value, depth, path) {
     count <<- count + 1
     if (count > plan_values_limit || depth > plan_depth_limit) {
       abort_plan(
         sprintf(
-          "A plan must be nested at most %d deep and hold at most %d values.",
+          "A plan must have at most %d levels and %d values.",
           plan_depth_limit, plan_values_limit
         ),
         NULL
@@ -219,11 +217,11 @@ plain_tree <- function(tree, depth = 0, path = "") {
       value <- as.list(value)
     }
     if (is.language(value)) {
-      abort_plan("A plan holds no code: the tag `!expr` is not allowed.", NULL)
+      abort_plan("A plan cannot contain code: the tag `!expr` is not allowed.", NULL)
     }
     if (!is.list(value)) {
       abort_plan(
-        sprintf("A plan holds text, numbers, yes and no, lists and maps, but no %s.",
+        sprintf("A plan contains text, numbers, yes and no, lists and maps, but no %s.",
           class(value)[1]),
         NULL
       )
@@ -241,8 +239,8 @@ plain_tree <- function(tree, depth = 0, path = "") {
   plain(tree, depth, path)
 }
 
-# A plan of which all but what lies at these paths, as their steps, is in plain form. Of a group
-# that is a map the part alone is looked at: a net has a hundred of them.
+# Returns a plan in plain form if only the fields at the paths `changed` (as steps) may not be in
+# it. For a group that is a map, only the changed part is converted: a net has a hundred parts.
 plain_again <- function(plan, changed) {
   for (steps in changed) {
     name <- steps[1]

@@ -1,7 +1,6 @@
-# The way of a vessel that shoots a gear, straight or an arc.
-
-# Places (2 x n, m) at distances (m) along the way that a rope of this length is laid.
-vessel_way <- function(shooting, length, reach) {
+# Returns positions (2 x n, m) on the course of a vessel that shoots a gear, straight or an arc.
+# `length`: length of the rope that is shot; `reach`: distances (m) along it.
+vessel_path <- function(shooting, length, reach) {
   turn <- shooting$arc / length
   if (turn == 0) return(rbind(shooting$from[1] - reach, shooting$from[2] + 0 * reach))
   rbind(

@@ -1,8 +1,7 @@
-# What a plan says of how well its numbers are known: beside a number in its place,
-# `{value: 4 mm, uncertainty: 10 %}` or `{range: [3.8 mm, 4.2 mm]}`, or by paths in `uncertain`. A
-# tree has the plain numbers and `uncertain`; a file has them together.
+# Uncertainties of a plan's numbers. A file has `{value: 4 mm, uncertainty: 10 %}`, `{range: [3.8
+# mm, 4.2 mm]}` or paths in `uncertain`. A tree has plain numbers and `uncertain`.
 
-# A tree with plain numbers, what is said of them under `uncertain`.
+# Returns a tree with plain numbers and their uncertainties under `uncertain`.
 split_uncertain <- function(tree) {
   found <- list()
   walk <- function(value, path) {
@@ -30,7 +29,7 @@ split_uncertain <- function(tree) {
   plan
 }
 
-# The tree as a file has it: numbers together with what is said of them.
+# Returns the tree in the form of a file: numbers together with their uncertainties.
 join_uncertain <- function(plan) {
   said <- plan$uncertain
   plan$uncertain <- NULL
@@ -56,7 +55,7 @@ is_uncertain <- function(value) {
     any(c("uncertainty", "range") %in% names(value))
 }
 
-# list(value, said): the plain number of such a map, and a text of how well it is known.
+# Returns the plain `value` of an uncertain number, and its uncertainty `said` as a string.
 uncertain_number <- function(map, path) {
   allowed <- paste(
     "a `value` with an `uncertainty` such as 10 % or 0.2 m, or a `range` such as [4 m, 5 m]"
@@ -65,25 +64,24 @@ uncertain_number <- function(map, path) {
     ends <- unlist(map$range)
     if (length(ends) != 2L || !is.null(map$uncertainty)) abort_field(path, map, allowed)
     value <- map$value
-    ends <- said_text(ends)
+    ends <- translated_text(ends)
     if (is.null(value)) {
       parts <- lapply(ends, split_quantity)
       if (any(lengths(parts) != 2L) || !identical(parts[[1L]][2L], parts[[2L]][2L])) {
-        abort_field(path, map, "two numbers of one unit, or given with a `value`")
+        abort_field(path, map, "two numbers with the same unit, or given with a `value`")
       }
       middle <- mean(vapply(parts, function(part) as.double(part[1L]), 0))
       unit <- parts[[1L]][2L]
-      value <- if (nzchar(unit)) paste(said_text(middle), unit) else middle
+      value <- if (nzchar(unit)) paste(translated_text(middle), unit) else middle
     }
     return(list(value = value, said = paste(ends, collapse = " to ")))
   }
   said <- map$uncertainty
   if (is.null(map$value) || length(said) != 1L || is.list(said)) abort_field(path, map, allowed)
-  list(value = map$value, said = said_text(said))
+  list(value = map$value, said = translated_text(said))
 }
 
-# Texts and numbers as texts.
-said_text <- function(said) {
+translated_text <- function(said) {
   with_plain_numbers(vapply(said, format, "", digits = 15, USE.NAMES = FALSE))
 }
 
@@ -104,9 +102,9 @@ put_at <- function(tree, steps, value) {
   tree
 }
 
-# Standard uncertainty of a number as a share of it, from what is said of it; NA where that cannot
-# be read. value: the number in SI; dimension: as plan_units. Between two ends all is as probable:
-# half of the range over sqrt(3) (JCGM 100:2008, 4.3.7). Of 0 a share is 0.
+# Returns the relative standard uncertainty of a number, or NA if `said` cannot be parsed. `value`:
+# the number in SI; `dimension`: as in plan_units. A range is a uniform distribution: half of the
+# range over sqrt(3) (JCGM 100:2008, 4.3.7). A percentage of 0 is 0.
 uncertain_share <- function(said, value, dimension) {
   size <- function(text) {
     parts <- split_quantity(text)
@@ -127,13 +125,12 @@ uncertain_share <- function(said, value, dimension) {
   size(said) / abs(value)
 }
 
-# What shares of a number are of: itself, or 1 where it is 0.
+# Returns the reference of a relative change: the number itself, or 1 if it is 0.
 whole_of <- function(value) if (value == 0) 1 else abs(value)
 
 changed_number <- function(value, share) if (value == 0) share else value * (1 + share)
 
-# The share by which each number that a plan speaks of is uncertain, by path. An error names what is
-# wrong.
+# Returns the relative standard uncertainties in a plan, by path. Invalid entries throw an error.
 uncertain_shares <- function(plan) {
   said <- plan$uncertain
   if (!length(said)) return(stats::setNames(numeric(), character()))
@@ -143,7 +140,7 @@ uncertain_shares <- function(plan) {
     shape <- field$node$shape
     chosen <- !is.null(field$node$enum) || !is.null(field$node$const)
     if (chosen || !isTRUE(shape %in% c("quantity", "number", "integer"))) {
-      abort_field(here, said[[path]], "said of a number that the plan has")
+      abort_field(here, said[[path]], "given for a number of the plan")
     }
     dimension <- first_of(field$node[["x-dimension"]], "number")
     value <- if (is.character(field$value)) quantity_si(field$value, dimension) else field$value
@@ -159,7 +156,7 @@ uncertain_shares <- function(plan) {
   }, 0)
 }
 
-# A plan without what was said of numbers that it had before a change and has no more.
+# Returns a plan without uncertainties of numbers that a change has removed.
 without_gone <- function(plan, before) {
   said <- names(plan$uncertain)
   gone <- vapply(said, function(path) {

@@ -1,4 +1,4 @@
-# Every unit a plan may use: one SI unit of its dimension first, then factors to it.
+# Units that plans accept: the SI unit of each dimension first, then factors to it.
 plan_units <- list(
   length = c(
     m = 1, metre = 1, metres = 1, meter = 1, meters = 1,
@@ -30,7 +30,7 @@ plan_units <- list(
   power = c(W = 1, kW = 1e3, MW = 1e6, hp = 745.69987, PS = 735.49875),
   consumption = c("kg/J" = 1, "g/kWh" = 1e-3 / 3.6e6),
   stress = c(Pa = 1, kPa = 1e3, MPa = 1e6, GPa = 1e9),
-  # Named through setNames(): as an argument's name the degree sign is lost in a C locale.
+  # setNames() is needed: in a C locale an argument name loses the degree sign.
   angle = stats::setNames(
     c(1, 1, 1, pi / 180, pi / 180, pi / 180, pi / 180),
     c("rad", "radian", "radians", "deg", "degree", "degrees", "\u00b0")
@@ -42,7 +42,7 @@ plan_units <- list(
   number = c("%" = 0.01, percent = 0.01)
 )
 
-# The largest quantity that a plan may hold, SI: far beyond any gear, so that no force overflows.
+# Largest allowed quantities, SI: far beyond any gear, so that forces cannot overflow.
 plan_largest <- c(
   length = 1e7, area = 1e12, volume = 1e15, mass = 1e12, force = 1e18, speed = 1e12, density = 1e6,
   mass_per_length = 1e9, bending_stiffness = 1e15, viscosity = 1e3, power = 1e12,
@@ -54,7 +54,7 @@ quantity_pattern <- paste0(
   "[[:space:]]*([^[:space:]0-9].*?)?[[:space:]]*$"
 )
 
-# The spelling under which `plan_units` lists a unit: superscripts and carets as plain digits.
+# Returns a unit in the spelling of `plan_units`: superscripts and carets become plain digits.
 plain_unit <- function(unit) {
   if (grepl("[^A-Za-z0-9/]", unit)) {
     unit <- gsub("\u00b2", "2", unit, fixed = TRUE)
@@ -66,7 +66,7 @@ plain_unit <- function(unit) {
   if (unit == "kg/100m") "kg/100 m" else unit
 }
 
-# Number and unit of a text such as "4.5 knot" (unit "" when there is none), or NULL.
+# Returns number and unit of a string such as "4.5 knot" (unit "" if there is none), or NULL.
 split_quantity <- function(text) {
   found <- regexpr(quantity_pattern, text, perl = TRUE)
   if (found == -1) return(NULL)
@@ -74,8 +74,8 @@ split_quantity <- function(text) {
   substring(text, start, start + attr(found, "capture.length") - 1)
 }
 
-# SI value of a quantity given as a number (already SI) or as text with a unit.
-# Returns one number, or NA when `value` is no quantity of this dimension.
+# Returns the SI value of a quantity, given as a number (already SI) or as a string with a unit. NA
+# if `value` does not have this dimension.
 quantity_si <- function(value, dimension) {
   if (is.numeric(value)) return(as.double(value))
   found <- split_quantity(value)
@@ -85,7 +85,7 @@ quantity_si <- function(value, dimension) {
   number * plan_units[[dimension]][plain_unit(found[2])][[1]]
 }
 
-# The dimension a text quantity has by its unit, or NA when it is no quantity.
+# Returns the dimension of a quantity string from its unit, or NA.
 quantity_dimension <- function(text) {
   found <- split_quantity(text)
   if (is.null(found)) return(NA_character_)
@@ -93,13 +93,13 @@ quantity_dimension <- function(text) {
   if (any(holds)) names(plan_units)[holds][1] else NA_character_
 }
 
-# "4 m", the SI form of a number in messages.
+# Returns an SI number as a string for messages, for example "4 m".
 format_si <- function(value, dimension) {
   unit <- if (dimension == "number") "" else paste0(" ", names(plan_units[[dimension]])[1])
   paste0(with_plain_numbers(format(value, digits = 6, trim = TRUE)), unit)
 }
 
-# A bound (SI) in the unit of a value that was given, or in SI where it has none.
+# Returns a bound (SI) as a string in the unit of a given value, or in SI if it has no unit.
 format_like <- function(bound, dimension, value) {
   unit <- if (is_text(value)) plain_unit(first_of(split_quantity(value)[2L], ""))
   factor <- if (length(unit) && nzchar(unit)) plan_units[[dimension]][unit]

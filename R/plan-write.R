@@ -1,12 +1,15 @@
 #' Write the plan of a gear
 #'
-#' The file is written next to its target and then renamed, so it is there whole or not at all. Of a
-#' gear that was read from a file, remarks and layout stay as they were written; only what
-#' [update()][update.codend_gear] changed since is new.
+#' Writes a plan file that [read_gear()] reads back as an identical plan. If the gear was read from
+#' a file, remarks and layout remain, and only fields changed with [update()][update.codend_gear]
+#' are rewritten. The file is written atomically.
 #'
-#' @param gear A gear ([read_gear()], [gear()]).
-#' @param file Path of the file to write: YAML or, of a name that ends in `.json`, JSON.
-#' @return `file`, invisibly. [read_gear()] of it gives an identical plan.
+#' @param gear A gear of class `codend_gear` ([read_gear()], [gear()]).
+#' @param file Character: path of the file to write. A name ending in `.json` gives JSON, any other
+#'   name YAML.
+#' @return `file`, invisibly (character).
+#' @seealso [read_gear()] to read the file, [update()][update.codend_gear] to change a gear,
+#'   [new_plan()] to start a plan.
 #' @export
 #' @examples
 #' file <- tempfile(fileext = ".yaml")
@@ -20,20 +23,19 @@ write_gear <- function(gear, file) {
   write_text(if (json) c(json_plan(gear), "") else format(gear, remarks = TRUE), file)
 }
 
-# A plan as one line of JSON.
 json_plan <- function(gear) {
   enc2utf8(as.character(jsonlite::toJSON(gear$plan, auto_unbox = TRUE, digits = NA)))
 }
 
-# remarks: whether the text that the gear was read from is kept where it still holds.
+# remarks: TRUE keeps the original text where it is still valid.
 #' @export
 format.codend_gear <- function(x, ..., remarks = FALSE) edited_text(if (remarks) x$source, x$plan)
 
 #' @export
 as.character.codend_gear <- function(x, ...) format(x)
 
-# YAML as people write it: what holds only numbers and text goes on one line where it fits (no YAML
-# writer for R does that), the rest one field or item a line.
+# Readable YAML: a list or map of numbers and strings takes one line if it fits, otherwise one line
+# per field or item. Other YAML writers for R cannot do this.
 yaml_width <- 96
 
 yaml_lines <- function(value, indent) {
@@ -53,7 +55,7 @@ yaml_lines <- function(value, indent) {
   }))
 }
 
-# A value on one line, or NA when it holds maps or lists of its own.
+# Returns a value on one line, or NA if it contains maps or lists.
 yaml_flow <- function(value) {
   named <- !is.null(names(value))
   if (length(value) == 0) return(if (named) "{}" else "[]")
@@ -65,7 +67,7 @@ yaml_flow <- function(value) {
       "}"))
   }
   if (!is.list(value) && length(value) == 1) return(shown)
-  # lists of prose read better item by item
+  # Long lists of prose have one item per line.
   if (is.character(value) && sum(nchar(value)) > 60) return(NA_character_)
   paste0("[", paste(shown, collapse = ", "), "]")
 }
@@ -76,7 +78,7 @@ yaml_scalar <- function(value) {
   shortest_decimal(value)
 }
 
-# Bare words and quantities stay bare; anything that YAML might read otherwise is quoted as JSON.
+# Returns words and quantities without quotes. Any ambiguous string is quoted as JSON.
 yaml_text <- function(text) {
   word <- "^[\\p{L}](?:[\\p{L}\\p{N} _./%()=+;-]*[\\p{L}\\p{N}_./%()=+-])?\\z"
   quantity <- "^-?[0-9]+[.]?[0-9]* [\\p{L}%][\\p{L}0-9/]*\\z"
@@ -88,7 +90,7 @@ yaml_text <- function(text) {
 
 yaml_quoted <- function(text) {
   quoted <- as.character(jsonlite::toJSON(text, auto_unbox = TRUE))
-  # JSON leaves these as they are; YAML forbids them or takes them for line ends
+  # JSON keeps these characters; YAML forbids them or reads them as line ends.
   codes <- utf8ToInt(quoted)
   control <- (codes >= 0x7f & codes <= 0x9f) | codes %in% c(0x2028, 0x2029, 0xfeff, 0xfffe)
   if (!any(control)) return(quoted)
@@ -97,12 +99,12 @@ yaml_quoted <- function(text) {
   paste(characters, collapse = "")
 }
 
-# The shortest decimal that reads back as the same number, whatever R's options for numbers are.
+# Returns the shortest decimal that reads back as the same number, independent of R's options.
 shortest_decimal <- function(x) {
   for (digits in c(6L, 15L, 16L, 17L)) {
     shown <- sprintf("%.*g", digits, x)
     if (as.double(shown) == x) break
   }
-  # YAML 1.1 takes an exponent for a number only after a decimal point
+  # YAML 1.1 accepts an exponent only after a decimal point.
   if (grepl("^-?[0-9]+e", shown)) sub("e", ".0e", shown) else shown
 }

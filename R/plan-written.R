@@ -1,7 +1,6 @@
-# From a part that a short form stands for back to the field that somebody wrote: an error about the
-# part is told of that field.
+# Finds the plan field behind a part of an expanded short form, for errors.
 
-# The leaves of a plan: list(path, value), of the same length.
+# Returns the leaves of a plan: list(path, value) of equal length.
 plan_leaves <- function(plan) {
   paths <- character()
   values <- list()
@@ -21,14 +20,14 @@ plan_leaves <- function(plan) {
   list(path = paths, value = values)
 }
 
-# Whether what a plan has and what a check speaks of, which may be in SI, are one value.
+# TRUE if a plan's value equals a checked value, which may be in SI.
 same_value <- function(written, checked) {
   if (identical(written, checked)) return(TRUE)
   si <- written_si(written)
   is.numeric(checked) && length(checked) == 1L && !is.na(si) && abs(si - checked) <= 1e-9 * abs(si)
 }
 
-# The SI number of a plan's quantity, NA where it is none.
+# Returns the SI number of a plan's quantity, or NA.
 written_si <- function(written) {
   if (is.numeric(written) && length(written) == 1L) return(as.double(written))
   if (!is_text(written)) return(NA_real_)
@@ -36,16 +35,17 @@ written_si <- function(written) {
   if (is.na(dimension)) NA_real_ else quantity_si(written, dimension)
 }
 
-# The words of a path, as those of parts and of fields may be compared: a part back_wing_left is of
-# the field wings.upper, warp_port of warps.
-part_words <- function(path) {
+# Returns the words of a path, to compare parts with fields: the part back_wing_left matches the
+# field wings.upper, warp_port matches warps.
+part_text <- function(path) {
   words <- sub("s$", "", strsplit(path, "[._]")[[1]])
   if ("wing" %in% words) words <- c(words, c(back = "upper", belly = "lower")[words])
   words[!is.na(words)]
 }
 
-# The path of the field that became the field of a part, or NULL where none is like it. plan: as
-# written; path, value: of the part's field; value NULL where it is missing; leaves: the plan's.
+# Returns the path of the plan field that produced a part's field, or NULL if no field is similar.
+# `plan`: as written; `path`, `value`: of the part's field, `value` is NULL if it is missing;
+# `leaves`: the plan's.
 written_path <- function(plan, path, value, leaves = plan_leaves(plan)) {
   path <- dotted_path(path)
   steps <- path_steps(path)
@@ -54,7 +54,7 @@ written_path <- function(plan, path, value, leaves = plan_leaves(plan)) {
   if (!is.null(value)) fits[fits] <- vapply(leaves$value[fits], same_value, NA, value)
   candidates <- leaves$path[fits]
   if (!length(candidates) || is.null(value)) {
-    # the map that it would stand in
+    # The map that would contain the missing field.
     maps <- unique(sub("[.]?[^.]*$", "", leaves$path))
     maps <- maps[nzchar(maps)]
     whole <- paste(steps[-length(steps)], collapse = ".")
@@ -65,14 +65,14 @@ written_path <- function(plan, path, value, leaves = plan_leaves(plan)) {
   candidates[which.max(vapply(candidates, likeness, 0, whole = path))]
 }
 
-# How many words of a written path a part's path has, less a little for each that it has not.
+# Returns the number of words in common with a part's path, minus 0.1 for each other word.
 likeness <- function(written, whole) {
-  words <- part_words(written)
-  known <- words %in% part_words(whole)
+  words <- part_text(written)
+  known <- words %in% part_text(whole)
   sum(known) - 0.1 * sum(!known)
 }
 
-# A message about a part's field, of the field that was written instead.
+# Replaces the part's field in a message by the user's field.
 reworded <- function(message, path, written) {
   old <- path_steps(dotted_path(path))
   new <- path_steps(written)
@@ -86,10 +86,33 @@ reworded <- function(message, path, written) {
   gsub(paste0("`", old, "."), paste0("`", new, "."), message, fixed = TRUE)
 }
 
-# Larger meshes than this (m) are nearly always millimetres without their unit.
+# Replaces a checked value and limits in SI in a message by the text and the unit of the plan:
+# "is 88.26; it must be at most 42.12 N" becomes "is 9 kgf; it must be at most 4.295 kgf".
+# `written`: value in the plan; `value`: of the error, in SI.
+in_written_unit <- function(said, written, value) {
+  if (!is_text(written) || is.na(quantity_dimension(written))) return(said)
+  si <- written_si(value)
+  if (is.na(si) || !same_value(written, si)) return(said)
+  unit <- plain_unit(split_quantity(written)[2L])
+  dimension <- quantity_dimension(written)
+  of_si <- names(plan_units[[dimension]])[1L]
+  if (unit == of_si) return(said)
+  said <- sub(paste0(" is ", show_value(value), ";"), paste0(" is ", written, ";"), said,
+    fixed = TRUE)
+  si_limit <- paste0("(?<= )-?[0-9][0-9.e+-]* \\Q", of_si, "\\E(?![\\w/])")
+  limit <- gregexpr(si_limit, said, perl = TRUE)
+  regmatches(said, limit) <- lapply(regmatches(said, limit), function(found) {
+    vapply(found, function(one) {
+      format_like(as.double(split_quantity(one)[1L]), dimension, written)
+    }, "", USE.NAMES = FALSE)
+  })
+  said
+}
+
+# Mesh sizes (m) above this limit are nearly always millimetres without a unit.
 doubtful_bare_mesh <- 20
 
-# Rethrows an error about a plan's parts in the words of the plan.
+# Rethrows an error about a plan's parts with the field names of the plan.
 abort_as_written <- function(e, plan) {
   said <- e$said
   path <- e$path
@@ -101,6 +124,8 @@ abort_as_written <- function(e, plan) {
       path <- written
     }
   }
+  field <- if (nzchar(known)) plan_field(plan, dotted_path(path))
+  said <- in_written_unit(said, field$value, e$value)
   leaves <- plan_leaves(plan)
   meshes <- grepl("(^|[.])mesh_size$", leaves$path)
   leaves <- lapply(leaves, `[`, meshes)
@@ -110,7 +135,7 @@ abort_as_written <- function(e, plan) {
     }, names(e$mesh_sizes), e$mesh_sizes)))
     if (length(found)) {
       values <- vapply(leaves$value[match(found, leaves$path)], show_value, "")
-      said <- paste0(said, " Meshes are of ",
+      said <- paste0(said, " Mesh sizes: ",
         paste0("`", found, "`, ", values, collapse = ", and "), ".")
       path <- found[length(found)]
     }
@@ -121,7 +146,7 @@ abort_as_written <- function(e, plan) {
   if (any(bare)) {
     k <- which(bare)[1]
     size <- format(leaves$value[[k]])
-    said <- sprintf("%s Note that `%s` is %s without a unit, which is %s m; is it %s mm?", said,
+    said <- sprintf("%s Note: `%s` is %s without a unit, which means %s m. Is it %s mm?", said,
       leaves$path[k], size, size, size)
     path <- leaves$path[k]
   }

@@ -1,4 +1,4 @@
-# Made once, when the package is installed: of the files of plans this one is read last.
+# Runs once, when the package is installed. The name makes this the last plan file in loading order.
 for (kind in names(compiled <- compile_schema())) {
   assign(paste0("plan_kind_", kind), compiled[[kind]])
 }
