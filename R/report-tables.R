@@ -1,12 +1,12 @@
-# The tables of a report: columns of text by heading. Headings of words begin with a space.
+# The tables of a report: columns of strings by heading. Headings of text columns begin with a
+# space.
 
-# A force in tonnes-force, of kN.
 tonnes_force <- function(kilonewtons) kilonewtons / 9.80665
 
-# A column of numbers with as many decimals as its largest needs for four figures.
+# The largest number of the column determines its decimals.
 column_numbers <- function(x) trimws(column_figures(x))
 
-# Single numbers to four figures, their thousands apart.
+# Returns numbers with four digits and separated thousands.
 single_numbers <- function(x) {
   text <- figures(x)
   large <- !is.na(x) & abs(x) >= 1e4
@@ -18,14 +18,14 @@ big_number <- function(x) format(x, big.mark = ",", trim = TRUE, scientific = FA
 
 one_decimal <- function(x) ifelse(is.finite(x), formatC(x, format = "f", digits = 1), "")
 
-# Parts of one role together, in the order of the plan.
+# Groups parts of one role, in the order of the plan.
 groups_in_order <- function(table) {
   groups <- by_role(table)
   groups[order(vapply(groups, function(g) match(g$part[1L], table$part), 0L))]
 }
 
 measures_columns <- function(measures) {
-  said <- measure_words(measures)
+  said <- measure_labels(measures)
   measures <- plain_measures(measures)
   force <- ifelse(said$unit == "kN", figures(tonnes_force(measures)), "")
   columns <- list(` measure` = said$words, value = single_numbers(measures), ` unit` = said$unit,
@@ -33,11 +33,11 @@ measures_columns <- function(measures) {
   columns[c(TRUE, TRUE, TRUE, any(nzchar(said$error)), any(nzchar(force)))]
 }
 
-# Measures that a report tells the slopes of.
+# Largest number of measures in the table of sensitivities.
 reported_slopes <- 6L
 
-# A row per field, a column per measure: what 10 % or ten more of the field changes.
-slope_columns <- function(slopes) {
+# A row per field and a column per measure: the change for 10 % more of a field, or for ten more.
+sensitivity_columns <- function(slopes) {
   fields <- unique(slopes$field)
   first <- slopes[match(fields, slopes$field), ]
   counted <- grepl("[.]number$", fields)
@@ -47,13 +47,13 @@ slope_columns <- function(slopes) {
   unit <- attr(slopes, "measure_unit")[names]
   columns <- lapply(names, function(name) {
     rows <- slopes[slopes$measure == name, ]
-    change <- figures(rows$slope[match(fields, rows$field)] * more)
+    change <- figures(rows$derivative[match(fields, rows$field)] * more)
     smooth <- rows$smooth[match(fields, rows$field)]
     ifelse(smooth | !nzchar(change), change, paste0("(", change, ")"))
   })
   c(
     list(` field` = fields, ` more` = trimws(paste0("+", figures(more), " ", first$unit))),
-    stats::setNames(columns, paste(words_of(names, unit), unit))
+    stats::setNames(columns, paste(label_of(names, unit), unit))
   )
 }
 
@@ -63,7 +63,7 @@ uncertainty_columns <- function(uncertainty) {
   ends <- lapply(table[c("low", "high")], interval_ends, table$uncertainty)
   interval <- paste(ends$low, "to", ends$high)
   c(
-    list(` measure` = words_of(table$measure, table$unit), value = figures(table$value),
+    list(` measure` = label_of(table$measure, table$unit), value = figures(table$value),
       ` unit` = table$unit),
     setNames(list(interval), sprintf("%g %% interval", 100 * uncertainty$level)),
     list("standard uncer\u00adtainty" = vapply(signif(table$uncertainty, 2), format, "",
@@ -71,7 +71,7 @@ uncertainty_columns <- function(uncertainty) {
   )
 }
 
-# Of every measure where its uncertainty comes from, in percent of the variance.
+# Returns the contribution of each group of sources to the variance of a measure [%].
 budget_columns <- function(uncertainty) {
   table <- uncertainty$measures
   table <- table[table$uncertainty > 0, ]
@@ -79,22 +79,22 @@ budget_columns <- function(uncertainty) {
   columns <- lapply(names(group_words), function(group) {
     ifelse(percent[, group] > 0, percent[, group], "")
   })
-  # heads break where the page is narrow
+  # soft hyphens: headings break on a narrow page
   heads <- c("coeffi\u00adcients", "plan", "condi\u00adtions", "discreti\u00adsation", "model")
-  c(list(` measure` = words_of(table$measure, table$unit)), setNames(columns, heads))
+  c(list(` measure` = label_of(table$measure, table$unit)), setNames(columns, heads))
 }
 
 trajectory_columns <- function(table) {
-  at <- function(value, time) paste0(figures(value), " at ", vapply(time, time_words, "",
+  at <- function(value, time) paste0(figures(value), " at ", vapply(time, time_text, "",
     last = max(table$greatest_at_s, table$least_at_s)))
   list(
-    ` measure` = words_of(table$measure, table$unit), ` unit` = table$unit,
+    ` measure` = label_of(table$measure, table$unit), ` unit` = table$unit,
     start = figures(table$start), end = figures(table$end),
     least = at(table$least, table$least_at_s), greatest = at(table$greatest, table$greatest_at_s)
   )
 }
 
-# Ropes of one role together, by the one that bears most.
+# A row per role of ropes: the rope with the largest tension.
 rope_columns <- function(ropes) {
   groups <- by_role(ropes)
   highest <- do.call(rbind, lapply(groups, function(g) g[which.max(g$max_kN), ]))
@@ -139,7 +139,7 @@ drag_columns <- function(totals, names) {
   )
 }
 
-# Groups of parts that a report lists by their drag.
+# Largest number of groups in the table of drag by part.
 reported_parts <- 15L
 
 drag_part_columns <- function(drag, totals) {
@@ -174,7 +174,7 @@ axis_columns <- function(table, name) {
   )
 }
 
-# What remains is tiny beside the forces: in powers of ten.
+# The remainder is much smaller than the forces, so it has scientific notation.
 balance_columns <- function(balance) {
   columns <- axis_columns(balance, "force")
   names(columns)[1L] <- " force"
@@ -214,8 +214,8 @@ conditions_section <- function(state) {
       "none"
     },
     "Waves" = if (!is.null(si$water$waves)) {
-      paste0(wave_words(si$water$waves),
-        if (is.null(state$time)) "; this is their mean, in still water")
+      paste0(wave_text(si$water$waves),
+        if (is.null(state$time)) "; the results are the mean, in still water")
     },
     "Sea bed" = if (!is.null(ground)) {
       sprintf("at a depth of %s m, coefficient of friction %s", short_number(ground$depth),

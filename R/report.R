@@ -1,47 +1,53 @@
-# A state or a trajectory as one page to read, print and pass on.
-
 #' Write a report
 #'
-#' One HTML page for a skipper or an appendix: the plan of the gear drawn flat
-#' ([plot.codend_gear()]), the conditions, the measures, warnings ([findings()]), the
-#' gear from above, from the side and from astern and in three dimensions, the tensions by rope with
-#' what is left to the breaking load, the drag by component, slack netting, how well the forces
-#' balance and how the solver ended, the versions of the programs, and the exact plan to copy. That
-#' of a trajectory has the measures against time and the motion in three dimensions in place of the
-#' shapes and forces.
+#' Writes one HTML page about a state or a tow, for a skipper or an appendix. The page needs no
+#' network, and the browser prints it to paper or PDF.
 #'
-#' The file holds all that it needs and uses no network. It prints to paper or PDF from
-#' the browser, the plan drawing on a page of its own on its side. The same state gives the same
-#' file in every new session. Numbers are rounded to four figures; forces are also given in
-#' tonnes-force (9.80665 kN).
+#' @section Contents:
+#' The report of a state has
 #'
-#' @param state A state, from [settle()], or a trajectory, from [tow()].
-#' @param file The HTML file to write. It is written whole or not at all.
-#' @param slopes What more of each field would do: sensitivities of the state's measures, from
-#'   [sensitivities()], as a table next to the measures; `NULL` for none.
-#' @param uncertainty How far the measures may be from the truth, from [uncertainty()], as a table
-#'   after the measures; `NULL` for none.
+#' - the plan drawing ([plot.codend_gear()]), the conditions, the measures and warnings
+#'   ([findings()]);
+#' - the gear from above, from the side and from astern, and in three dimensions;
+#' - tensions of ropes with the margin to the breaking load, drag by component, and slack netting;
+#' - the force balance and the convergence of the solver;
+#' - the versions of the programs, and the exact plan to copy.
+#'
+#' The report of a trajectory has measures against time and the motion in three dimensions instead
+#' of shapes and forces.
+#'
+#' @section Format:
+#' - Numbers have four digits. Forces are also in tonnes-force (9.80665 kN).
+#' - The plan drawing is printed on a separate landscape page.
+#' - The same state gives the same file in every new session.
+#'
+#' @param state A state from [settle()], or a trajectory from [tow()].
+#' @param file The HTML file to write. It is written atomically.
+#' @param sensitivities `NULL` (default), or the result of [sensitivities()] for the state,
+#'   for a table after the measures.
+#' @param uncertainty `NULL` (default), or the uncertainty of the measures from [uncertainty()], for
+#'   a table after the measures.
 #' @return `file`, invisibly. See [codend-conditions] for errors.
-#' @seealso [view_3d()] for the three dimensions alone, [summary()][summary.codend_state] for the
-#'   numbers.
+#' @seealso [view_3d()] for the three-dimensional view alone, [summary()][summary.codend_state] for
+#'   the numbers, [share()] for a page with sliders.
 #' @examples
 #' file <- tempfile(fileext = ".html")
-#' report(settle("towed_cable"), file)
+#' report(settle("beam_trawl", nodes = 300), file)
 #' @export
-report <- function(state, file, slopes = NULL, uncertainty = NULL) {
+report <- function(state, file, sensitivities = NULL, uncertainty = NULL) {
   check_given("state", "file")
   moves <- inherits(state, "codend_trajectory")
   if (!moves) check_is_state(state)
   check_file_path(file, ".html")
-  if (!is.null(slopes) && (moves || !inherits(slopes, "codend_sensitivities"))) {
-    abort_argument("{.arg slopes} must be what {.fn sensitivities} returns, of a settled state.")
+  if (!is.null(sensitivities) && (moves || !inherits(sensitivities, "codend_sensitivities"))) {
+    abort_argument("{.arg sensitivities} must be a result of {.fn sensitivities} for a state.")
   }
   if (!is.null(uncertainty) && moves) {
-    abort_argument("{.arg uncertainty} is of a settled state, not of a tow.")
+    abort_argument("{.arg uncertainty} needs a settled state, not a tow.")
   }
   check_is_uncertainty(uncertainty)
   body <- with_plain_numbers(if (moves) trajectory_report(state) else {
-    state_report(state, slopes, uncertainty)
+    state_report(state, sensitivities, uncertainty)
   })
   write_file(file, function(path) {
     write_single_page(path, paste("Report:", state$gear$plan$name), body,
@@ -52,19 +58,19 @@ report <- function(state, file, slopes = NULL, uncertainty = NULL) {
 
 tag <- htmltools::tags
 
-state_report <- function(state, slopes = NULL, uncertainty = NULL) {
+state_report <- function(state, sensitivities = NULL, uncertainty = NULL) {
   said <- summary(state)
   tag$main(
     report_header(state, paste0(said$conditions, ".")),
     if (!state$report$converged) {
-      tag$p(class = "warning", "The solver did not settle this gear: the numbers are those of its
-        last step, not of an equilibrium.")
+      tag$p(class = "warning", "The solver did not settle this gear: the numbers belong to the last
+        iteration and are not an equilibrium.")
     },
     report_section("Measures", report_table(measures_columns(said$measures),
-      paste("What was measured; forces also in tonnes-force. Computed to: the computer's own error",
-        "(discretisation) alone.")), measure_terms(said$measures)),
+      paste("Measures of the gear; forces also in tonnes-force. 'Computed to' is only the",
+        "discretisation error.")), measure_terms(said$measures)),
     uncertainty_section(uncertainty),
-    slope_section(slopes),
+    sensitivity_section(sensitivities),
     finding_section(said$findings),
     conditions_section(state),
     plan_section(state$gear),
@@ -81,18 +87,18 @@ state_report <- function(state, slopes = NULL, uncertainty = NULL) {
 trajectory_report <- function(trajectory) {
   start <- state_at(trajectory, trajectory$time[1L])
   last <- max(trajectory$time)
-  words <- sprintf("Towed for %s, %d states kept%s.", time_words(last, last),
+  words <- sprintf("Towed for %s, %d states saved%s.", time_text(last, last),
     length(trajectory$time),
     if (trajectory$end == "interrupted") "; interrupted by the user" else "")
   tag$main(
     report_header(trajectory, words),
     report_section("Measures against time",
       report_figure(picture_address(trajectory), paste(
-        "Curves of the schedule and of every measure of the gear against time; the table below",
-        "gives their ends and extremes."
+        "Curves of the schedule and all measures against time. The table below gives the first and",
+        "last values and the extremes."
       )),
       report_table(trajectory_columns(summary(trajectory)), paste(
-        "Measures at the start and the end of the tow, and their extremes with the times of these."
+        "Measures at the start and the end of the tow, and the extremes with their times."
       ))
     ),
     report_section("The gear in motion", report_scene(trajectory, paste(
@@ -117,20 +123,20 @@ report_header <- function(of, words) {
   )
 }
 
-# What the kinds of measures in a report are, to open and read.
+# Returns the definitions of the measures in a report, which the reader can open.
 measure_terms <- function(measures) {
   kind <- attr(measures, "kind")
   first <- !duplicated(kind)
   kinds <- all_kinds()[kind]
-  text <- measure_texts(kinds)
-  sensor <- measure_texts(kinds, "sensor")
+  text <- measure_strings(kinds)
+  sensor <- measure_strings(kinds, "sensor")
   terms <- lapply(which(first), function(k) {
     list(
       tag$dt(gsub("_", " ", kind[[k]])), tag$dd(text[k]),
       if (!is.na(sensor[k])) tag$dd(paste("Sensor:", sensor[k]))
     )
   })
-  tag$details(tag$summary("What these measures are"), tag$dl(terms),
+  tag$details(tag$summary("Definitions of these measures"), tag$dl(terms),
     tag$p("In pictures: ", tag$code("vignette(\"measures\", \"codend\")"), "."))
 }
 
@@ -139,8 +145,7 @@ report_section <- function(title, ..., class = NULL) {
   tag$section(class = class, `aria-labelledby` = id, tag$h2(id = id, title), ...)
 }
 
-# columns: a named list of texts; those whose names begin with a space hold words, the others
-# numbers.
+# columns: a named list of strings. A name that begins with a space marks text, any other numbers.
 report_table <- function(columns, caption) {
   if (!length(columns[[1L]])) return(NULL)
   caption <- gsub("\\s+", " ", caption)
@@ -158,17 +163,17 @@ report_table <- function(columns, caption) {
   head <- lapply(seq_along(heads), function(c) {
     tag$th(scope = "col", class = if (!words[c]) "number", heads[c])
   })
-  # A wide table scrolls sideways, also by keyboard.
+  # a wide table scrolls sideways, also by keyboard
   tag$div(class = "table", tabindex = "0", role = "region", `aria-label` = caption,
     tag$table(tag$caption(caption), tag$thead(do.call(tag$tr, head)), do.call(tag$tbody, rows)))
 }
 
-# A picture (its address) with what it shows in words.
+# address: URL of a picture; words: its description.
 report_figure <- function(address, words) {
   tag$figure(tag$div(class = "picture", tag$img(src = address, alt = words)))
 }
 
-# The gear in three dimensions; of: a state or a trajectory.
+# of: a state or a trajectory.
 report_scene <- function(of, words) {
   widget <- viewer_widget(viewed_scene(of), "gear", title = FALSE)
   widget$width <- "100%"
@@ -181,38 +186,38 @@ report_scene <- function(of, words) {
   )
 }
 
-# Of a tow, what is worth a look at its start.
+# For a tow, `found` has the findings at its start.
 finding_section <- function(found) {
   if (!nrow(found)) return(NULL)
-  columns <- list(` where` = found$place, ` what` = found$words, ` to try` = found$advice)
+  columns <- list(` where` = found$location, ` what` = found$message, ` to try` = found$advice)
   report_section("Warnings",
-    report_table(columns, "What lies outside what practice and tests know, and what to try."))
+    report_table(columns, "Properties outside usual or tested ranges, and possible changes."))
 }
 
-slope_section <- function(slopes) {
-  if (is.null(slopes)) return(NULL)
-  report_section("What more would do", report_table(slope_columns(slopes), "Changes of measures by
-    10 % more of a field, or ten more of what is counted, as far as the sensitivity at this state
-    holds. In brackets where it is not smooth: netting goes slack, ropes touch the sea bed."))
+sensitivity_section <- function(sensitivities) {
+  if (is.null(sensitivities)) return(NULL)
+  report_section("Sensitivities", report_table(sensitivity_columns(sensitivities), "Linear
+    estimate of the change of each measure if a field increases by 10 % (counts: by 10). Values in
+    brackets are not smooth: netting goes slack or ropes touch the sea bed."))
 }
 
 uncertainty_section <- function(uncertainty) {
   if (is.null(uncertainty)) return(NULL)
-  report_section("How sure these numbers are",
-    report_table(uncertainty_columns(uncertainty), sprintf("The truth lies in the interval with a
-      probability of %g %%. The standard uncertainty is one standard deviation.",
+  report_section("Uncertainty of the results",
+    report_table(uncertainty_columns(uncertainty), sprintf("The interval contains the true value
+      with a probability of %g %%. The standard uncertainty is one standard deviation.",
       100 * uncertainty$level)),
-    report_table(budget_columns(uncertainty), "Where the uncertainty comes from, in percent of its
-      variance: coefficients of force, numbers of the plan, conditions, discretisation (the
-      computer's own error), and what no number of the plan covers (model)."))
+    report_table(budget_columns(uncertainty), "Sources of the uncertainty in percent of the
+      variance: force coefficients, numbers of the plan, conditions, discretisation, and other
+      errors of the model."))
 }
 
 plan_section <- function(gear) {
   report_section("Plan of the gear", class = "plan", report_figure(
     picture_address(gear),
     paste(
-      "Plan drawing: the netting laid flat with meshes, mesh size, twine and cutting rates, the",
-      "rigging, and lists of ropes and pieces. All of it is given as text in the exact plan below."
+      "Plan drawing: flat netting with meshes, mesh size, twine and cutting rates, the rigging,",
+      "and lists of ropes and pieces. The exact plan below has the same data as text."
     )
   ))
 }
@@ -221,13 +226,13 @@ shape_section <- function(state) {
   report_section("Shape",
     report_figure(picture_address(state), paste(
       "The gear from above, from the port side and from astern, to scale, coloured by tension.",
-      "Its main dimensions are among the measures."
+      "The measures include the main dimensions."
     )),
     report_scene(state, "The gear in three dimensions, coloured by tension.")
   )
 }
 
-# The picture of a gear, a state or a trajectory as the address of its own contents.
+# Returns the plot of a gear, a state or a trajectory as a data URL.
 picture_address <- function(x) {
   file <- tempfile(fileext = ".png")
   on.exit(unlink(file))
@@ -241,12 +246,12 @@ tension_section <- function(said) {
   netting <- said$tensions[said$tensions$kind == "netting", ]
   if (!nrow(said$tensions)) return(NULL)
   report_section("Tensions",
-    if (nrow(ropes)) report_table(rope_columns(ropes), "Ropes, the highest tension first: largest
-      tension (in kilonewtons and tonnes-force), mean tension, the breaking load of the material or
-      plan, and how many times the largest tension goes into it."),
+    if (nrow(ropes)) report_table(rope_columns(ropes), "Ropes by tension: largest
+      tension (in kilonewtons and tonnes-force), mean tension, breaking load of the material or
+      plan, and breaking load over largest tension."),
     if (nrow(netting)) report_table(netting_columns(netting, said$slack), "Netting by part: mean
-      tension of one twine (of both where the twine is double), that which 1 % of the twine exceeds,
-      and the share of the twine that hangs slack.")
+      tension of one twine (of both twines if double), the tension that 1 % of the twine exceeds,
+      and the percentage of slack twine.")
   )
 }
 
@@ -254,15 +259,15 @@ drag_section <- function(said) {
   tangential <- said$tangential
   report_section("Drag",
     report_table(drag_columns(said$drag_totals, said$drag_totals$group), paste(
-      "Forces of the water by group: drag along the flow with its share, side force to starboard,",
-      "lift upwards; and weight in water."
+      "Hydrodynamic forces by group: drag along the flow with its percentage, side force to",
+      "starboard, lift upwards, and weight in water."
     )),
     report_table(
       drag_part_columns(said$drag, said$drag_totals), "The parts with the largest drag."
     ),
     if (!is.null(tangential)) tag$p(sprintf(
-      "With all coefficients along twines and ropes halved the total drag would be %s kN at this
-      shape, and doubled %s kN: they are known worst.",
+      "With all tangential coefficients halved, the total drag at this shape would be %s kN; with
+      all doubled, %s kN. These coefficients are the least certain.",
       figures(tangential$halved), figures(tangential$doubled)
     ))
   )
@@ -271,8 +276,8 @@ drag_section <- function(said) {
 board_section <- function(boards) {
   if (!nrow(boards)) return(NULL)
   report_section("Otter boards and kites", report_table(board_columns(boards), paste(
-    "Free otter boards and kites in the flow: angle of attack and that of their largest lift, heel",
-    "(positive outward; of a kite where its starboard end is high) and trim."
+    "Free otter boards and kites: angle of attack, angle of largest lift, heel (positive outward;",
+    "for kites: positive if the starboard end is high) and trim."
   )))
 }
 
@@ -280,14 +285,14 @@ balance_section <- function(said) {
   report <- said$report
   report_section("Solution and force balance",
     tag$p(sprintf(
-      "%s nodes, %s bars and %s netting cells. %s in %d steps; the largest net force left on a
+      "%s nodes, %s bars and %s netting cells. %s in %d iterations; the largest residual force on a
       node is %s of the largest tension.",
       big_number(report$nodes), big_number(report$bars), big_number(report$cells),
       if (report$converged) "Settled" else "Not settled", report$iterations,
       format(report$residual, digits = 2)
     )),
-    report_table(balance_columns(said$balance), "Sums of all forces on the gear; what remains is the
-      solver's error."),
+    report_table(balance_columns(said$balance), "Sums of all forces on the gear; the remainder is
+      the residual of the solver."),
     report_table(reaction_columns(said$reactions), "Force of every support on the gear.")
   )
 }
@@ -301,8 +306,8 @@ version_section <- function() {
 
 exact_plan_section <- function(gear) {
   report_section("Exact plan", class = "exact",
-    tag$p("Everything above follows from this plan. Save it as a file ending in .yaml, which
-      read_gear() and codend settle read."),
+    tag$p("All results above follow from this plan. Save it as a .yaml file to use it with
+      read_gear() or codend settle."),
     tag$button(type = "button", class = "copy", `data-copies` = "plan-text", "Copy the plan"),
     tag$span(class = "copied", role = "status", `aria-live` = "polite"),
     tag$pre(id = "plan-text", tabindex = "0", `aria-label` = "The plan as YAML", format(gear))

@@ -1,24 +1,37 @@
-#' Summary of a gear
+#' Summarise a gear
 #'
-#' What a gear is made of, by its plan alone: lengths, masses and weights in water of its netting,
-#' ropes, otter boards and fittings.
+#' Lists lengths, masses and weights in water of a gear's netting, ropes, otter boards and fittings.
+#' Only the plan is needed; the gear is not settled.
 #'
 #' @param object A gear, from [read_gear()] or the constructors.
 #' @param ... Not used.
 #' @return A list of class `codend_gear_summary`:
 #'
-#'   - `name`, `kind` and `conditions` (text);
-#'   - `parts`: data frame with a row per role of ropes and pieces and per part of the net: `group`
-#'     (`netting`, `ropes`, `otter boards`, `fittings`), `part`, `number` (of panels, ropes or
-#'     pieces), `length_m` (of ropes, or of twine), `mass_kg` (in air) and `weight_in_water_kN`
-#'     (negative where it floats);
-#'   - `totals`: the same by `group`, and their sum;
-#'   - `netting`: data frame with a row per panel: `panel`, `part`, `material` (`""` where the plan
-#'     gives numbers instead), `mesh_size_mm`, `twine_mm`, `twines` (2 where each bar is double),
-#'     `meshes` (about how many), `knots`, `twine_m` (in bars and knots, of one twine; see
-#'     [netting]), `in_knots_percent` (share of that in knots), `twine_area_m2` (projected area of
-#'     bars, diameter times length), `mass_kg` and `weight_in_water_kN`;
+#'   - `name`, `kind` and `conditions` (strings);
+#'   - `parts`: data frame, one row per role of ropes and pieces and per part of the net (see
+#'     below);
+#'   - `totals`: the masses and weights by `group`, and their sum;
+#'   - `netting`: data frame, one row per panel (see below);
 #'   - `findings`: warnings about the plan ([findings()]).
+#'
+#' @section Columns of `parts`:
+#' - `group`: `netting`, `ropes`, `otter boards` or `fittings`; `part`;
+#' - `number` of panels, ropes or pieces;
+#' - `length_m` of ropes or twine;
+#' - `mass_kg`, in air;
+#' - `weight_in_water_kN`, negative for parts that float.
+#'
+#' @section Columns of `netting`:
+#' - `panel`, `part` and `material` (`""` if the plan gives numbers instead);
+#' - `mesh_size_mm`, `twine_mm`, and `twines` (2 for double twine);
+#' - `meshes` (approximate number) and `knots`;
+#' - `twine_m`: length of twine in bars and knots, counted per single twine (see [netting]);
+#' - `in_knots_percent`: percentage of this length in knots;
+#' - `twine_area_m2`: projected area of the bars, diameter times length;
+#' - `mass_kg` and `weight_in_water_kN`.
+#'
+#' @seealso [findings()], [summary()][summary.codend_state] for a settled gear,
+#'   [plot()][plot.codend_gear] for a drawing.
 #' @examples
 #' summary(read_gear("midwater_trawl"))
 #' found <- summary(read_gear("t90_codend"))
@@ -38,7 +51,8 @@ summary.codend_gear <- function(object, ...) {
   )
 }
 
-# A row per part of the net and per role of ropes and pieces. netting: netting_table().
+# Returns the table of parts: one row per part of the net and per role of ropes and pieces. netting:
+# result of `netting_table()`.
 gear_parts <- function(si, netting) {
   named <- function(role, name) ifelse(is.na(role) | !nzchar(role), name, gsub("_", " ", role))
   rows <- function(group, part, number, length, mass, weight) {

@@ -1,7 +1,5 @@
-# The netting of a gear panel by panel: twine, knots, weight.
-
-# A row per panel of a gear in SI: what it is made of, and how much twine it takes, knots
-# included. Its columns are in the help of summary.codend_gear().
+# Returns material, size and twine (knots included) of a gear's panels, one row per panel. The help
+# of `summary.codend_gear()` describes the columns. si: the gear in SI units.
 netting_table <- function(si) {
   panels <- si$panels
   number <- function(value) vapply(panels, value, 0, USE.NAMES = FALSE)

@@ -1,11 +1,9 @@
-# How states show themselves as text: numbers to four figures, columns aligned.
-
-# What the gear is in: "Towed at 2.315 m/s (4.5 knot) in water of 1025 kg/m3, current 0.5 m/s".
+# Returns a text such as "Towed at 2.315 m/s (4.5 knot) in water of 1025 kg/m3, current 0.5 m/s".
 conditions_text <- function(si) {
   plain <- function(x) with_plain_numbers(format(x))
   short <- function(x) plain(signif(x, 4))
   water <- if (si$water$density == 0) {
-    "in no water"
+    "without water"
   } else {
     paste("in water of", short(si$water$density), "kg/m3")
   }
@@ -21,19 +19,19 @@ conditions_text <- function(si) {
 }
 
 size_text <- function(state) {
-  e <- state$lattice$mesh
+  e <- state$mesh$model
   sprintf("%d nodes, %d bars, %d netting cells", e$nodes, length(e$bars$rest),
     length(e$cells$rest))
 }
 
 measure_text <- function(measures) {
-  said <- measure_words(measures)
+  said <- measure_labels(measures)
   trimws(paste(said$words, figures(plain_measures(measures)), said$unit,
     computed_to(said$error)))
 }
 
-# How accurate the lattice makes the main measures, and what to do where that is little; NULL where
-# it is not known. report: a summary's.
+# Returns the estimated error of the main measures with advice if it is large, NULL if it is
+# unknown. report: from a summary.
 accuracy_line <- function(measures, report) {
   error <- main_error(measures)
   if (!is.finite(error)) return(NULL)
@@ -41,23 +39,22 @@ accuracy_line <- function(measures, report) {
   said <- paste0(
     "Discretisation error of drag, spreads, heights, areas and volumes about ",
     percent_text(error), if (!is.null(aimed)) sprintf(" (target %s)", percent_text(aimed)),
-    aim_text(error, report$nodes), few_nodes_text(measures, report$nodes)
+    accuracy_advice(error, report$nodes), few_nodes_text(measures, report$nodes)
   )
   strwrap(said, width = 98, indent = 2, exdent = 4)
 }
 
-# Nodes of a gear with netting below which estimated errors may be far too small: of 5,530 measures
-# on lattices of 300 and 500 nodes 95 were more than five times off, of 2,783 with 1,500 nodes one
-# (bench/results/errors.md).
+# Number of nodes of a gear with netting below which estimated errors may be far too small. With 300
+# and 500 nodes, 95 of 5,530 estimates were more than five times too small. With 1,500 nodes it was
+# 1 of 2,783 (bench/results/errors.md).
 sure_nodes <- 1000
 
 few_nodes_text <- function(measures, nodes) {
   if (nodes >= sure_nodes || !"slack_netting_percent" %in% names(measures)) return("")
-  paste0(". With so few nodes 1 estimated error in 60 is less than a fifth of the true one: ",
+  paste0(". With so few nodes, 1 of 60 error estimates is over five times too small: use ",
     "settle(nodes = 1500)")
 }
 
-# aimed: the share that settle() aimed at, or NULL.
 within_text <- function(measures, aimed = NULL) {
   error <- main_error(measures)
   if (!is.finite(error)) return(NULL)
@@ -66,8 +63,8 @@ within_text <- function(measures, aimed = NULL) {
   sprintf("; main measures: target %s, reached %s", percent_text(aimed), reached)
 }
 
-# Where what is aimed at is missed, what gives it.
-aim_text <- function(error, nodes) {
+# If the target accuracy was missed: advice with the node count that would reach it.
+accuracy_advice <- function(error, nodes) {
   if (!is.finite(error) || error <= usual_accuracy) return("")
   aim <- percent_text(usual_accuracy)
   wanted <- nodes_for(nodes, error, usual_accuracy)
@@ -93,7 +90,7 @@ print.codend_state <- function(x, ...) {
     paste0("  ", size_text(x), within_text(found, x$report$accuracy_aimed_at)),
     paste0("  ", measure_text(found[shown])),
     paste0("  More: summary(), as.data.frame(), plot(), view_3d()",
-      aim_text(main_error(found), x$lattice$nodes)),
+      accuracy_advice(main_error(found), x$mesh$nodes)),
     sep = "\n"
   ))
   cat("\n")

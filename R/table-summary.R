@@ -1,41 +1,51 @@
-#' Summary of a state
+#' Summarise a state
 #'
-#' The measures of a settled gear, its drag by component, the highest tensions, how much of its
-#' netting is slack, and how well all forces balance.
+#' Lists the measures of a settled gear, its drag by component, the highest tensions, slack netting
+#' and the balance of all forces.
 #'
 #' @param object A state, from [settle()].
-#' @param uncertainty What `uncertainty()` found of it, to be shown with the measures; `NULL` for
-#' the
-#'   estimated discretisation error alone.
+#' @param uncertainty Result of [uncertainty()] to show with the measures. `NULL` (default) shows
+#'   only the estimated discretisation error.
 #' @param ... Not used.
 #' @return A list of class `codend_summary`:
 #'
-#'   - `name` and `conditions` (text);
+#'   - `name` and `conditions` (strings);
 #'   - `measures`: named numbers ([measures()]);
 #'   - `findings`: warnings ([findings()]);
-#'   - `drag`: data frame by part (see [as.data.frame.codend_state()]) and `drag_totals`, the same
-#'     by `group` (netting, ropes, otter boards, catch, fittings, total);
-#'   - `tangential`: total drag (kN) with the tangential and skin coefficients of all twines and
-#'     ropes `halved`, as `settled` and `doubled`, evaluated at the settled shape. They are the
-#'     largest uncertainty of a trawl's drag: published values differ by factors. With other
-#'     coefficients the gear would settle into another shape, which is not computed;
-#'   - `tensions`: data frame by rope and panel, of one line: `max_kN`, `most_loaded_kN` (mean over
-#'     the tenth of its length that is loaded most) and `mean_kN`; `strength_kN` (breaking load) and
-#'     `strength_percent` (largest tension as a share of it), `NA` where no breaking load is known.
-#'     Where a point pulls at netting, `max_kN` grows as the netting is divided more finely;
-#'   - `slack`: data frame by panel: `twine_m` (length of twine) and `slack_percent` (share of it
-#'     that carries no tension);
+#'   - `drag`: data frame by part (see [as.data.frame.codend_state()]);
+#'   - `drag_totals`: the same by `group` (netting, ropes, otter boards, catch, fittings, total);
+#'   - `tangential`: sensitivity of total drag, see below;
+#'   - `tensions`: data frame by rope and panel, see below;
+#'   - `slack`: data frame by panel: `twine_m` (length of twine) and `slack_percent` (percentage
+#'     without tension);
 #'   - `boards`: data frame by free otter board ([as.data.frame()][as.data.frame.codend_state]);
-#'   - `reactions`: data frame by support; `balance`: data frame of the sums of `reactions`,
-#'     `hydrodynamic` forces, `weight_in_water` and `loads`, and their `remainder`, kN;
+#'   - `reactions`: data frame by support;
+#'   - `balance`: data frame of the sums of `reactions`, `hydrodynamic` forces, `weight_in_water`
+#'     and `loads`, and their `remainder`, kN;
 #'   - `report`: the solver's report, with `nodes`, `bars` and `cells`;
-#'   - `uncertainty`: as given, where it is.
+#'   - `uncertainty`: the argument, if given.
+#'
+#' @section Tangential drag:
+#' `tangential` is total drag (kN) with the tangential and skin coefficients of all twines and ropes
+#' `halved`, as `settled` and `doubled`. These coefficients are the largest uncertainty of a trawl's
+#' drag, because published values differ by factors. The drag is evaluated at the settled shape,
+#' although other coefficients would change the shape.
+#'
+#' @section Tensions:
+#' The values are for one line:
+#'
+#' - `max_kN`, `mean_kN`, and `most_loaded_kN`, the mean over the most loaded tenth of its length.
+#'   At a point load on netting, `max_kN` grows with mesh refinement;
+#' - `strength_kN`: breaking load; `strength_percent`: largest tension as a percentage of the
+#'   breaking load. Both are `NA` if the breaking load is unknown.
+#'
+#' @seealso [settle()], [measures()], [findings()], [uncertainty()]; [report()] for a page to print.
 #' @examples
 #' summary(settle("towed_cable"))
 #' @export
 summary.codend_state <- function(object, uncertainty = NULL, ...) {
   check_is_uncertainty(uncertainty)
-  mesh <- object$lattice$mesh
+  model <- object$mesh$model
   drag <- drag_table(object)
   structure(
     c(list(
@@ -47,8 +57,8 @@ summary.codend_state <- function(object, uncertainty = NULL, ...) {
       boards = board_table(object), reactions = reaction_table(object),
       balance = balance_table(object),
       report = c(object$report, list(
-        nodes = mesh$nodes, bars = length(mesh$bars$rest),
-        cells = length(mesh$cells$rest)
+        nodes = model$nodes, bars = length(model$bars$rest),
+        cells = length(model$cells$rest)
       ))
     ), if (!is.null(uncertainty)) list(uncertainty = uncertainty)),
     class = "codend_summary"
@@ -69,7 +79,7 @@ summary_lines <- function(x) {
   c(
     bold(x$name), x$conditions,
     section("Measures", c(measure_lines(x$measures), accuracy_line(x$measures, x$report))),
-    section("Uncertainty: the interval that holds the truth, and its sources, % of variance",
+    section("Uncertainty: interval of the true value, and sources in % of the variance",
       if (!is.null(x$uncertainty)) format(x$uncertainty)),
     section("Warnings", finding_lines(x$findings)),
     section("Drag by component", drag_lines(x$drag_totals)),
@@ -87,15 +97,14 @@ summary_lines <- function(x) {
 
 check_is_uncertainty <- function(uncertainty) {
   if (!is.null(uncertainty) && !inherits(uncertainty, "codend_uncertainty")) {
-    abort_argument("{.arg uncertainty} must be what {.fn uncertainty} returns.")
+    abort_argument("{.arg uncertainty} must be a result of {.fn uncertainty}.")
   }
 }
 
-# How many groups of parts a section lists.
 listed_parts <- 6L
 
 measure_lines <- function(measures) {
-  said <- measure_words(measures)
+  said <- measure_labels(measures)
   values <- align_points(figures(plain_measures(measures)))
   align_columns(list(said$words, values, said$unit, computed_to(said$error)),
     left = c(1L, 3L, 4L))
@@ -118,7 +127,7 @@ drag_lines <- function(totals) {
   ))
 }
 
-# Parts of one role together: data frames of a table's rows, named "warp, 2 ropes" or "cable".
+# Groups a table by role, with names such as "warp, 2 ropes" or "cable".
 by_role <- function(table) {
   name <- ifelse(is.na(table$role), table$part, gsub("_", " ", table$role))
   groups <- split(table, paste(table$kind, name))
@@ -130,7 +139,6 @@ by_role <- function(table) {
   }, ""))
 }
 
-# The groups with the largest values: list(groups, values).
 largest_groups <- function(table, value) {
   groups <- by_role(table)
   values <- vapply(groups, value, 0)
@@ -177,7 +185,7 @@ slack_lines <- function(slack) {
   c(
     paste(
       " ", percent(share(slack)),
-      "of all twine carries no tension: there the netting hangs loose and may move."
+      "of all twine carries no tension; slack netting may move."
     ),
     align_columns(list(names(most$groups), percent(most$values)))
   )
@@ -200,7 +208,7 @@ report_lines <- function(report) {
     sprintf("  %d nodes, %d bars, %d netting cells", report$nodes, report$bars,
       report$cells),
     sprintf(
-      "  %s in %d steps: largest net force on a node %.1e of the largest tension; %.2f CPU seconds",
+      "  %s in %d iterations: largest residual force %.1e of the largest tension; %.2f CPU seconds",
       if (report$converged) "Settled" else "Not settled", report$iterations, report$residual,
       report$cpu_seconds
     )
@@ -219,7 +227,7 @@ board_lines <- function(boards) {
 
 tangential_lines <- function(sensitivity) {
   drag <- unlist(sensitivity)
-  # Nothing to say where no coefficient is tangential.
+  # The section is empty if no coefficient is tangential.
   if (max(drag) - min(drag) <= 1e-6 * max(abs(drag))) return(NULL)
   share <- formatC(100 * (drag / drag[["settled"]] - 1), format = "f", digits = 1, flag = "+")
   align_columns(list(

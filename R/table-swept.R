@@ -1,9 +1,9 @@
-# What a tow went through: integrals of the rates among its measures, by the trapezoid rule between
-# kept times. NA where the gear has no such measure.
+# Returns distance, swept volume and swept area of a tow. Rates are integrated by the trapezoid rule
+# between saved times. A column is NA if the gear has no such measure.
 swept_table <- function(trajectory) {
   time <- trajectory$time
   found <- lapply(time, function(at) measures(state_at(trajectory, at)))
-  # per hour, as measures are shown
+  # Measures are per hour.
   summed <- function(name, unit) {
     rate <- vapply(found, function(one) {
       if (name %in% names(one)) one[[name]] else NA_real_

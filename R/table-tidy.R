@@ -1,43 +1,47 @@
-#' Tidy tables, for those who use the tidyverse
+#' Tidy tables of results
 #'
 #' Methods for `tidy()`, `glance()` and `augment()` of the package \pkg{generics}, which \pkg{broom}
-#' and \pkg{parsnip} have too: they are there where one of these is.
+#' and \pkg{parsnip} also export. They are available if generics, broom or parsnip is installed.
 #'
-#' @param x A state, from [settle()]; a trajectory, from [tow()]; sensitivities, from
-#'   [sensitivities()]; a calibration, from [calibrate()]; a posterior, from [sample_posterior()];
-#'   an optimum, from [optimise_gear()]; or variations, from [vary()].
-#' @param conf.int Whether `conf.low` and `conf.high` are added, the ends of a confidence interval
-#'   by the covariance.
-#' @param conf.level Share of the interval.
-#' @param newdata Rows to predict, as in [predict()][calibration_methods]; the data of the
-#'   calibration where it is `NULL`.
+#' @param x A state ([settle()]), trajectory ([tow()]), sensitivities ([sensitivities()]),
+#'   calibration ([calibrate()]), posterior ([sample_posterior()]), optimum ([optimise_gear()]) or
+#'   variations ([vary()]).
+#' @param conf.int `TRUE` adds `conf.low` and `conf.high`, the ends of a confidence interval from
+#'   the covariance.
+#' @param conf.level Probability of the interval.
+#' @param newdata Rows to predict, as in [predict()][calibration_methods]. `NULL` uses the data of
+#'   the calibration.
 #' @param ... Not used.
-#' @return A data frame. `tidy()` has `term`, `estimate` and `unit`, with a row per
+#' @return A data frame. `tidy()` has `term`, `estimate` and `unit`, with one row per
 #'
-#'   - measure of a state, with `error`, the estimated discretisation error (no standard error);
+#'   - measure of a state, with `error`, the estimated discretisation error (not a standard error);
 #'   - measure and time of a trajectory, with `time` in s;
 #'   - measure and field of sensitivities, with `term` the field, `measure`, `elasticity` and
 #'     `smooth`;
-#'   - field of a calibration, with `std.error`, and `at`: the end of its range where it is at one;
-#'   - field of a posterior: its mean, with `std.error` (standard deviation), `conf.low` and
-#'     `conf.high` (quantiles) and `effective` (independent draws);
-#'   - field of an optimum, with `begun` (its value before), `low` and `high` (its range) and `at`;
+#'   - field of a calibration, with `std.error`, and `at`, the bound that the field has reached;
+#'   - field of a posterior: its mean, with `std.error` (standard deviation), `conf.low`,
+#'     `conf.high` (quantiles) and `effective` (effective number of independent draws);
+#'   - field of an optimum, with `begun` (initial value), `low` and `high` (bounds) and `at`;
 #'   - design and measure of variations, with the number of the `design`, its fields and `error`.
 #'
-#'   `glance()` has one row. Of a state: `name`, `nodes`, `ropes`, `panels`, `pieces`, `converged`,
-#'   `iterations`, `residual` (largest net force on a node as a share of the largest tension) and
-#'   `cpu_seconds`. Of a trajectory: `name`, `nodes`, `times`, `until` (s), `end`, `steps`,
-#'   `repeated` and `energy_imbalance` (as a share of the energy put through). Of a calibration:
-#'   `name`, `nobs`, `df.residual`, `logLik`, `AIC`, `BIC`, `converged` and `settles` (gears that
-#'   were settled). Of a posterior: `draws`, `accepted` (share of steps) and `effective` (the least
-#'   of all fields). Of an optimum: `name`, `objective` (text), `begun`, `value`, `kept` (whether
-#'   all conditions hold), `optimality` (0 at an optimum), `converged` and `settles`. Of variations:
-#'   `name`, `designs`, `done`, `settled` and `warned`.
+#'   `glance()` has one row, see below. `augment()` of a calibration has one row per haul and match:
+#'   its data, `.match`, `.measured`, `.fitted`, `.resid` and `.std.resid`. With `newdata` it has
+#'   the predictions `.fitted`, `.se.fit`, `.lower` and `.upper`.
 #'
-#'   `augment()` of a calibration has a row per haul and match: the columns of its data, `.match`,
-#'   `.measured`, `.fitted`, `.resid` and `.std.resid`; with `newdata` those of predictions:
-#'   `.fitted`, `.se.fit`, `.lower` and `.upper`.
+#' @section Columns of `glance()`:
+#' - State: `name`, `nodes`, `ropes`, `panels`, `pieces`, `converged`, `iterations`, `residual`
+#'   (largest net force on a node divided by the largest tension) and `cpu_seconds`.
+#' - Trajectory: `name`, `nodes`, `times`, `until` (s), `end`, `steps`, `repeated` and
+#'   `energy_imbalance` (fraction of the energy put through).
+#' - Calibration: `name`, `nobs`, `df.residual`, `logLik`, `AIC`, `BIC`, `converged` and `n_solves`
+#'   (number of solved gears).
+#' - Posterior: `draws`, `accepted` (fraction of steps) and `effective` (minimum over all fields).
+#' - Optimum: `name`, `objective` (string), `begun`, `value`, `kept` (`TRUE` if all conditions
+#'   hold), `optimality` (0 at an optimum), `converged` and `n_solves`.
+#' - Variations: `name`, `designs`, `done`, `settled` and `warned`.
+#'
 #' @name codend_tidy
+#' @seealso [as.data.frame()][as.data.frame.codend_state], [measures()], [calibration_methods].
 #' @examplesIf requireNamespace("generics", quietly = TRUE)
 #' state <- settle("towed_cable")
 #' generics::tidy(state)
@@ -66,7 +70,7 @@ tidy.codend_trajectory <- function(x, ...) {
 #' @exportS3Method generics::tidy
 tidy.codend_sensitivities <- function(x, ...) {
   data.frame(
-    term = x$field, measure = x$measure, estimate = x$slope, unit = x$slope_unit,
+    term = x$field, measure = x$measure, estimate = x$derivative, unit = x$derivative_unit,
     elasticity = x$elasticity, smooth = x$smooth
   )
 }

@@ -1,45 +1,63 @@
 #' Tables of a trajectory
 #'
-#' @details
-#' A trajectory is a list of class `codend_trajectory`. Over the ground, with n kept times:
+#' Returns the results of a tow as tables with a first column `time_s`. Column names end in their
+#' unit.
 #'
-#' - `gear`, `si`, `lattice`, `given` (the schedules as given) and `method` (scheme, accuracy,
-#' step);
-#' - `time` (s), `position` (3 x nodes x n, m), `velocity` (m/s), `bar_tension` (bars x n, N, of one
-#'   line), `u_tension` and `v_tension` (netting cells x n) and `straight_tension` (cells of
-#'   hexagonal meshes x n, of their straight bars), with `shielding` also `wake` (points x n, share
-#'   of the free flow's speed);
-#' - `conditions`: a row per time, with the vessel's place over the ground `x`, `y` (m), its `speed`
-#'   (m/s), `course` (rad) and `heave` (m), the length of each warp that the schedule moves (m), and
-#'   since the start `energy_imbalance`, J that the scheme made (positive) or removed, and
-#'   `energy_put_through` (J);
-#' - `energy`: 8 x n, J since the start: gains of kinetic, elastic and potential energy; work of
-#'   supports, winches, water and damping; energy put through;
+#' @section Fields of a trajectory:
+#' A trajectory is a list of class `codend_trajectory`. Positions are over the ground, n is the
+#' number of saved times:
+#'
+#' - `gear`, `si`, `mesh`, `given` (the schedules) and `method` (scheme, accuracy, step);
+#' - `time` (s), `position` (3 x nodes x n, m) and `velocity` (m/s);
+#' - `bar_tension` (bars x n, N, of one line), `u_tension` and `v_tension` (netting cells x n) and
+#'   `straight_tension` (straight bars of hexagonal cells x n);
+#' - with `shielding`, `wake` (points x n): fraction of the free flow speed;
+#' - `conditions`: one row per time, see below;
+#' - `energy`: 8 x n, J since the start. Rows: gains of kinetic, elastic and potential energy; work
+#'   of supports, winches, water and damping; energy put through;
 #' - `end`: `"reached"`, or `"interrupted"` by the user;
-#' - `report` of the last march: `steps` taken, `repeated` for their error, `not_found`,
-#'   `unbalanced` (repeated for their energy), `iterations`, `factorisations`,
-#'   `force_evaluations`, `factor_entries` (numbers that the matrix factors store),
-#'   `shortest_step` and `longest_step` (s);
-#' - `memory`: what [tow()] needs to go on.
+#' - `report` of the last time integration, see below;
+#' - `memory`: internal data with which [tow()] continues.
+#'
+#' @section Conditions:
+#' - `x`, `y` (m): position of the vessel over the ground; `speed` (m/s), `course` (rad), `heave`
+#'   (m);
+#' - length (m) of each warp that the schedule changes;
+#' - `energy_imbalance` (J since the start): energy that the scheme added (positive) or removed;
+#' - `energy_put_through` (J since the start).
+#'
+#' @section Report:
+#' - `steps`: accepted steps; `shortest_step`, `longest_step` (s);
+#' - `repeated`, `not_found`, `unbalanced`: steps repeated because of their error, a failed solution
+#'   or their energy;
+#' - `iterations`, `factorisations`, `force_evaluations`;
+#' - `factor_entries`: stored entries of the matrix factorisation.
 #'
 #' @param x A trajectory, from [tow()].
-#' @param row.names `NULL` or names for the rows.
+#' @param row.names `NULL` (default) or names for the rows.
 #' @param optional Not used.
-#' @param what Which table (give it by name, as `what = "nodes"`), with a first column `time_s`:
+#' @param what Name of the table, by default `"measures"`. Give it by name, as `what = "nodes"`:
 #'
-#'   - `"measures"`: `measure`, `value`, `unit` ([measures()] of the state at every time).
-#'   - `"conditions"`: what the schedule made of the vessel and its warps.
-#'   - `"tensions"`: `part`, `kind`, `role`, the largest and the mean tension of one line, `max_kN`,
-#'     `mean_kN`.
-#'   - `"nodes"`: `node` and its place over the ground, `x_m`, `y_m`, `z_m`.
-#'   - `"swept"`: a row per time: `distance_m` (the vessel's way over the ground) and, summed up
-#'     since the start, `swept_volume_m3` (water that flowed through the mouth) and `swept_area_m2`
-#'     (ground that the lines between the wing ends passed over): the integrals of
-#'     `filtered_volume` and `swept_area` ([measures()]) by the trapezoid rule between kept times,
-#'     `NA` where the gear has no such measure. With [mesh_openings()] this is what a model of
-#'     selection takes.
+#'   - `"measures"`: `measure`, `value` and `unit` ([measures()] at every time).
+#'   - `"conditions"`: the motion of the vessel and the warp lengths from the schedule.
+#'   - `"tensions"`: `part`, `kind`, `role`, `max_kN` and `mean_kN`, the largest and mean tension of
+#'     one line.
+#'   - `"nodes"`: `node` and its position over the ground, `x_m`, `y_m`, `z_m`.
+#'   - `"swept"`: `distance_m`, `swept_volume_m3` and `swept_area_m2` since the start, see below.
 #' @param ... Not used.
-#' @return A data frame.
+#'
+#' @section Swept volume and area:
+#' - `distance_m`: path of the vessel over the ground;
+#' - `swept_volume_m3`: water that flowed through the mouth, the integral of `filtered_volume`;
+#' - `swept_area_m2`: ground between the wing ends, the integral of `swept_area`.
+#'
+#' The integrals of both measures ([measures()]) use the trapezoid rule between saved times. They
+#' are `NA` if the gear has no such measure. Selection models need this table and [mesh_openings()].
+#'
+#' @return A data frame, one row per time and, except for `"conditions"` and `"swept"`, per measure,
+#'   part or node.
+#' @seealso [tow()], [state_at()], [summary()][summary.codend_trajectory]; the guide
+#'   `vignette("motion", "codend")`.
 #' @examples
 #' faster <- tow("towed_cable", until = 40, every = 20,
 #'   schedule = tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot"))))
@@ -73,7 +91,7 @@ by_time <- function(trajectory, table_at) {
   do.call(rbind, tables)
 }
 
-# Conditions with units in the names of their columns.
+# Adds units to the column names of conditions.
 condition_units <- function(conditions) {
   known <- c(
     time = "time_s", x = "x_m", y = "y_m", speed = "speed_m_per_s", course = "course_deg",
@@ -87,13 +105,13 @@ condition_units <- function(conditions) {
   setNames(out, c(known, parts))
 }
 
-# Largest and mean tension of every rope and panel at one of the kept times.
+# Returns the largest and mean tension of every rope and panel at the k-th saved time.
 part_tensions <- function(trajectory, k) {
-  lattice <- trajectory$lattice
-  parts <- lattice$parts
+  mesh <- trajectory$mesh
+  parts <- mesh$parts
   of <- c(
-    lattice$bar_part, lattice$cell_part, lattice$cell_part,
-    lattice$cell_part[has_straight_bars(lattice)]
+    mesh$bar_part, mesh$cell_part, mesh$cell_part,
+    mesh$cell_part[has_straight_bars(mesh)]
   )
   tension <- c(
     trajectory$bar_tension[, k], trajectory$u_tension[, k], trajectory$v_tension[, k],
@@ -128,27 +146,30 @@ print.codend_trajectory <- function(x, ...) {
   invisible(x)
 }
 
-# What the steps of a tow were held to.
+# Returns a text about the accuracy criteria for the steps of a tow.
 judged_text <- function(method) {
   scheme <- gsub("_", " ", method$scheme)
   if (is.null(method$accuracy) || method$accuracy == 0) {
-    return(sprintf("%s, steps of one length, whose error is not judged", scheme))
+    return(sprintf("%s, fixed steps without error control", scheme))
   }
   tension <- if (is.finite(method$tension_accuracy)) {
     sprintf(" and %s of the largest tension", percent_text(method$tension_accuracy))
   } else {
-    "; tensions are not judged"
+    "; no error control of tensions"
   }
-  sprintf("%s, each step to %s m of position%s", scheme, format(method$accuracy), tension)
+  sprintf("%s, error per step at most %s m of position%s", scheme, format(method$accuracy), tension)
 }
 
-#' Summary of a trajectory
+#' Summarise a trajectory
+#'
+#' Lists start, end, minimum and maximum of every measure of a tow.
 #'
 #' @param object A trajectory, from [tow()].
 #' @param ... Not used.
-#' @return A data frame of class `codend_trajectory_summary`: a row per measure with its value at
-#'   the start and at the end, the least and the greatest, and the times of these (s). Its attribute
-#'   `energy` holds the `imbalance` at the end and what was `put_through`, J.
+#' @return A data frame of class `codend_trajectory_summary`, one row per measure. Columns:
+#'   `measure`, `unit`, `start`, `end`, `least`, `least_at_s`, `greatest` and `greatest_at_s`. The
+#'   attribute `energy` (J) contains `imbalance` and `put_through` at the end.
+#' @seealso [as.data.frame()][as.data.frame.codend_trajectory], [tow()].
 #' @examples
 #' faster <- tow("towed_cable", until = 40, every = 20,
 #'   schedule = tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot"))))
@@ -174,7 +195,7 @@ summary.codend_trajectory <- function(object, ...) {
 print.codend_trajectory_summary <- function(x, ...) {
     number <- c("start", "end", "least", "least_at_s", "greatest", "greatest_at_s")
   columns <- c(
-    list(c("", words_of(x$measure, x$unit))), list(c("", x$unit)),
+    list(c("", label_of(x$measure, x$unit))), list(c("", x$unit)),
     lapply(number, function(name) c(gsub("_at_s", " at s", name), figures(x[[name]])))
   )
   cat(align_columns(columns, left = 1:2), sep = "\n")
