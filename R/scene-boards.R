@@ -1,11 +1,8 @@
-# Free otter boards as plates in space.
-
-# Corners of every free board, 3 x (4 per board), m: leading edge below and above, trailing edge
-# above and below. A board's points are where its attachments are, so they tell its place and
-# attitude.
+# Returns the corners of every free board, 3 x (4 per board), m: leading edge below and above,
+# trailing edge above and below.
 board_corners <- function(state) {
   do.call(cbind, c(list(matrix(0, 3L, 0L)), lapply(unname(state$si$otter_boards), function(board) {
-    at <- state$position[, state$lattice$points[board$points], drop = FALSE]
+    at <- state$position[, state$mesh$points[board$points], drop = FALSE]
     turn <- triad(at) %*% t(triad(board$attachment))
     corner <- rbind(
       c(0, 0, board$chord, board$chord), 0, c(-0.5, 0.5, 0.5, -0.5) * board$span
@@ -14,7 +11,7 @@ board_corners <- function(state) {
   })))
 }
 
-# Three axes at right angles, as columns, that three points fix.
+# Returns three orthonormal axes, as columns, defined by three points.
 triad <- function(points) {
   unit <- function(v) v / sqrt(sum(v^2))
   first <- unit(points[, 2L] - points[, 1L])

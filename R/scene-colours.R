@@ -1,31 +1,31 @@
-# Colours of tension. Both palettes darken steadily, so they survive grey printing and colour
-# blindness: warm for ropes, cool for netting. All of them, and slack, stand out from the viewer's
-# water and sea bed and from white paper by 3 to 1 (WCAG 2.2, success criterion 1.4.11).
+# Colours of tension: warm for ropes, cool for netting. Both palettes darken steadily for grey print
+# and colour-blind readers. All colours, including slack, contrast at least 3 to 1 with the viewer's
+# water and sea bed and with white paper (WCAG 2.2, success criterion 1.4.11).
 
-# Far from both palettes: slack lines are what a designer must not overlook.
+# Slack lines are important, so their colour differs strongly from both palettes.
 slack_colour <- "#D6006E"
 
-# ... but where the viewer shows them among taut ones, dashed.
+# Used by the viewer for dashed slack lines among taut lines.
 muted_slack_colour <- "#7E5E78"
 
-# What the colour of slack stands for among lines of these tensions; NULL where it is not used.
-slack_words <- function(tension) {
-  if (any(tension < 0)) "slack or pushing" else if (any(tension == 0)) "slack"
+# Returns the legend of the slack colour for the tensions of lines, or NULL if no line is slack.
+slack_text <- function(tension) {
+  if (any(tension < 0)) "slack or in compression" else if (any(tension == 0)) "slack"
 }
 
 tension_palette <- function(kind) tension_palettes[[if (kind == "rope") "rope" else "netting"]]
 
-# Made once: Lab takes longer than the rest of a scale.
+# Computed once, because Lab interpolation is slow.
 tension_palettes <- lapply(list(
   rope = c("#B84A00", "#982500", "#6A0E12", "#2B0508"),
   netting = c("#0A766C", "#17629E", "#3A3C93", "#2A0F4F")
 ), function(stops) grDevices::colorRampPalette(stops, space = "Lab")(216L))
 
-# How tension (N) becomes colour, or NULL where nothing carries any.
+# Returns the scale that maps tension (N) to colour, or NULL if no line is taut.
 #
-# The scale starts at zero and is even; where most lines carry less than a tenth of the largest
-# tension (netting of fine and coarse twine) it is logarithmic over at most three decades.
-# Returns list(colours, log, limits (N), unit, per_unit (N), ticks (in that unit)).
+# The scale is linear from zero. If the median is below a tenth of the maximum (netting of fine and
+# coarse twine) it is logarithmic over at most three decades. Returns list(colours, log, limits (N),
+# unit, per_unit (N), ticks (in that unit)).
 tension_scale <- function(tension, kind) {
   taut <- tension[tension > 0]
   if (!length(taut)) return(NULL)
@@ -46,7 +46,7 @@ tension_scale <- function(tension, kind) {
   scale
 }
 
-# Ticks of a logarithmic scale, as many as leave room for their labels.
+# Returns ticks of a logarithmic scale, as many as their labels allow.
 decade_ticks <- function(scale) {
   limits <- scale$limits / scale$per_unit
   decades <- 10^seq(floor(log10(limits[1])), floor(log10(limits[2])))
@@ -58,7 +58,7 @@ decade_ticks <- function(scale) {
   ticks
 }
 
-# Where tensions (N) lie on a scale, 0..1.
+# Returns the positions of tensions (N) on a scale, 0 to 1.
 scale_share <- function(scale, tension) {
   turn <- if (scale$log) log else identity
   low <- turn(scale$limits[1])
@@ -69,7 +69,7 @@ tension_colours <- function(scale, tension) {
   c(slack_colour, scale$colours)[1L + colour_numbers(scale, tension)]
 }
 
-# Places of tensions (N) among a scale's colours, at most 255; 0 is slack.
+# Returns the indices of tensions (N) into a scale's colours, at most 255; 0 means slack.
 colour_numbers <- function(scale, tension) {
   numbers <- integer(length(tension))
   taut <- tension > 0
@@ -80,7 +80,6 @@ colour_numbers <- function(scale, tension) {
   numbers
 }
 
-# What stands over a scale.
 scale_heading <- function(scale, kind) {
   paste0(
     first_of(scale$words, if (kind == "rope") "Tension of ropes" else "Tension of one twine"),
@@ -90,9 +89,9 @@ scale_heading <- function(scale, kind) {
 
 tick_labels <- function(scale) format(scale$ticks, trim = TRUE, drop0trailing = TRUE, digits = 3)
 
-# Colours that tell series apart, from dark to light: no two are closer than 11 in lightness (CIE
-# L*, so grey prints differ) or 24 in colour (CIE Lab) with normal sight, deuteranopia, protanopia
-# or tritanopia, and the lightest stands out from white by 2.7 to 1. Beyond five they begin anew.
+# Colours of series, from dark to light. Any two differ by at least 11 in lightness (CIE L*, for
+# grey prints). In colour (CIE Lab) they differ by at least 24 with normal sight, deuteranopia,
+# protanopia or tritanopia. The lightest contrasts 2.7 to 1 with white.
 series_palette <- c("#1E2500", "#71056D", "#006F50", "#AB7000", "#00AAD8")
 
 series_colours <- function(n) {

@@ -1,12 +1,12 @@
-# The twines that the viewer draws where meshes are too small to be seen one by one.
+# Twines that the viewer draws if meshes are too small to draw each one.
 #
-# Every panel has two drawn coordinates, a linear function of its twine coordinates. The viewer
-# draws the twines at multiples of a power of two of them. Both coordinates are continuous across
-# seams up to sign, exchange and a power of two, so every drawn twine that ends on a seam meets a
-# drawn twine of the other panel or, where that panel is drawn coarser, the seam alone.
+# Every panel has two drawn coordinates, linear functions of its twine coordinates. The viewer draws
+# twines at multiples of a power of two. Both coordinates are continuous across seams, except for
+# sign, exchange and a power of two. So every drawn twine continues across a seam, or ends there if
+# the other panel is drawn more coarsely.
 
-# Returns list(scale, offset (2 x panels)): the drawn coordinates of a panel are its twine
-# coordinates over its scale, plus its offset. The scale is at least 1 and below 2.
+# Returns list(scale, offset (2 x panels)). Drawn coordinates are twine coordinates divided by
+# `scale`, plus `offset`. The scale is at least 1 and below 2.
 drawn_twines <- function(si) drawn_coordinates(panel_shapes(si$panels), si$seams)
 
 drawn_coordinates <- remembered(new_drawn_coordinates)
@@ -33,13 +33,13 @@ new_drawn_coordinates <- function(panels, seams) {
   list(scale = scale / power, offset = offset * rep(power, each = 2L))
 }
 
-# The offset at which the twines of a panel are their own mirror image about its middle line, so
-# that they meet the twines of a mirror image next to it.
+# Returns the offset at which a panel's twines are symmetric about its middle line. They then meet
+# the twines of a mirror image next to it.
 mirrored_offset <- function(panel) {
   c(-edge_twines(panel, "upper", if (is_square(panel)) 0.5 else 1)[1L], 0)
 }
 
-# Twine coordinates (2 x fractions) of places on a panel's edge.
+# Returns twine coordinates (2 x fractions) at fractions of a panel's edge.
 edge_twines <- function(panel, edge, fraction) {
   one <- rep(1, length(fraction))
   switch(edge,
@@ -50,11 +50,10 @@ edge_twines <- function(panel, edge, fraction) {
   )
 }
 
-# The joints along which drawn coordinates are continued, best first: joints across the net before
-# joints along its sides, sides that lose as many twines before others, panels that meet on both
-# sides before others, and long ones before short ones. Returns list(first, second = numbers of
-# panels, from, to = twine coordinates of the ends (2 x 2, an end in each column), pair = which
-# family of the first panel continues in each of the second).
+# Returns the joints across which drawn coordinates are continued, best first: joints across the
+# net, then by mismatch of twine ratios, number of common joints and length. `from`, `to`: twine
+# coordinates of the ends, 2 x 2, an end per column. `pair`: the family of the first panel that
+# continues in each family of the second.
 drawn_links <- function(panels, joints) {
   ends <- function(panel, edge, from, to) {
     Map(function(panel, edge, from, to) edge_twines(panels[[panel]], edge, c(from, to)),
@@ -67,7 +66,6 @@ drawn_links <- function(panels, joints) {
   length <- abs(joints$to - joints$from) * as.double(mapply(function(panel, edge) {
     edge_length(panels[[panel]], edge)
   }, joints$panel, joints$edge))
-  # panels that meet as mirror images
   mirrored <- !across | (joints$edge == joints$other_edge) ==
     ((joints$to > joints$from) == (joints$other_to > joints$other_from))
   unlike <- matrix(vapply(seq_along(from), function(k) {
@@ -83,11 +81,11 @@ drawn_links <- function(panels, joints) {
   lapply(links, `[`, best)
 }
 
-# How many twine coordinates of each family lie along a joint. ends: see drawn_links().
+# Number of twine coordinates along a joint. ends: see `drawn_links()`.
 run_along <- function(ends) ends[, 2L] - ends[, 1L]
 
-# How much the ratios of twines of the two families differ between both sides of a joint; 1e3 if a
-# family of one side alone runs along the joint.
+# Returns the mismatch of the twine ratios of both families across a joint. It is 1e3 if a family
+# runs along the joint on one side only.
 unlike_run <- function(from, to, pair) {
   from <- abs(run_along(from))[pair]
   to <- abs(run_along(to))
@@ -96,13 +94,13 @@ unlike_run <- function(from, to, pair) {
   if (any(ends) && identical(from > 1e-9, to > 1e-9)) 0 else 1e3
 }
 
-# The coordinates of the second panel of a link that continue the coordinates of the first.
+# Returns the coordinates of a link's second panel that continue those from its first.
 continued_coordinates <- function(links, k, scale, offset) {
   first <- links$first[k]
   known <- links$from[[k]] / scale[first] + offset[, first]
   own <- links$to[[k]]
   pair <- links$pair[[k]]
-  # a family that runs along the joint has no ends to continue: the other one is continued in both
+  # A family along the joint has no ends to continue, so both families continue the other.
   pair <- ifelse(abs(run_along(known)[pair]) < 1e-9 & abs(run_along(own)) > 1e-9, 3L - pair, pair)
   ends <- abs(run_along(own)) > 1e-9 & abs(run_along(known)[pair]) > 1e-9
   ratio <- abs(run_along(own) / run_along(known)[pair])[ends]

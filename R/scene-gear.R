@@ -1,14 +1,14 @@
-# What the viewer draws (inst/view/viewer.js), of a state, of a trajectory or of the tank's designs:
-# one list for all, which becomes JSON. What joins points stands apart from what moves, so that the
-# tank sends it once.
+# Scene for the viewer (inst/view/viewer.js): a list that becomes JSON, with the same structure for
+# a state, a trajectory and the tank's designs. Connectivity is separate from moving data, so that
+# the tank sends it once.
 
-# Lines and cells that one scene shows at most.
+# Maximum number of lines and cells in a scene.
 scene_limit <- 12000L
 
-# What of a state a scene shows: list(fixed, points (3 x n, m), ropes (after them seams, of the
-# part of their netting: rope_part), u, v = tensions (N), drag =
-# of every part over its size (N/m of ropes, N/m2 of netting), places (3 x marks, m), boards (3 x 4
-# per board, m)).
+# Returns the shape of a state, a list. `fixed`: data that do not move. `points`: 3 x n, m. `ropes`:
+# tensions (N) of ropes, then of seams. `rope_part`: part of each, for a seam the part of its
+# netting. `u`, `v`: tensions (N) of netting. `drag`: see `part_drag_over_size()`. `places`:
+# positions of marks (3 x marks, m). `boards`: corners of boards (3 x 4 per board, m).
 scene_shape <- function(state, limit = scene_limit) {
   points <- state_points(state)
   groups <- rope_groups(state, limit)
@@ -28,12 +28,12 @@ scene_shape <- function(state, limit = scene_limit) {
     ),
     points = points[, drawn, drop = FALSE], ropes = ropes$tension,
     rope_part = ropes$part, u = netting$u, v = netting$v,
-    drag = part_drag_over_size(state), kind = state$lattice$parts$kind,
+    drag = part_drag_over_size(state), kind = state$mesh$parts$kind,
     places = t(as.matrix(marks[c("x", "y", "z")])), boards = board_corners(state)
   )
 }
 
-# ... with opening, angle = of the netting's places (% and deg), NULL where there is none.
+# Adds opening (%) and angle (deg) of meshes at the points of netting, NULL without netting.
 with_meshes <- function(shape) {
   state <- shape$fixed$state
   netting <- shape$fixed$netting
@@ -44,18 +44,17 @@ with_meshes <- function(shape) {
   c(shape, list(opening = mean_of("mesh_opening"), angle = mean_of("mesh_angle")))
 }
 
-# Hydrodynamic force along the flow over length (of ropes, N/m) or over the area of taut netting at
-# its mesh size squared (N/m2) of every part; 0 of others.
+# Returns the hydrodynamic force along the flow divided by size for every part. The size is length
+# (ropes, N/m) or area of taut netting with square meshes (N/m2). Other parts have 0.
 part_drag_over_size <- function(state) {
-  size <- part_sizes(state$si, state$lattice)
+  size <- part_sizes(state$si, state$mesh)
   drag <- drop(flow_axes(state$si)[, "flow"] %*% part_drag(state))
   ifelse(size > 0, pmax(drag, 0) / pmax(size, 1e-9), 0)
 }
 
-# Length (m) of ropes and area (m2) of taut netting at its mesh size squared, of every part; 0 of
-# others.
-part_sizes <- function(si, lattice) {
-  size <- numeric(nrow(lattice$parts))
+# Returns the size of every part; see `part_drag_over_size()`.
+part_sizes <- function(si, mesh) {
+  size <- numeric(nrow(mesh$parts))
   size[seq_along(si$ropes)] <- vapply(si$ropes, `[[`, 0, "length")
   size[length(si$ropes) + seq_along(si$panels)] <- vapply(si$panels, function(panel) {
     panel_bars(panel) * (panel$mesh_size / 2)^2
@@ -63,7 +62,6 @@ part_sizes <- function(si, lattice) {
   size
 }
 
-# What joins the points of a shape, and what its parts and marks are.
 scene_fixed <- function(shape) {
   fixed <- shape$fixed
   state <- fixed$state
@@ -76,7 +74,6 @@ scene_fixed <- function(shape) {
   )
 }
 
-# What joins the points that are drawn, of ropes and of panels.
 scene_joints <- remembered(new_scene_joints)
 
 new_scene_joints <- function(ropes, panels, drawn) {
@@ -93,11 +90,11 @@ new_scene_joints <- function(ropes, panels, drawn) {
   )
 }
 
-# Of every part its words and, where it has such, its thickness (m), length of a bar and of a mesh
-# (m) and strength (N).
+# Returns name, kind and role of every part with thickness (m), bar length and mesh size (m) and
+# strength (N), 0 if undefined.
 scene_parts <- function(state) {
   si <- state$si
-  parts <- state$lattice$parts
+  parts <- state$mesh$parts
   n <- nrow(parts)
   thickness <- strength <- mesh <- bar <- numeric(n)
   rope <- seq_along(si$ropes)
@@ -115,8 +112,8 @@ scene_parts <- function(state) {
   )
 }
 
-# What a rope looks like near by: 0 laid strands, 1 links of a chain, 2 discs, 3 a smooth pipe (4: a
-# seam of netting).
+# Returns the appearance of a rope in close view: 0 laid strands, 1 chain links, 2 discs, 3 smooth
+# pipe (4: seam of netting).
 rope_form <- function(rope) {
   if (identical(rope$role, "ground_gear")) return(2L)
   if (rope$strut) return(3L)
@@ -134,10 +131,10 @@ scene_marks <- function(marks) {
   )
 }
 
-# Towing points within this distance (m) are of one vessel.
+# Towing points within this distance (m) belong to the same vessel.
 one_vessel <- 40
 
-# Vessels that tow: of each the numbers, from 0, of its marks at the surface.
+# Returns the vessels that tow: for each the numbers, from 0, of its marks at the surface.
 scene_vessels <- function(state, marks) {
   if (state$si$towing$speed == 0 || state$si$water$density == 0) return(list())
   own <- which(marks$role == "moved" & marks$z > -1)
@@ -147,10 +144,9 @@ scene_vessels <- function(state, marks) {
   unname(split(own - 1L, stats::cutree(apart, h = one_vessel)))
 }
 
-# What of shapes moves, at each of as many times.
 scene_moved <- function(shapes) {
   times <- length(shapes)
-  # of a net across the whole of a screen a tenth of a pixel
+  # A tenth of a pixel if the net spans the whole screen.
   net <- unlist(lapply(shapes[[1L]]$fixed$netting$panels, `[[`, "point"))
   drawn <- shapes[[1L]]$fixed$drawn
   at <- shapes[[1L]]$points[, if (length(net)) drawn %in% net else TRUE, drop = FALSE]
@@ -170,24 +166,23 @@ scene_moved <- function(shapes) {
   moved
 }
 
-# Scales of what colours show, over several shapes: by quantity, of ropes and of netting.
 scene_scales <- function(shapes) {
   all <- function(field) unlist(lapply(shapes, `[[`, field), use.names = FALSE)
   drag <- function(kind) as.double(unlist(lapply(shapes, function(s) s$drag[s$kind == kind])))
   of_seam <- unlist(lapply(shapes, function(s) s$kind[s$rope_part] == "netting"))
   tension <- c(all("u"), all("v"), all("ropes")[of_seam])
   meshes <- function(field, colour) {
-    list(netting = scale_told(mesh_scale(all(field), colour), "netting"))
+    list(netting = scale_with_label(mesh_scale(all(field), colour), "netting"))
   }
   list(
     tension = list(
-      rope = scale_told(tension_scale(all("ropes")[!of_seam], "rope"), "rope"),
-      netting = scale_told(tension_scale(tension[!is.na(tension)], "netting"), "netting")
+      rope = scale_with_label(tension_scale(all("ropes")[!of_seam], "rope"), "rope"),
+      netting = scale_with_label(tension_scale(tension[!is.na(tension)], "netting"), "netting")
     ),
     mesh_opening = meshes("opening", "mesh_opening"), mesh_angle = meshes("angle", "mesh_angle"),
     drag = list(
-      rope = scale_told(drag_scale(drag("rope"), "rope"), "rope"),
-      netting = scale_told(drag_scale(drag("netting"), "netting"), "netting")
+      rope = scale_with_label(drag_scale(drag("rope"), "rope"), "rope"),
+      netting = scale_with_label(drag_scale(drag("netting"), "netting"), "netting")
     )
   )
 }
@@ -195,7 +190,7 @@ scene_scales <- function(shapes) {
 drag_scale <- function(drag, kind) {
   scale <- tension_scale(drag, kind)
   if (is.null(scale)) return(NULL)
-  # in newtons, however large
+  # Drag is always in newtons.
   scale$ticks <- scale$ticks * scale$per_unit
   scale$per_unit <- 1
   scale$unit <- if (kind == "rope") "N/m" else "N/m2"
@@ -203,8 +198,7 @@ drag_scale <- function(drag, kind) {
   scale
 }
 
-# A scale as the viewer takes it.
-scale_told <- function(scale, kind) {
+scale_with_label <- function(scale, kind) {
   if (is.null(scale)) return(NULL)
   list(
     heading = scale_heading(scale, kind), unit = scale$unit, per_unit = scale$per_unit,
@@ -213,7 +207,6 @@ scale_told <- function(scale, kind) {
   )
 }
 
-# What a scene has besides its shapes.
 scene_about <- function(state, shapes) {
   bed <- drawn_bed(state)
   list(
@@ -224,7 +217,7 @@ scene_about <- function(state, shapes) {
   )
 }
 
-# Stops of the two palettes, and the colours of slack: alone, and among tensions.
+# Returns stops of both palettes, and the colours of slack: alone and among tensions.
 scene_colours <- function() {
   stops <- function(kind) {
     colours <- tension_palette(kind)
@@ -236,7 +229,6 @@ scene_colours <- function() {
   )
 }
 
-# The scene of a state.
 state_scene <- function(state, colour = "tension") {
   shape <- with_meshes(scene_shape(state))
   c(

@@ -1,12 +1,12 @@
-# A state as what a picture shows: straight lines with tensions, and marks where pieces and supports
-# sit. Both plot() and view_3d() draw from here.
+# A state as straight lines with tensions, and marks at pieces and supports. Both plot() and
+# view_3d() draw them.
 
-# At most about as many lines of netting, or of ropes, as a page or a screen can show.
+# Approximate maximum number of lines of netting, or of ropes, that a page or screen can show.
 drawn_lines <- 20000L
 
-# Returns list(ropes, netting = lines (see new_lines), marks = data.frame(x, y, z, role, part, size,
-# direction, board = its number among the free boards or 0), boards = their corners (see
-# board_corners())). Every end of a line is a point of the state.
+# Returns list(ropes, netting (lines, see `new_lines()`), marks, boards (see `board_corners()`)).
+# Columns of marks: x, y, z, role, part, size, direction, board (number among the free boards, or
+# 0). Every end of a line is a point of the state.
 state_drawing <- function(state, limit = drawn_lines) {
   points <- state_points(state)
   marks <- rbind(piece_marks(state, points), board_marks(state), support_marks(state))
@@ -18,8 +18,8 @@ state_drawing <- function(state, limit = drawn_lines) {
   )
 }
 
-# Lines between points: from and to (3 x n, m), ends (2 x n, which points), tension (N; of one twine
-# in netting) and part (row of the lattice's table of parts).
+# Returns lines between points. `from`, `to`: 3 x n, m. `ends`: numbers of the points, 2 x n.
+# `tension`: N; for netting of one twine. `part`: row in the mesh's table of parts.
 new_lines <- function(points, first, second, tension, part) {
   list(
     from = points[, first, drop = FALSE], to = points[, second, drop = FALSE],
@@ -38,16 +38,14 @@ join_lines <- function(lines) {
   )
 }
 
-# Means of x over groups 1..n.
 weighted_means <- function(x, weight, group, n) {
   sum_by(x * weight, group, n) / sum_by(weight, group, n)
 }
 
-# The lines of ropes, with the mean tension of their bars.
 rope_lines <- function(state, points, limit) group_lines(state, points, rope_groups(state, limit))
 
-# Lines with the mean tension of the bars that each shows; 0 if no bar belongs to a line. groups: as
-# rope_groups() and seam_groups() return them.
+# Returns lines with the mean tension of their bars, 0 for a line without bars. groups: as returned
+# by `rope_groups()` and `seam_groups()`.
 group_lines <- function(state, points, groups) {
   mean <- weighted_means(
     state$bar_tension[groups$element], groups$weight, groups$group, groups$count
@@ -57,21 +55,21 @@ group_lines <- function(state, points, groups) {
   )
 }
 
-# The bars whose mean tension each line of a rope shows: list(first, second = the points that a
-# line joins, part = its row in the table of parts, element = bars, group = the line of each bar,
-# weight = the length of each bar, count = number of lines). A rope of more bars than can be shown
-# is drawn through every k-th of its nodes.
+# Returns the lines of ropes with their bars. A rope with too many bars is drawn through every k-th
+# node. Elements of the list: `first`, `second`: points that a line joins. `part`: row of the line
+# in the table of parts. `element`: bars. `group`: line of each bar. `weight`: length of each bar.
+# `count`: number of lines.
 rope_groups <- function(state, limit) {
-  lattice <- state$lattice
-  ropes <- lapply(which(lattice$parts$kind == "rope"), bars_of_part, state = state)
+  mesh <- state$mesh
+  ropes <- lapply(which(mesh$parts$kind == "rope"), bars_of_part, state = state)
   bars <- as.integer(unlist(ropes))
   group <- cumsum((sequence(lengths(ropes)) - 1L) %% ceiling(length(bars) / limit) == 0)
   ends <- bar_ends(state, bars)
   begins <- !duplicated(group)
   list(
     first = ends[1L, begins], second = ends[2L, !duplicated(group, fromLast = TRUE)],
-    part = lattice$bar_part[bars[begins]], element = bars, group = group,
-    weight = lattice$mesh$bars$rest[bars], count = sum(begins)
+    part = mesh$bar_part[bars[begins]], element = bars, group = group,
+    weight = mesh$model$bars$rest[bars], count = sum(begins)
   )
 }
 
@@ -82,13 +80,13 @@ join_groups <- function(one, other) {
   joined
 }
 
-# Netting: of bars, the bars themselves and the seams that their twines end on; of cells, the two
-# twine directions through each cell of the panel's grid.
+# Returns the lines of netting. Netting of bars has its bars and the seams on which its twines end.
+# Netting of cells has both twine directions through each cell of the panel's grid.
 netting_lines <- function(state, points, limit) {
-  panels <- state$lattice$panels
+  panels <- state$mesh$panels
   part <- netting_parts(state)
   of_bars <- netting_of_bars(state)
-  bars <- sum(state$lattice$bar_part %in% part[of_bars])
+  bars <- sum(state$mesh$bar_part %in% part[of_bars])
   grids <- lapply(panels[!of_bars], `[[`, "grid")
   seams <- seams_of_bars(state, of_bars)
   joined <- sum(lengths(seams$nodes))
@@ -109,17 +107,17 @@ netting_lines <- function(state, points, limit) {
 }
 
 netting_of_bars <- function(state) {
-  vapply(state$lattice$panels, function(p) p$netting == "bars", NA)
+  vapply(state$mesh$panels, function(p) p$netting == "bars", NA)
 }
 
-# The nodes of the seams of panels of bars in order, a vector for each edge: list(nodes, panel).
+# Returns the nodes of seams at panels of bars, a vector per edge.
 seams_of_bars <- function(state, of_bars) {
   edges <- unlist(lapply(unname(state$si$seams), `[[`, "edges"), recursive = FALSE)
   edges <- unlist(edges, recursive = FALSE)
-  panel <- match(vapply(edges, `[[`, "", "panel"), names(state$lattice$panels))
+  panel <- match(vapply(edges, `[[`, "", "panel"), names(state$mesh$panels))
   edges <- edges[of_bars[panel]]
   panel <- panel[of_bars[panel]]
-  division <- state$lattice$division
+  division <- state$mesh$division
   nodes <- lapply(seq_along(edges), function(k) {
     edge <- edges[[k]]
     side <- 4L * (panel[k] - 1L) + match(edge$edge, c("upper", "lower", "left", "right"))
@@ -130,12 +128,12 @@ seams_of_bars <- function(state, of_bars) {
   list(nodes = nodes, panel = panel)
 }
 
-# The bars whose mean tension each line of a seam shows, as rope_groups() returns them. A seam is
-# drawn through every k-th of its nodes, once. Where meshes of two sizes meet, twines of one panel
-# end between those of the other: the seam is what joins them. Its tension is the mean of the twines
-# that end on it.
+# Returns the lines of seams with their bars, in the form of `rope_groups()`. Each seam is drawn
+# once, through every k-th node. If mesh sizes differ, twines end between the twines of the other
+# panel and only the seam connects them. The seam's tension is the mean of the twines that end on
+# it.
 seam_groups <- function(state, part, seams, k) {
-  lattice <- state$lattice
+  mesh <- state$mesh
   nodes <- lapply(seams$nodes, function(node) node[block_ends(length(node), k)])
   first <- unlist(lapply(nodes, function(node) node[-length(node)]))
   second <- unlist(lapply(nodes, `[`, -1L))
@@ -143,8 +141,8 @@ seam_groups <- function(state, part, seams, k) {
   on <- rep.int(part[seams$panel], lengths(nodes) - 1L)[once]
   first <- first[once]
   second <- second[once]
-  ending <- bar_shares(lattice, which(lattice$bar_part %in% on))
-  bars_at <- split(seq_along(ending$node), factor(ending$node, seq_len(lattice$nodes)))
+  ending <- bar_shares(mesh, which(mesh$bar_part %in% on))
+  bars_at <- split(seq_along(ending$node), factor(ending$node, seq_len(mesh$nodes)))
   at <- Map(c, bars_at[first], bars_at[second])
   bars <- as.integer(unlist(at, use.names = FALSE))
   list(
@@ -153,18 +151,17 @@ seam_groups <- function(state, part, seams, k) {
   )
 }
 
-# Rows of the lattice's table of parts of its panels, in the order of `lattice$panels`.
+# Returns the rows of panels in the table of parts, in the order of `mesh$panels`.
 netting_parts <- function(state) {
-  parts <- state$lattice$parts
-  match(names(state$lattice$panels), ifelse(parts$kind == "netting", parts$name, NA))
+  parts <- state$mesh$parts
+  match(names(state$mesh$panels), ifelse(parts$kind == "netting", parts$name, NA))
 }
 
-# Blocks of k by k cells in grids.
 blocks_of <- function(grids, k) {
   sum(vapply(grids, function(g) prod(ceiling((dim(g) - 1) / k)), 0))
 }
 
-# The size of blocks of which there are at most so many.
+# Returns the smallest block size with at most `limit` blocks.
 block_to_draw <- function(grids, limit) {
   block <- 1
   longest <- max(0, vapply(grids, function(g) max(dim(g) - 1), 0))
@@ -172,9 +169,9 @@ block_to_draw <- function(grids, limit) {
   block
 }
 
-# The twines through blocks of `block` by `block` cells of a panel's grid, with the mean tension of
-# their cells. Twines of diamond meshes run along a cell's diagonals, those of square meshes along
-# its sides.
+# Returns the twines through blocks of `block` by `block` cells of a panel's grid, with the mean
+# tension of their cells. Twines of diamond meshes run along a cell's diagonals, twines of square
+# meshes along its sides.
 panel_cell_lines <- function(state, points, name, part, block) {
   blocks <- block_cells(state, name, part, block)
   mean <- function(tension) {
@@ -182,7 +179,7 @@ panel_cell_lines <- function(state, points, name, part, block) {
   }
   u <- mean(state$u_tension)
   v <- mean(state$v_tension)
-  coarse <- state$lattice$panels[[name]]$grid[blocks$columns, blocks$rows, drop = FALSE]
+  coarse <- state$mesh$panels[[name]]$grid[blocks$columns, blocks$rows, drop = FALSE]
   across <- nrow(coarse) - 1L
   deep <- ncol(coarse) - 1L
   corner <- function(c, r) as.vector(coarse[seq_len(across) + c, seq_len(deep) + r])
@@ -200,13 +197,13 @@ panel_cell_lines <- function(state, points, name, part, block) {
   )
 }
 
-# Blocks of `block` by `block` cells of a panel's grid, across first: list(columns, rows = which of
-# the grid's bound them, count = blocks, cell = numbers of cells, block = that of each, weight = its
-# bars).
+# Returns blocks of `block` by `block` cells of a panel's grid, across first. `columns`, `rows`:
+# bounds of the blocks in the grid. `count`: number of blocks. `cell`: numbers of cells. `block`:
+# block of each cell. `weight`: number of bars in each cell.
 block_cells <- function(state, name, part, block) {
-  grid <- state$lattice$panels[[name]]$grid
-  cell <- state$lattice$panels[[name]]$cell - 1L
-  mine <- which(state$lattice$cell_part == part)
+  grid <- state$mesh$panels[[name]]$grid
+  cell <- state$mesh$panels[[name]]$cell - 1L
+  mine <- which(state$mesh$cell_part == part)
   columns <- block_ends(nrow(grid), block)
   rows <- block_ends(ncol(grid), block)
   across <- length(columns) - 1L
@@ -214,25 +211,25 @@ block_cells <- function(state, name, part, block) {
   list(
     columns = columns, rows = rows, count = across * deep, cell = mine,
     block = cell %/% nrow(grid) %/% block * across + cell %% nrow(grid) %/% block + 1L,
-    weight = cell_bars(state$lattice$mesh$cells, mine)
+    weight = cell_bars(state$mesh$model$cells, mine)
   )
 }
 
 block_ends <- function(n, block) unique(c(seq(1L, n, by = block), n))
 
-# How panels of bars are drawn in lines of about `length` (m), about as far apart: list(every = of
-# which twines, merge = how many bars of a twine are drawn as one line).
+# Returns how panels of bars are thinned to lines of about `length` (m) at about this spacing. Only
+# multiples of `every` are drawn of the twines, and `merge` bars become a line.
 panel_thinning <- function(state, names, length) {
-  drawn <- state$lattice$panels[names]
+  drawn <- state$mesh$panels[names]
   side <- vapply(drawn, `[[`, 0, "lambda") *
     vapply(state$si$panels[names], `[[`, 0, "mesh_size") / 2
   bar <- side / vapply(drawn, `[[`, 0L, "segments")
   list(every = pmax(1, round(length / side)), merge = pmax(1, round(length / bar)))
 }
 
-# The length (m) at which panels of bars are drawn in at most about so many lines; 0: all bars.
+# Returns the line length (m) at which panels of bars have about `limit` lines; 0 to draw all bars.
 shortest_line <- function(state, names, part, limit) {
-  bars <- tabulate(state$lattice$bar_part, nrow(state$lattice$parts))[part]
+  bars <- tabulate(state$mesh$bar_part, nrow(state$mesh$parts))[part]
   if (!length(bars) || sum(bars) <= limit) return(0)
   length <- 1e-3
   repeat {
@@ -243,8 +240,8 @@ shortest_line <- function(state, names, part, limit) {
   }
 }
 
-# The bars of a panel, or lines of about `length` (m) along some of its twines, with the mean
-# tension of their bars.
+# Returns the bars of a panel, or lines of about `length` (m) along some of its twines, with the
+# mean tension of their bars.
 panel_bar_lines <- function(state, points, name, part, length) {
   bars <- bars_of_part(state, part)
   ends <- bar_ends(state, bars)
@@ -257,25 +254,25 @@ panel_bar_lines <- function(state, points, name, part, length) {
   backwards <- on$backwards[kept]
   from <- ends[cbind(1L + backwards, kept)]
   to <- ends[cbind(2L - backwards, kept)]
-  # A line begins where a twine does, and after so many bars.
+  # A line starts at the start of a twine and after every `merge` bars.
   begins <- c(TRUE, from[-1L] != to[-length(to)])
   k <- seq_along(kept)
   begins <- begins | (k - k[begins][cumsum(begins)]) %% thin$merge == 0
   line <- cumsum(begins)
   new_lines(
     points, from[begins], to[c(begins[-1L], TRUE)],
-    weighted_means(tension[kept], state$lattice$mesh$bars$rest[bars[kept]], line, sum(begins)),
+    weighted_means(tension[kept], state$mesh$model$bars$rest[bars[kept]], line, sum(begins)),
     part
   )
 }
 
-# On which equivalent twine of a panel each bar (its two ends) lies: list(family (1 or 2), number
-# (counted from the panel's middle), along = where on it, backwards = whether its first end lies
-# beyond its second).
+# Returns the equivalent twine of each bar in a panel. ends: the two nodes of each bar. `family`: 1
+# or 2. `number`: number of the twine, from the panel's middle. `along`: position on the twine.
+# `backwards`: TRUE if the bar's first end lies beyond its second.
 bar_twines <- function(state, name, ends) {
   panel <- state$si$panels[[name]]
-  drawn <- state$lattice$panels[[name]]
-  node <- point_number(drawn$node, state$lattice$nodes)
+  drawn <- state$mesh$panels[[name]]
+  node <- point_number(drawn$node, state$mesh$nodes)
   at <- matrix(match(ends, node), 2L)
   i <- matrix(drawn$i[at], 2L)
   j <- matrix(drawn$j[at], 2L)
@@ -300,16 +297,15 @@ bar_twines <- function(state, name, ends) {
   )
 }
 
-# A piece spread along a rope is marked at up to this many of its nodes.
 marks_of_piece <- 24L
 
 piece_marks <- function(state, points) {
-  lattice <- state$lattice
+  mesh <- state$mesh
   parts <- length(state$si$ropes) + length(state$si$panels) + seq_along(state$si$pieces)
   if (!length(parts)) return(NULL)
-  pieces <- unname(state$si$pieces[lattice$parts$name[parts]])
+  pieces <- unname(state$si$pieces[mesh$parts$name[parts]])
   nodes <- lapply(parts, function(part) {
-    node <- unique(lattice$mesh$spheres$node[lattice$sphere_part == part])
+    node <- unique(mesh$model$spheres$node[mesh$sphere_part == part])
     n <- min(length(node), max(marks_of_piece, 1L))
     node[unique(round(seq(1, length(node), length.out = n)))]
   })
@@ -318,25 +314,24 @@ piece_marks <- function(state, points) {
   role <- vapply(pieces, function(piece) as.character(piece$role), "")
   data.frame(
     x = points[1L, node], y = points[2L, node], z = points[3L, node],
-    role = each(ifelse(is.na(role), "other", role)), part = each(lattice$parts$name[parts]),
+    role = each(ifelse(is.na(role), "other", role)), part = each(mesh$parts$name[parts]),
     size = each(vapply(pieces, piece_size, 0)),
     direction = each(vapply(pieces, function(piece) as.character(piece$lift_direction), ""))
   )
 }
 
-# Root of the area (m) in which a piece is seen: its own, of a sphere of its volume, or where it has
-# neither (a catch), the area that its drag counts.
+# Returns the square root of a piece's visible area (m). It uses the piece's area, otherwise the
+# area of a sphere of its volume, or the drag area (for a catch).
 piece_size <- function(piece) {
   area <- as.double(piece$area)
   if (!is.na(area)) return(sqrt(area))
   if (piece$volume > 0) sqrt(pi) * (3 * piece$volume / (4 * pi))^(1 / 3) else sqrt(piece$drag_area)
 }
 
-# Free otter boards, in the middle of their points.
 board_marks <- function(state) {
   do.call(rbind, lapply(names(state$si$otter_boards), function(name) {
     board <- state$si$otter_boards[[name]]
-    at <- rowMeans(state$position[, state$lattice$points[board$points]])
+    at <- rowMeans(state$position[, state$mesh$points[board$points]])
     data.frame(
       x = at[1], y = at[2], z = at[3], role = board$role, part = name, size = sqrt(board$area),
       direction = board_direction(board)
@@ -354,7 +349,7 @@ board_direction <- function(board) {
 
 support_marks <- function(state) {
   held <- Filter(function(p) is_given(p$held), state$si$points)
-  node <- state$lattice$points[names(held)]
+  node <- state$mesh$points[names(held)]
   if (!length(held)) return(NULL)
   data.frame(
     x = state$position[1L, node], y = state$position[2L, node], z = state$position[3L, node],

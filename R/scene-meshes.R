@@ -1,6 +1,3 @@
-# What the colours of netting stand for in a picture: the tension of its twine, or how its meshes
-# stand.
-
 netting_colours <- c("tension", "mesh_opening", "mesh_angle")
 
 check_colour <- function(colour, known = netting_colours) {
@@ -8,9 +5,9 @@ check_colour <- function(colour, known = netting_colours) {
   abort_argument("{.arg colour} is {.val {colour}}; it must be one of {.val {known}}.")
 }
 
-# The drawing of a state with netting coloured by one of `netting_colours`: list(drawing (see
-# state_drawing(), the netting's `tension` being what its colours show), scales of rope and
-# netting).
+# Returns the drawing of a state with its netting coloured by an element of `netting_colours`:
+# list(drawing, scales). In `drawing` (see `state_drawing()`) the netting's `tension` is the
+# coloured quantity.
 coloured_drawing <- function(state, colour = "tension") {
   drawing <- state_drawing(state)
   by_tension <- colour == "tension"
@@ -30,14 +27,14 @@ coloured_drawing <- function(state, colour = "tension") {
   )
 }
 
-# Of lines of netting (see new_lines()) the mean of both ends, as mesh_means() has it.
 mesh_values <- function(state, lines, colour) {
   mesh_means(state, lines$part - length(state$si$ropes), lines$ends, colour)
 }
 
-# Of places of netting, each among some points of one panel (ends: their numbers, a column for each
-# place; panel: its number), their mean opening over mesh size, of squares over a bar (%), or mesh
-# angle (deg), from all (found). Never 0, which stands for slack.
+# Returns the mean opening or angle of meshes at locations in netting. The opening is relative to
+# the mesh size, for square meshes to the bar (%); the angle is in deg. The result is never 0, which
+# means slack. `panel`: number of the panel of each location. `ends`: points of each location, a
+# column each. `found`: result of `mesh_places()`.
 mesh_means <- function(state, panel, ends, colour, found = mesh_places(state)) {
   if (!length(panel)) return(numeric())
   value <- if (colour == "mesh_angle") {
@@ -49,18 +46,18 @@ mesh_means <- function(state, panel, ends, colour, found = mesh_places(state)) {
   value[is.na(value)] <- 0
   of <- mesh_mean_terms(state, panel, ends)
   mean <- sum_by(of$weight * value[of$column], of$row, of$rows)
-  # among points that are tied to an edge
+  # Locations with only points tied to an edge have no mean.
   mean[!seq_along(mean) %in% of$row] <- stats::median(value)
   pmax(mean, 1e-6)
 }
 
-# How mesh_means() takes what places of netting show from all places of meshes: a sparse matrix of
-# rows, as row, column and weight of what is in it.
+# Returns the weights with which `mesh_means()` averages meshes at locations in netting: a sparse
+# matrix as row, column and weight.
 mesh_mean_terms <- function(state, panel, ends) {
-  meshes <- state$lattice$mesh$frame$meshes
+  meshes <- state$mesh$model$frame$meshes
   rows <- list(panel = meshes$row_panel, t = meshes$row_t, row = meshes$row + 1L, s = meshes$s)
   places <- panel_places(
-    panel_table(state$si$panels), state$lattice$division, state$lattice$panels
+    panel_table(state$si$panels), state$mesh$division, state$mesh$panels
   )
   on <- rows_at(places, rows)
   key <- function(panel, node) panel * 1e9 + node
@@ -79,7 +76,6 @@ mesh_mean_terms <- function(state, panel, ends) {
   )
 }
 
-# As tension_scale(), of what mesh_values() gives.
 mesh_scale <- function(value, colour) {
   if (!length(value)) return(NULL)
   ticks <- pretty(c(0, max(value)), 5)

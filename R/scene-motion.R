@@ -1,7 +1,7 @@
-# A trajectory as a scene that plays, in the vessel's axes.
+# A trajectory as an animated scene in the vessel's axes.
 
-# Kept times that a scene shows at most, and bytes that they may take, so that a page with its
-# scripts stays below 2 MB; of more, every so many is shown.
+# Maximum number of saved times in a scene, and of their bytes. A page with its scripts then stays
+# below 2 MB. Longer trajectories are thinned evenly.
 scene_times <- 400L
 scene_bytes <- 1.1e6
 
@@ -20,10 +20,10 @@ motion_scene <- function(trajectory, colour = "tension", bytes = scene_bytes) {
   }
   state <- shapes[[1L]]$fixed$state
   about <- scene_about(state, shapes)
-  about$conditions <- motion_words(trajectory)
-  # The flow changes: the label beside the slider tells it.
+  about$conditions <- motion_text(trajectory)
+  # The flow changes, so it is in the label next to the slider.
   about$flow <- I(c(0, 0))
-  ends <- vapply(range(trajectory$time), time_words, "", last = max(trajectory$time))
+  ends <- vapply(range(trajectory$time), time_text, "", last = max(trajectory$time))
   c(
     list(
       times = I(trajectory$time[shown]), labels = I(motion_labels(trajectory)[shown]),
@@ -34,18 +34,15 @@ motion_scene <- function(trajectory, colour = "tension", bytes = scene_bytes) {
   )
 }
 
-# Some of 1..n, both ends among them.
 evenly <- function(n, most) unique(round(seq(1, n, length.out = min(n, most))))
 
-# Bytes of the text in a scene.
 scene_size <- function(scene) sum(nchar(unlist(scene), "bytes"))
 
-# Every measure at every kept time, and the energy that is made or lost.
 motion_graph <- function(trajectory) {
   table <- as.data.frame(trajectory, what = "measures")
   of_measures <- lapply(unique(table$measure), function(name) {
     of <- table[table$measure == name, ]
-    list(words = paste0(words_of(name, of$unit[1L]), " (", of$unit[1L], ")"),
+    list(words = paste0(label_of(name, of$unit[1L]), " (", of$unit[1L], ")"),
       values = I(signif(of$value, 5)))
   })
   energy <- trajectory$conditions$energy_imbalance
@@ -57,24 +54,23 @@ motion_graph <- function(trajectory) {
   )))
 }
 
-motion_words <- function(trajectory) {
+motion_text <- function(trajectory) {
   last <- max(trajectory$time)
-  paste(if (is_towed(trajectory)) "towed for" else "after", time_words(last, last))
+  paste(if (is_towed(trajectory)) "towed for" else "after", time_text(last, last))
 }
 
 is_towed <- function(trajectory) any(trajectory$conditions$speed > 0)
 
-# What the page says beside its slider, at every time.
 motion_labels <- function(trajectory) {
-  time <- vapply(trajectory$time, time_words, "", last = max(trajectory$time))
+  time <- vapply(trajectory$time, time_text, "", last = max(trajectory$time))
   if (!is_towed(trajectory)) return(paste("after", time))
   conditions <- trajectory$conditions
   sprintf("%s, %.1f knot, course %.0f\u00b0", time, in_unit(conditions$speed, "knot"),
     in_unit(conditions$course, "deg"))
 }
 
-# A time (s) in the unit that suits the last of its times.
-time_words <- function(time, last) {
+# Formats a time (s) in the unit that suits the last time.
+time_text <- function(time, last) {
   if (last <= 180) return(sprintf("%.1f s", time))
   sprintf("%.0f:%02.0f min", floor(round(time) / 60), round(time) %% 60)
 }

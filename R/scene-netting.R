@@ -1,29 +1,29 @@
-# The netting of a state as surfaces for the viewer: points with their mesh coordinates, between
-# which the viewer draws the twines of the real meshes. A panel of cells is a grid of its points;
-# one of equivalent bars is a cloud of them, which the viewer divides into triangles.
+# Netting of a state as surfaces for the viewer: points with mesh coordinates, between which the
+# viewer draws the twines of the real meshes. A panel of cells is a grid of its points. A panel of
+# equivalent bars is a cloud of its points, which the viewer divides into triangles.
 
-# What netting is drawn by: list(drawn = the lattice's panels, part = the number of each, of_bars =
-# whether it is, block = cells drawn as one, places, clouds = of those of bars or NULL).
+# Returns the data from which netting is drawn. `of_bars`: TRUE for panels of bars. `block`: cells
+# drawn as a single cell. `clouds`: clouds of panels of bars, or NULL.
 netting_to_draw <- function(state, limit) {
-  drawn <- state$lattice$panels
+  drawn <- state$mesh$panels
   part <- netting_parts(state)
   of_bars <- netting_of_bars(state)
   block <- block_to_draw(lapply(drawn[!of_bars], `[[`, "grid"), limit)
-  places <- panel_places(panel_table(state$si$panels), state$lattice$division, drawn)
+  places <- panel_places(panel_table(state$si$panels), state$mesh$division, drawn)
   clouds <- if (any(of_bars)) netting_clouds(what_clouds_are_of(state), part, places)
   list(
     drawn = drawn, part = part, of_bars = of_bars, block = block, places = places, clouds = clouds
   )
 }
 
-# limit: of cells and points of clouds together.
-# Returns list(panels = a list of list(part, columns, rows (0 of a cloud), point = numbers of the
-# state's points, mesh = twine coordinates u and v of each (see netting.hpp), down, full = as
-# caught_netting() has them), u, v = mean
-# tension (N) of the twines along u and v, of every cell of grids (across first) and every point of
-# clouds (NA where no twine of the family ends), panel after panel, at = the corners of those places
-# (4 x places; of a point four times itself), panel = their panel's number, groups = as
-# netting_groups() returns them).
+# Returns the surfaces of netting. A location is a cell of a grid (across first) or a point of a
+# cloud, panel after panel. limit: total number of cells and cloud points.
+#
+# `u`, `v`: mean tension (N) of the twines along u and v at each location, NA if no twine of the
+# family ends there. `at`: corners of each location (4 x locations; a point is repeated). `panel`:
+# panel of each location. `panels`: list by panel. Its `columns` and `rows` are 0 for a cloud,
+# `point` are numbers of the state's points, and `mesh` their twine coordinates u and v (see
+# netting.hpp).
 netting_surfaces <- function(state, limit = drawn_lines) {
   draw <- netting_to_draw(state, limit)
   made <- lapply(seq_along(draw$part), function(p) {
@@ -44,7 +44,7 @@ netting_surfaces <- function(state, limit = drawn_lines) {
     panels = lapply(seq_along(made), function(p) {
       c(made[[p]][c("part", "columns", "rows", "point", "mesh")],
         list(scale = twines$scale[p], offset = twines$offset[, p]),
-        caught_netting(state, names(state$lattice$panels)[p]))
+        caught_netting(state, names(state$mesh$panels)[p]))
     }),
     u = tension("u", state$u_tension), v = tension("v", state$v_tension),
     at = matrix(as.integer(unlist(lapply(made, `[[`, "at"))), 4L),
@@ -52,8 +52,9 @@ netting_surfaces <- function(state, limit = drawn_lines) {
   )
 }
 
-# What shows the tension of each place of such surfaces along u and v: of each way list(element =
-# bars of clouds, `split` of them, then cells, group = the place of each, weight, count = places).
+# Returns the elements that define the tension of each location along u and v. `element`: bars of
+# clouds (`split` is their number), then cells. `group`, `weight`: location and weight of each
+# element. `count`: number of locations.
 netting_groups <- function(state, draw) {
   each <- lapply(seq_along(draw$part), function(p) {
     if (draw$of_bars[p]) {
@@ -81,23 +82,23 @@ netting_groups <- function(state, draw) {
   })
 }
 
-# Where a catch fills a panel: list(down = what u and v count for depth in meshes, full = the depth
-# from which on it is full, NULL where nothing fills it).
+# Returns list(down, full). `down`: weights of u and v in the depth (meshes). `full`: depth from
+# which the panel is full of catch, NULL without catch.
 caught_netting <- function(state, name) {
   panel <- state$si$panels[[name]]
   list(
     down = if (panel$orientation == "square") c(0, 1) else c(0.5, 0.5),
-    full = if (name %in% state$si$catch$panels) panel$deep - state$lattice$catch$blocked
+    full = if (name %in% state$si$catch$panels) panel$deep - state$mesh$catch$blocked
   )
 }
 
 grid_surface <- function(state, p, part, block, places) {
-  name <- names(state$lattice$panels)[p]
-  grid <- state$lattice$panels[[p]]$grid
+  name <- names(state$mesh$panels)[p]
+  grid <- state$mesh$panels[[p]]$grid
   columns <- block_ends(nrow(grid), block)
   rows <- block_ends(ncol(grid), block)
   coarse <- grid[columns, rows, drop = FALSE]
-  # of the nodes of grids panel_places() tells first, each grid in its order
+  # `panel_places()` lists the nodes of grids first, each grid in its order.
   mine <- which(places$panel == p)[seq_along(grid)]
   kept <- mine[as.vector(matrix(seq_along(grid), nrow(grid))[columns, rows])]
   corner <- function(c, r) {
@@ -110,39 +111,38 @@ grid_surface <- function(state, p, part, block, places) {
   )
 }
 
-# What of a state tells how its clouds are joined, and no more: the tank settles the same lattice
-# again and again.
+# Returns only the data that clouds depend on. The tank solves the same mesh repeatedly, and
+# `netting_clouds()` then reuses its result.
 what_clouds_are_of <- function(state) {
-  lattice <- state$lattice
+  mesh <- state$mesh
   list(
     si = list(panels = state$si$panels),
-    lattice = list(
-      panels = lattice$panels, bar_part = lattice$bar_part,
-      nodes = lattice$nodes, mesh = list(bars = lattice$mesh$bars["node"])
+    mesh = list(
+      panels = mesh$panels, bar_part = mesh$bar_part,
+      nodes = mesh$nodes, model = list(bars = mesh$model$bars["node"])
     )
   )
 }
 
-# The clouds of the panels of bars of what what_clouds_are_of() gives, by panel.
 netting_clouds <- remembered(new_netting_clouds)
 
 new_netting_clouds <- function(of, part, places) {
-  lapply(seq_along(of$lattice$panels), function(p) {
-    if (of$lattice$panels[[p]]$netting == "bars") cloud_frame(of, p, part[p], places)
+  lapply(seq_along(of$mesh$panels), function(p) {
+    if (of$mesh$panels[[p]]$netting == "bars") cloud_frame(of, p, part[p], places)
   })
 }
 
-# The knots and middles of bars of a panel, with the nodes on its edges: what a surface has that
-# does not move, and for u and v the bars that end at its points, list(bar, at = at which).
+# Returns the fixed data of a panel's cloud: knots, middles of bars and nodes on its edges. `u` and
+# `v` list the bars that end at its points: list(bar, at (number of the point)).
 cloud_frame <- function(of, p, part, places) {
-  name <- names(of$lattice$panels)[p]
-  drawn <- of$lattice$panels[[p]]
+  name <- names(of$mesh$panels)[p]
+  drawn <- of$mesh$panels[[p]]
   panel <- of$si$panels[[name]]
   on_edges <- which(places$panel == p)
-  node <- point_number(drawn$node, of$lattice$nodes)
+  node <- point_number(drawn$node, of$mesh$nodes)
   left <- panel_left(panel, drawn$j)
   s <- (drawn$i - left) / pmax(panel_right(panel, drawn$j) - left, 1e-9)
-  point <- c(node, point_number(places$node[on_edges], of$lattice$nodes))
+  point <- c(node, point_number(places$node[on_edges], of$mesh$nodes))
   s <- c(pmin(pmax(s, 0), 1), places$s[on_edges])
   t <- c(drawn$j / panel$deep, places$t[on_edges])
   kept <- which(!duplicated(round(s * 1e6) + 1e7 * round(t * 1e6)))
@@ -150,7 +150,7 @@ cloud_frame <- function(of, p, part, places) {
   bars <- bars_of_part(of, part)
   ends <- bar_ends(of, bars)
   family <- bar_twines(of, name, ends)$family
-  # u twines run along u
+  # Family 1 runs along u.
   ending <- function(which) {
     on <- which(family == which)
     at <- match(as.vector(ends[, on]), point)
@@ -164,7 +164,7 @@ cloud_frame <- function(of, p, part, places) {
   )
 }
 
-# Twine coordinates u and v (2 x places) at shares across and deep of a panel.
+# Returns twine coordinates u and v (2 x points) at fractions s (across) and t (deep) of a panel.
 twine_coordinates <- function(panel, s, t) {
   j <- t * panel$deep
   left <- panel_left(panel, j)

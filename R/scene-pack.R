@@ -1,4 +1,4 @@
-# Numbers as the viewer's script reads them: text of base64 of little-endian bytes.
+# Numbers in the form that the viewer's script reads: little-endian bytes as base64 text.
 
 packed <- function(numbers, size) {
   text <- jsonlite::base64_enc(writeBin(as.vector(numbers), raw(), size = size, endian = "little"))
@@ -8,9 +8,9 @@ packed <- function(numbers, size) {
 packed_floats <- function(x) packed(as.double(x), 4L)
 packed_integers <- function(x) packed(as.integer(x), 4L)
 
-# Whole numbers (n x times) whose lowest 16 bits are wanted, deflated: differences in time of the
-# order-th order, each number's series after the other, low bytes before high ones. What moves
-# smoothly takes half a byte a number so.
+# Packs the lowest 16 bits of whole numbers (n x times), compressed. It stores differences in time
+# of the given order, the series of each number in sequence, low bytes before high bytes. Smooth
+# motion takes half a byte per number.
 packed_series <- function(x, order) {
   n <- nrow(x)
   for (k in seq_len(order)) {
@@ -22,8 +22,9 @@ packed_series <- function(x, order) {
   list(count = n, order = order, text = gsub("[\r\n]", "", text))
 }
 
-# Places (3 x n x times, m). Of one time single floats; of more whole steps from each number's
-# least, of `step` (m) or what leaves at most 65535 of them.
+# Packs positions (3 x n x times, m). A single time is stored as single precision floats. Several
+# times are stored as whole steps from the minimum of each number. A step is at least `step` (m),
+# with at most 65535 steps.
 packed_places <- function(x, times, step = 1e-3) {
   if (times == 1L) return(list(floats = packed_floats(x)))
   x <- matrix(x, ncol = times)
@@ -37,9 +38,9 @@ packed_places <- function(x, times, step = 1e-3) {
   )
 }
 
-# Values (n x times), negative ones pushing. Of more than one time the root of their share of the
-# largest, with sign, in 4095 steps: small ones are told to as many figures as large ones need. No
-# value but 0 becomes 0; -32768 stands for NA.
+# Packs values (n x times); negative values mean compression. A single time is stored as floats.
+# Several times are stored as signed square roots relative to the maximum, in 4095 steps, so that
+# small values keep enough digits. Only 0 is stored as 0; -32768 means NA.
 packed_values <- function(x, times) {
   if (times == 1L) return(list(floats = packed_floats(x)))
   if (!length(x)) return(list(floats = ""))

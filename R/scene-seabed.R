@@ -1,9 +1,7 @@
-# The sea bed as pictures show it.
-
 bed_colours <- c(ground = "#EDE6D8", line = "#8A7653")
 
-# Returns list(normal, height (m), middle = x and y (m) of the tenth of the gear that is nearest to
-# the bed: a slope is drawn where the gear lies on it), or NULL without a sea bed.
+# Returns list(normal, height (m), middle), or NULL without a sea bed. `middle` is x and y (m) of
+# the tenth of the gear nearest to the bed: a slope is drawn there.
 drawn_bed <- function(state) {
   ground <- state$si$ground
   if (is.null(ground)) return(NULL)
@@ -15,7 +13,6 @@ drawn_bed <- function(state) {
   )
 }
 
-# Heights (m) of the bed at places (2 x n, x and y, m).
 bed_heights <- function(bed, places) {
   (bed$height - colSums(bed$normal[1:2] * places)) / bed$normal[3]
 }

@@ -1,5 +1,5 @@
-# Symbols of pieces and supports: one table for the plane figures and the viewer. `fill` has a dark
-# edge around it; `solid` stands alone in the viewer and is dark enough for that.
+# Symbols of pieces and supports for plane figures and the viewer. `fill` has a dark edge. `solid`
+# has no edge in the viewer, so it is dark enough without.
 view_symbols <- data.frame(
   role = c(
     "otter_board", "kite", "hammer", "float", "canvas", "catch", "weight", "sinker", "ring", "hook",
@@ -21,7 +21,7 @@ view_symbols <- data.frame(
   size = c(1.3, 1.3, 1.1, 0.7, 1.1, 1.3, 1.1, 0.7, 0.7, 0.5, 0.8, 1, 1.2, 1.1)
 )
 
-# The symbols of roles; a role that the table does not have is another piece.
+# Returns the symbols of roles; unknown roles use the symbol of other pieces.
 symbol_of <- function(role) {
   known <- ifelse(role %in% view_symbols$role, role, "other")
   view_symbols[match(known, view_symbols$role), ]

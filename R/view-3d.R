@@ -1,42 +1,52 @@
-#' Look at a state or a trajectory in three dimensions
+#' View a state or a trajectory in three dimensions
 #'
-#' Makes a page with the gear as it is in the water: netting with the twines of its meshes,
-#' ropes as tubes of their thickness, chains with their links, boards, floats and weights in their
-#' shapes, a catch in its codend, the vessel, the sea bed with the gear's shadow, and water that
-#' darkens with depth. In an interactive session it opens in the viewer or the browser.
+#' Makes a page that shows the gear in the water, and plays a trajectory. In an interactive session
+#' it opens in the viewer or the browser.
 #'
-#' Turn the gear with the left mouse button, one finger or the arrow keys; zoom with the wheel, two
-#' fingers, plus and minus; move it with the right button. The pointer over a rope, a panel or a
-#' piece reports its name and values. Buttons look at the net or the whole gear, from the bow, from
-#' above, the side or astern; a list changes what colours show: tension, slack lines alone, the
-#' opening or angle of meshes, or drag. Slack lines have a quiet colour, and a bright one where the
-#' colours show slack alone. Slack ropes are dashed; slack netting is dashed where the colours show
-#' slack alone. The key `h` lists all keys. Where meshes are too small to be seen, a panel is drawn
-#' with fewer, larger meshes. The drawn twines then meet on seams across the net. Pieces are drawn
-#' large enough to be seen. The page prints on white.
+#' @section Picture:
+#' - Netting has the twines of its meshes. If meshes are too small to be visible, a panel is drawn
+#'   with fewer, larger meshes, and the drawn twines meet on seams across the net.
+#' - Ropes are drawn with their diameter, chains with their links, and boards, floats and weights
+#'   with their shapes. Pieces are drawn large enough to be visible.
+#' - A catch is drawn in its codend. The vessel, the sea bed with the gear's shadow, and water that
+#'   darkens with depth surround the gear.
+#' - Slack lines have a muted colour, and a bright colour if the colours show slack alone. Slack
+#'   ropes are dashed; slack netting is dashed if the colours show slack alone.
+#' - Drag is displayed relative to the size of its part: N per metre of rope, and N per square metre
+#'   of netting with square meshes.
+#' - The page prints on white.
 #'
-#' The button *Save* saves the picture as PNG, 3,840 pixels along its longer side, or a video as
-#' WebM: of a turn around the gear in 12 s, or of a tow that the page plays, in at most 20 s. Both
-#' are with or without title and legend. A video has as many frames as the browser draws in that
-#' time.
+#' @section Controls:
+#' - The left mouse button, one finger or the arrow keys turn the gear. The wheel, two fingers, plus
+#'   and minus zoom. The right mouse button moves the gear.
+#' - The pointer over a rope, a panel or a piece displays its name and values.
+#' - Buttons select the net or the whole gear, and the view from the bow, from above, from the side
+#'   or from astern.
+#' - A list selects the colours: tension, slack alone, mesh opening, mesh angle or drag.
+#' - *Save* writes a PNG picture with 3,840 pixels along its longer side, or a WebM video. The video
+#'   shows a turn around the gear in 12 s, or the tow in at most 20 s. Title and legend are
+#'   optional. The number of video frames depends on the browser's speed.
+#' - The key `h` lists all keys.
 #'
-#' The page of a trajectory plays it, as seen from the vessel, with a button, a slider of time and a
-#' graph of any measure; the space bar plays and stops, comma and full stop step from kept time to
-#' kept time. Of a long tow it shows some of the kept times, evenly spread, so that the page stays
-#' below 2 MB; between them the gear moves straight on.
+#' @section Trajectories:
+#' - The page plays the tow as seen from the vessel, with a button, a time slider and a graph of any
+#'   measure.
+#' - The space bar plays and stops; comma and full stop step through the stored times.
+#' - For a long tow, evenly spread stored times are selected, so that the page stays below 2 MB. The
+#'   gear moves linearly between them.
+#' - Mesh opening and mesh angle are not available.
 #'
-#' Drag is reported over the size of its part: of ropes N per metre, of netting N per square metre
-#' of netting with square meshes. Mesh opening and angle are not given for a trajectory.
-#'
-#' @param state A state, from [settle()], or a trajectory, from [tow()].
-#' @param file `NULL`, or an HTML file to write: one file that holds everything it needs and
-#'   uses no network. It is written whole or not at all.
-#' @param colour What the colours show at first: `"tension"`, `"slack"`, `"mesh_opening"`,
-#'   `"mesh_angle"` or `"drag"`.
-#' @return An HTML widget, which prints in the viewer or browser, invisibly where `file` is given.
-#'   A wrong argument is an error of class `codend_error_argument`.
+#' @param state A state from [settle()], or a trajectory from [tow()].
+#' @param file `NULL` (default), or an HTML file to write. The file contains all that it needs, uses
+#'   no network, and is written atomically.
+#' @param colour The quantity that the colours show first: `"tension"` (default), `"slack"`,
+#'   `"mesh_opening"`, `"mesh_angle"` or `"drag"`.
+#' @return An HTML widget (class `htmlwidget`), which opens when printed. It is invisible if `file`
+#'   is given. An invalid argument is an error of class `codend_error_argument`.
+#' @seealso [plot.codend_state()] for plane views, [report()] for a page with numbers, [share()] for
+#'   a page with sliders.
 #' @examples
-#' page <- view_3d(settle("towed_cable"))
+#' page <- view_3d(settle("small_midwater_trawl", nodes = 300))
 #' class(page)
 #' @export
 view_3d <- function(state, file = NULL, colour = "tension") {
@@ -44,7 +54,7 @@ view_3d <- function(state, file = NULL, colour = "tension") {
   if (!inherits(state, "codend_trajectory")) check_is_state(state)
   check_colour(colour, viewer_colours)
   if (!is.null(file)) check_file_path(file, ".html")
-  # In a file a fixed name, so that every new session writes the same page of the same state.
+  # a fixed name, so that every new session writes the same file for the same state
   element <- if (!is.null(file)) "gear"
   page <- viewer_widget(viewed_scene(state, colour), element)
   if (is.null(file)) return(page)
@@ -58,14 +68,13 @@ view_3d <- function(state, file = NULL, colour = "tension") {
 
 viewer_colours <- c("tension", "slack", "mesh_opening", "mesh_angle", "drag")
 
-# The scene of a state or a trajectory.
 viewed_scene <- function(of, colour = "tension") {
   with_plain_numbers(
     if (inherits(of, "codend_trajectory")) motion_scene(of, colour) else state_scene(of, colour)
   )
 }
 
-# JSON as htmlwidgets asks for it.
+# JSON in the form that htmlwidgets requires.
 embedded_json <- function(x, ...) {
   text <- jsonlite::toJSON(
     I(x), dataframe = "columns", null = "null", na = "null", auto_unbox = TRUE, digits = 16,
@@ -74,7 +83,7 @@ embedded_json <- function(x, ...) {
   structure(escape_json(text), class = "json")
 }
 
-# A scene as a widget that fills its place; element: its name in HTML, or NULL for a random one.
+# element: name of the widget in HTML, or NULL for a random name.
 viewer_widget <- function(scene, element = NULL, title = TRUE) {
   htmlwidgets::createWidget(
     "codend", structure(list(scene = scene, title = title), TOJSON_FUNC = embedded_json),

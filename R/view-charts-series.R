@@ -20,8 +20,8 @@ autoplot.codend_trajectory <- function(object, measures = NULL, ...) {
   series_chart(data, paste("Tow of", object$gear$plan$name))
 }
 
-# The conditions of a trajectory that change, except the vessel's position: data frame(panel, time
-# (s), value, error).
+# Returns the conditions of a trajectory that change, without the position of the vessel: data
+# frame(panel, time [s], value, error).
 schedule_series <- function(trajectory) {
   table <- condition_units(trajectory$conditions)
   known <- c(
@@ -41,7 +41,7 @@ schedule_series <- function(trajectory) {
 
 # ---- ropes and meshes ----------------------------------------------------------------------------
 
-# Two neighbours, one solid and one dashed over it, differ most.
+# Adjacent colours differ most, because a dashed line often covers a solid line.
 rope_colours <- series_palette[c(1L, 5L, 2L, 4L, 3L)]
 
 # More lines than these in one facet cannot be distinguished.
@@ -63,7 +63,7 @@ autoplot.codend_rope_tensions <- function(object, ...) {
   named_lines_chart(data, title)
 }
 
-# A series chart whose lines are named groups; number: of each group in its facet.
+# A group of `data` has one line and a `number` in its facet.
 named_lines_chart <- function(data, title) {
   number <- data$number[match(unique(data$group), data$group)]
   chart <- series_chart(data, title, colours = rep_len(rope_colours, max(number))[number],
@@ -72,8 +72,8 @@ named_lines_chart <- function(data, title) {
   chart
 }
 
-# Tensions of lines, extended to both ends, with the heading of their facet and their number (group)
-# there.
+# Extends the tensions to both ends of each line. `heading` is the facet, `group` the number of the
+# line in it.
 rope_series <- function(x) {
   lines <- split(x, factor(x$line, unique(x$line)))
   drawn <- do.call(rbind, lapply(lines, function(line) {
@@ -112,8 +112,8 @@ autoplot.codend_mesh_openings <- function(object, ...) {
   named_lines_chart(data, title) + ggplot2::aes(group = .data[["piece"]])
 }
 
-# Which line along the net every row belongs to: its panel's name without that of its part, a wing
-# with the panel that it is joined to.
+# Returns the line to which each row belongs: the name of its panel without the part. A wing belongs
+# to the line of the panel that it is joined to.
 mesh_sides <- function(x) {
   out <- mapply(function(panel, part) {
     if (nzchar(part)) sub(paste0("_?", part, "$"), "", panel) else panel
@@ -135,7 +135,7 @@ autoplot.codend_variations <- function(object, measures = NULL, ...) {
   apart <- Filter(function(other) {
     nrow(unique(object[c(field, other)])) > length(unique(object[[field]]))
   }, fields[-1L])
-  values <- lapply(unclass(object)[apart], as_shown)
+  values <- lapply(unclass(object)[apart], axis_strings)
   group <- if (length(apart)) do.call(paste, c(values, sep = ", ")) else rep("", nrow(object))
   at <- object[[field]]
   rows <- order(match(group, unique(group)), axis_places(at))
@@ -150,21 +150,21 @@ autoplot.codend_variations <- function(object, measures = NULL, ...) {
 
 study_title <- function(x, what) paste(c(what, attr(x, "gear_name")), collapse = " of ")
 
-# Places along an axis: numbers as they are, texts in their order.
+# Returns positions along an axis: numbers as they are, strings in order of appearance.
 axis_places <- function(values) if (is.numeric(values)) values else match(values, unique(values))
 
-as_shown <- function(values) {
+axis_strings <- function(values) {
   if (!is.numeric(values)) return(as.character(values))
   vapply(values, function(v) format(signif(v, 6)), "")
 }
 
-# A field as an axis names it: "towing speed (knot)" for "towing.speed_knot".
+# Returns "towing speed (knot)" for "towing.speed_knot".
 field_words <- function(x, column) {
   unit <- variations_unit(x, column)
-  words_and_unit(gsub(".", " ", words_of(column, unit), fixed = TRUE), unit)
+  label_and_unit(gsub(".", " ", label_of(column, unit), fixed = TRUE), unit)
 }
 
-# The unit of a column of variations, "" where a part of the table has lost it.
+# Returns "" if a subset of the table has lost the units.
 variations_unit <- function(x, column) {
   unit <- attr(x, "unit")[column]
   if (is.null(unit) || is.na(unit)) "" else unname(unit)
@@ -180,10 +180,9 @@ has_response_curves <- function(x) {
     length(variations_fields(x)) > 1L
 }
 
-# Fewer points than these have no smooth curve.
+# Smallest number of points for a smooth curve.
 least_smooth <- 8L
 
-# Each measure against each field.
 response_chart <- function(x, measures, title) {
   fields <- variations_fields(x)
   single <- attr(x, "study")$how == "one_at_a_time"
@@ -200,7 +199,8 @@ response_chart <- function(x, measures, title) {
     rows <- rows[order(x[[field]][rows])]
     part <- data.frame(
       panel = measure_label(measure, variations_unit(x, measure)), across = field_words(x, field),
-      at = if (text) as_shown(x[[field]][rows]) else x[[field]][rows], value = x[[measure]][rows],
+      at = if (text) axis_strings(x[[field]][rows]) else x[[field]][rows],
+        value = x[[measure]][rows],
       joined = single, marked = TRUE, settled = x$settled[rows]
     )
     seen <- !is.na(part$value)
@@ -214,8 +214,8 @@ response_chart <- function(x, measures, title) {
 
 # ---- effects -------------------------------------------------------------------------------------
 
-# Texts as numbers where all of them are numbers.
-numbers_or_texts <- function(values) {
+# Converts strings to numbers if all are numbers.
+numbers_or_strings <- function(values) {
   number <- suppressWarnings(as.double(values))
   if (anyNA(number)) values else number
 }
@@ -225,7 +225,7 @@ numbers_or_texts <- function(values) {
 autoplot.codend_effects <- function(object, measures = NULL, ...) {
   shown <- object$measure %in% chosen_some(measures, unique(object$measure))
   data <- data.frame(
-    panel = measure_label(object$measure, object$unit), at = numbers_or_texts(object$value),
+    panel = measure_label(object$measure, object$unit), at = numbers_or_strings(object$value),
     across = vapply(object$field, function(field) field_words(object, field), ""),
     value = object$mean, marked = TRUE
   )
@@ -237,34 +237,34 @@ autoplot.codend_effects <- function(object, measures = NULL, ...) {
 autoplot.codend_pair_effects <- function(object, measures = NULL, most = 6, ...) {
   rows <- chosen_pairs(object, measures, most)
   data <- do.call(rbind, lapply(rows, function(row) pair_points(object, row)))
-  data$at <- numbers_or_texts(data$at)
+  data$at <- numbers_or_strings(data$at)
   number <- data$number[match(unique(data$group), data$group)]
   series_chart(data, study_title(object, "Effects of pairs"),
     colours = rep_len(rope_colours, max(number))[number]) +
-    # the value of the other field stands at the end of each line
+    # the value of the other field is printed at the end of each line
     ggplot2::geom_text(ggplot2::aes(label = .data[["label"]]), function(drawn) drawn[drawn$last, ],
       hjust = -0.2, size = 3, show.legend = FALSE) +
     (if (is.numeric(data$at)) ggplot2::scale_x_continuous(expand = c(0.05, 0, 0.2, 0))) +
     ggplot2::theme(legend.position = "none")
 }
 
-# Rows of the pairs that are drawn.
+# Returns the rows of the pairs to draw.
 chosen_pairs <- function(x, measures, most) {
   measures <- chosen_some(measures, unique(x$measure))
   check_count("most", most)
   if (is.null(attr(x, "means"))) {
-    abort_argument("{.arg x} has lost the means that {.fn effects} gave it.")
+    abort_argument("{.arg x} has no means; use the unchanged result of {.fn effects}.")
   }
   unlist(lapply(measures, function(name) utils::head(which(x$measure == name), most)))
 }
 
-# The means of a pair's measure as series_chart() takes them.
+# Returns the means of a pair for series_chart().
 pair_points <- function(x, row) {
   means <- attr(x, "means")
   drawn <- means[means$measure == x$measure[row] & means$field == x$field[row] &
     means$other == x$other[row], ]
   drawn <- drawn[order(match(drawn$other_value, unique(drawn$other_value)),
-    axis_places(numbers_or_texts(drawn$value))), ]
+    axis_places(numbers_or_strings(drawn$value))), ]
   other <- field_words(x, x$other[row])
   data.frame(
     panel = measure_label(x$measure[row], x$unit[row]),
@@ -277,10 +277,10 @@ pair_points <- function(x, row) {
   )
 }
 
-# Values of groups: numbers to a few figures where that keeps them apart.
+# Returns numbers with few digits if that distinguishes them.
 group_labels <- function(values, figures = 4L) {
-  number <- numbers_or_texts(values)
+  number <- numbers_or_strings(values)
   if (!is.numeric(number)) return(values)
-  short <- as_shown(signif(number, figures))
-  if (length(unique(short)) < length(unique(number))) as_shown(number) else short
+  short <- axis_strings(signif(number, figures))
+  if (length(unique(short)) < length(unique(number))) axis_strings(number) else short
 }

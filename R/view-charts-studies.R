@@ -6,7 +6,7 @@ autoplot.codend_sensitivities <- function(object, measures = NULL, ...) {
   known <- unique(object$measure[is.finite(object$elasticity) & object$elasticity != 0])
   data <- object[object$measure %in% chosen_some(measures, known), ]
   unit <- attr(object, "measure_unit")
-  per <- data$elasticity / data$slope
+  per <- data$elasticity / data$derivative
   data <- data.frame(
     panel = measure_label(data$measure, unit[data$measure]), size = abs(data$elasticity),
     # fields that change together are named by the first
@@ -16,7 +16,7 @@ autoplot.codend_sensitivities <- function(object, measures = NULL, ...) {
   # a secant over a jump would leave no space for the other bars
   most <- 1.5 * stats::ave(data$size, data$panel, FUN = max)
   secants <- rbind(cbind(data, secant = data$below, most), cbind(data, secant = data$above, most))
-  # a slope of 0 has no elasticity to scale its secants by
+  # a sensitivity of 0 has no elasticity that could scale its secants
   secants <- secants[!secants$smooth & is.finite(secants$secant), ]
   secants$secant <- pmin(pmax(secants$secant, -secants$most), secants$most)
   secants$row <- bar_row(secants$name, secants$panel)
@@ -42,13 +42,12 @@ autoplot.codend_sobol_indices <- function(object, measures = NULL, ...) {
   part <- function(kind) {
     data.frame(
       panel = measure_label(object$measure, unit[object$measure]), size = object$total,
-      # fields that change together are named by the first
       name = sub(",.*", ", ...", object$field), index = kind, value = object[[kind]],
       low = object[[paste0(kind, "_low")]], high = object[[paste0(kind, "_high")]]
     )
   }
   bar_chart(rbind(part("first"), part("total")), study_title(object, "Sobol' indices"),
-    "share of the variance",
+    "fraction of the variance",
     ggplot2::geom_pointrange(
       ggplot2::aes(.data[["value"]], xmin = .data[["low"]], xmax = .data[["high"]],
         shape = .data[["index"]]),
@@ -61,7 +60,7 @@ autoplot.codend_sobol_indices <- function(object, measures = NULL, ...) {
 }
 
 origin_colours <- c(
-  coefficients = "#2a6f97", plan = "#61a5c2", conditions = "#a9d6e5", lattice = "#e9c46a",
+  coefficients = "#2a6f97", plan = "#61a5c2", conditions = "#a9d6e5", mesh = "#e9c46a",
   model = "#9a8c98"
 )
 
@@ -89,7 +88,7 @@ autoplot.codend_uncertainty <- function(object, measures = NULL, sources = NULL,
     data <- data.frame(name = rows$source, value = rows$contribution, origin = rows$group,
       size = abs(rows$contribution))
     return(draw(data, sprintf("change of the %s for one standard uncertainty (%s)",
-      words_of(sources, unit), unit)))
+      label_of(sources, unit), unit)))
   }
   table <- table[match(measures, table$measure), ]
   percent <- 100 * table$uncertainty / abs(table$value)
@@ -97,7 +96,7 @@ autoplot.codend_uncertainty <- function(object, measures = NULL, sources = NULL,
   most <- max(pmin(percent, 4 * stats::median(percent)))
   parts <- as.matrix(table[names(origin_colours)])^2
   parts <- parts / rowSums(parts) * pmin(percent, most)
-  names <- words_of(table$measure, table$unit)
+  names <- label_of(table$measure, table$unit)
   data <- data.frame(name = names[row(parts)], value = as.vector(parts),
     origin = names(origin_colours)[col(parts)], size = -as.vector(row(parts)))
   long <- data.frame(row = bar_row(names, ""), text = sprintf("to %.0f %%", percent), panel = "")
@@ -154,13 +153,13 @@ autoplot.codend_calibration <- function(object, by = NULL, ...) {
 autoplot.codend_optimum <- function(object, ...) {
   rows <- object$history
   fields <- object$fields
-  labels <- words_and_unit(fields$field, fields$unit)
+  labels <- label_and_unit(fields$field, fields$unit)
   margins <- sprintf("margin of %s (%%)", object$keep$text)
   quantity <- function(panel, value) {
     data.frame(panel = panel, at = seq_len(nrow(rows)), value = value, open = !rows$kept)
   }
   data <- rbind(
-    quantity(object$aim$text, rows$aim),
+    quantity(object$objective$text, rows$objective),
     do.call(rbind, lapply(seq_len(nrow(object$keep)), function(k) {
       quantity(margins[k], -100 * attr(rows, "gaps")[, k])
     })),
@@ -178,7 +177,7 @@ autoplot.codend_optimum <- function(object, ...) {
 #' @rdname codend_charts
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_trade_off <- function(object, ...) {
-  objectives <- unname(attr(object, "aims"))
+  objectives <- unname(attr(object, "objectives"))
   shown <- setdiff(names(object)[-1L], c("kept", "optimal"))
   data <- do.call(rbind, lapply(shown, function(name) {
     data.frame(panel = name, at = object[[1L]], value = object[[name]], marked = TRUE,
@@ -189,7 +188,7 @@ autoplot.codend_trade_off <- function(object, ...) {
     paste("Trade-off of", attr(object, "gear_name")))
 }
 
-# Colours of Okabe and Ito, which most colour-blind readers distinguish, the darkest first.
+# Colours of Okabe and Ito, the darkest first. Most colour-blind readers can distinguish them.
 model_colours <- c(
   "#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7F7F7F"
 )

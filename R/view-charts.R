@@ -4,22 +4,20 @@
 #' `autoplot()` returns the chart as a ggplot object, to which themes, scales and labels can be
 #' added.
 #'
-#' @details
-#' Each kind of result has its own chart:
-#'
-#' - A trajectory ([tow()]): what the schedule changes and all measures against time. Bands reach
-#'   twice the standard error of [measures()] to both sides.
+#' @section Charts:
+#' - A trajectory ([tow()]): all measures and scheduled conditions against time. Bands are twice the
+#'   standard error of [measures()] to both sides.
 #' - Tensions along ropes ([tensions_along()]): tension against the distance from the rope's start,
-#'   a facet for each role. Every second rope is dashed, so that equal ropes both show.
+#'   a facet for each role. Every second rope is dashed, so that equal ropes are both visible.
 #' - Meshes along a net ([mesh_openings()]): opening and angle against the distance aft. A line
-#'   joins the panels between the same two seams, such as those of the back.
-#' - Variations ([vary()]): measures against the field that changes first, a line for each
-#'   combination of the other fields. A cross marks a gear that did not settle. For drawn designs
-#'   and for `one_at_a_time`, each measure against each field: all designs with a smooth curve
-#'   (lowess), or the designs in which the other fields are as in the plan.
-#' - [Effects][effects.codend_variations] of fields and of pairs: means of measures against a
-#'   field. A pair has a line for each value of the other field, with the value at its end. Lines
-#'   that are not parallel show an interaction.
+#'   joins panels between the same two seams, such as the panels of the back.
+#' - Variations ([vary()]): measures against the field that changes first, with a line for each
+#'   combination of the other fields. A cross marks a gear that did not settle.
+#' - Variations with drawn designs: each measure against each field, with a smooth curve (lowess).
+#'   With `one_at_a_time`, only designs in which the other fields are as in the plan.
+#' - [Effects][effects.codend_variations] of fields and of pairs: means of measures against a field.
+#'   A pair has a line for each value of the other field, with the value at its end. Lines that are
+#'   not parallel show an interaction.
 #' - [Sobol' indices][effects.codend_variations]: first-order and total index of each field, with
 #'   intervals.
 #' - Sensitivities ([sensitivities()]): percent of the measure per percent of the field. Open bars
@@ -29,30 +27,30 @@
 #' - A calibration ([calibrate()]): settled against measured values, and residuals against the
 #'   column `by`. Open points are before, filled points after the calibration; dashed lines are at
 #'   twice the error.
-#' - An optimum ([optimise_gear()]): the objective, the margin of each condition (negative: it
-#'   fails) and the fields at each step of the search. Filled points keep all conditions; dashed
-#'   lines are the ends of a field's range.
+#' - An optimum ([optimise_gear()]): the objective, the margin of each condition and the fields at
+#'   each step of the search. A negative margin is a violated condition. Filled points satisfy all
+#'   conditions; dashed lines are the ends of a field's range.
 #' - A trade-off ([trade_off()]): the second objective and all fields against the first objective.
 #'   Open points are not shown to be optimal.
 #' - Coefficients ([force_coefficients()]): computed values (lines) and published values (points)
 #'   against the angle or the Reynolds number.
 #'
-#' @param x,object A result of one of the functions above.
-#' @param ... Arguments of `autoplot()`: `measures` and those below.
-#' @param measures Names of measures, as [measures()] has them. `NULL`: all.
-#' @param most Largest number of pairs for each measure.
-#' @param sources Name of a measure, or `NULL`.
-#' @param by Of a calibration: a column of the data, `"row"` for the row number, or `NULL` for the
-#'   first column that sets a field. Of coefficients: `"angle"`, `"reynolds"`, or `NULL` for the
-#'   angle where there is one.
+#' @param x,object A result of a function above.
+#' @param ... Arguments of `autoplot()`: `measures` and the arguments below.
+#' @param measures Names of measures as in [measures()], or `NULL` (default) for all.
+#' @param most Largest number of pairs for each measure (default 6).
+#' @param sources Name of a measure, or `NULL` (default).
+#' @param by For a calibration: a column of the data, `"row"` for the row number, or `NULL`
+#'   (default) for the first column that sets a field. For coefficients: `"angle"`, `"reynolds"`, or
+#'   `NULL` (default) for the angle if available.
 #' @param force Forces, any of `"twine"`, `"netting"`, `"otter_board"`, `"kite"`, `"sphere"` and
-#'   `"wake"`. `NULL`: all.
-#' @param file `NULL` for the current graphics device, or the path of a `.png`, `.pdf` or `.svg`
-#'   file.
-#' @param width,height Size of the file's page, inches. A `height` of `NULL` fits the chart.
-#' @return `plot()` returns `x`, invisibly; `autoplot()` returns a ggplot. A wrong argument is an
-#'   error of class `codend_error_argument`; a missing ggplot2 is one of class
-#'   `codend_error_package`.
+#'   `"wake"`, or `NULL` (default) for all.
+#' @param file `NULL` (default) for the current graphics device, or the path of a `.png`, `.pdf` or
+#'   `.svg` file.
+#' @param width,height Size of the file's page in inches. If `height` is `NULL` (default), it fits
+#'   the chart.
+#' @return `plot()` returns `x`, invisibly; `autoplot()` returns a ggplot. An invalid argument is an
+#'   error of class `codend_error_argument`, a missing ggplot2 of class `codend_error_package`.
 #' @seealso [plot.codend_state()] and [plot.codend_gear()] for drawings.
 #' @name codend_charts
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
@@ -118,7 +116,7 @@ plot.codend_trade_off <- plot.codend_trajectory
 #' @export
 plot.codend_coefficients <- plot.codend_trajectory
 
-# Inches of a page that fits a chart: its rows of facets, and its bars where it has some.
+# Returns the height of a page that fits the facets and bars of a chart [inch].
 chart_height <- function(chart) {
   rows <- max(ggplot2::summarise_layout(ggplot2::ggplot_build(chart))$row)
   bars <- first_of(attr(chart, "bars"), 0)
@@ -140,35 +138,33 @@ chart_theme <- function() {
     )
 }
 
-# A chart's title from its parts; NULL parts are left out.
 chart_title <- function(...) paste(c(...), collapse = ", ")
 
-words_and_unit <- function(words, unit) {
+label_and_unit <- function(words, unit) {
   ifelse(is.na(unit) | !nzchar(unit), words, sprintf("%s (%s)", words, unit))
 }
 
-# A measure as a facet names it: "door spread (m)" for "door_spread_m".
-measure_label <- function(measure, unit) words_and_unit(words_of(measure, unit), unit)
+# Returns "door spread (m)" for "door_spread_m".
+measure_label <- function(measure, unit) label_and_unit(label_of(measure, unit), unit)
 
-# Labels of an axis: plain numbers, none in scientific notation.
 axis_labels <- function(values) {
   with_plain_numbers(format(values, scientific = FALSE, big.mark = ",", trim = TRUE))
 }
 
-# Line types of n groups: colours repeat after five groups, with another line type.
+# Colours repeat after five groups, with another line type.
 series_dashes <- function(n) {
   c("solid", "33", "12")[(seq_len(n) - 1L) %/% length(series_palette) %% 3L + 1L]
 }
 
 series_symbols <- c(16L, 17L, 15L, 18L, 1L)
 
-# Lines and points of quantities, a facet each.
+# Draws lines and points, with a facet for each quantity.
 #
-# data: data frame with `value`; `panel`, the label of the quantity; `across`, the label of the
-# horizontal axis; `at`, numbers or texts of that axis; and, each optional, `group`, `low` and
-# `high` (ends of a band), `joined` (FALSE: a point without a line), `marked` (whether points show),
-# `open` (whether they are not filled), `settled` (FALSE: a gear without values). grid: facets by
-# panel and across. colours, dashes: of the groups in order of appearance.
+# `data` is a data frame with `value`, `panel` (label of the quantity), `across` (label of the
+# horizontal axis) and `at` (position on it). Optional columns are `group`, `low` and `high` (ends
+# of a band), `joined` (FALSE: a point without a line), `marked` (TRUE: visible points) and `open`
+# (TRUE: open points). `settled` is FALSE for a gear without values. `grid`: facets by `panel` and
+# `across`. `colours` and `dashes` belong to the groups in order of appearance.
 series_chart <- function(data, title, key = NULL, grid = FALSE, colours = NULL, dashes = NULL) {
   given <- names(data)
   data$group <- in_order(if ("group" %in% given) data$group else "")
@@ -222,7 +218,7 @@ series_chart <- function(data, title, key = NULL, grid = FALSE, colours = NULL, 
 
 in_order <- function(values) factor(values, unique(values))
 
-# Points that widen the vertical axis of each panel to a thousandth of its values: a constant is
+# Returns points that widen each vertical axis to a thousandth of its values. A constant is then
 # drawn as a straight line, not as its rounding errors.
 least_range <- function(data) {
   data <- data[is.finite(data$value), ]
@@ -237,13 +233,13 @@ least_range <- function(data) {
   }))
 }
 
-# The vertical position of a bar: its name, apart in each panel.
+# Distinguishes equal names in different panels.
 bar_row <- function(name, panel) paste(name, panel, sep = "\r")
 
-# Horizontal bars or points, a facet for each panel, with the largest on top.
+# Draws horizontal bars or points, with a facet for each panel and the largest on top.
 #
-# data: data frame with `panel`, `name` and `size` (by which names are sorted); layers draw it
-# against the vertical position `.data[["row"]]`, which the result's data has.
+# data: data frame with `panel`, `name` and `size`, which sorts the names. Layers in `...` have the
+# vertical position `.data[["row"]]`.
 bar_chart <- function(data, title, across, ..., subtitle = NULL) {
   data$panel <- in_order(data$panel)
   data <- data[order(data$size), ]

@@ -1,7 +1,6 @@
-# An HTML page as one file that asks nothing of the network: scripts and styles of widgets are
-# written into it.
+# HTML pages as one file that uses no network. Scripts and styles of widgets are written into it.
 
-# file: where to write it; body: tags, with widgets; style, script: of the page's own (text).
+# body: tags, with widgets; style, script: strings for this page.
 write_single_page <- function(file, title, body, style = NULL, script = NULL) {
   rendered <- with_plain_numbers(htmltools::renderTags(body))
   parts <- htmltools::resolveDependencies(rendered$dependencies)
@@ -12,12 +11,12 @@ write_single_page <- function(file, title, body, style = NULL, script = NULL) {
   write_html(file, title, head, as.character(rendered$html))
 }
 
-# head, body: texts; policy: what the page may ask of whom, or NULL.
+# head, body: strings; policy: tag with a content security policy, or NULL.
 write_html <- function(file, title, head, body, policy = NULL) {
   html <- c(
     "<!DOCTYPE html>", "<html lang=\"en\">", "<head>", "<meta charset=\"utf-8\"/>",
     "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>", policy,
-    # Browsers ask a server for an icon unless the page has one.
+    # browsers request an icon from a server unless the page has one
     "<link rel=\"icon\" href=\"data:,\"/>",
     paste0("<title>", escape_markup(title), "</title>"), head, "</head>", "<body>", body,
     "</body>", "</html>", ""
@@ -27,7 +26,7 @@ write_html <- function(file, title, head, body, policy = NULL) {
   writeBin(charToRaw(enc2utf8(paste(html, collapse = "\n"))), connection)
 }
 
-# The scripts and styles of a part of a widget, written out.
+# Returns the scripts and styles of a dependency as text.
 inline_dependency <- function(part) {
   read <- function(files) {
     vapply(files, function(name) {
@@ -50,21 +49,20 @@ inline_style <- function(text) {
   paste0("<style>\n", paste(text, collapse = "\n"), "\n</style>")
 }
 
-# A script must not hold the mark that ends it.
+# The mark that ends a script is escaped.
 inline_script <- function(text) {
   if (is.null(text)) return("")
   text <- gsub("</script", "<\\/script", paste(text, collapse = "\n"), fixed = TRUE)
   paste0("<script>\n", text, "\n</script>")
 }
 
-# One of the package's own files for pages, as text; of: its folder.
+# Returns a file in the folder `of` of the package as text.
 view_file <- function(name, of = "view") {
   path <- system.file(of, name, package = "codend", mustWork = TRUE)
   paste(readLines(path, encoding = "UTF-8", warn = FALSE), collapse = "\n")
 }
 
-# The viewer's scripts in the order in which they are read, as inst/htmlwidgets/codend.yaml has
-# them.
+# The viewer's scripts in load order, as in inst/htmlwidgets/codend.yaml.
 viewer_scripts <- c(
   "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "save.js",
   "viewer.js"

@@ -1,20 +1,20 @@
-# The page of the plane figures: which views it holds, where they lie, and the title and legends
-# around them. Lengths in inches.
+# The page of the plane views: its views and their frames, the title and the legends. Lengths are in
+# inches.
 
 plane_margins <- c(0.5, 0.7, 0.3, 0.12)
 legend_height <- 0.85
 title_height <- 0.4
-# Bounds of the share of the page's width that views along x take of it beside the view from astern.
+# Limits of the fraction of the width for views along x, next to a view from astern.
 left_shares <- c(0.4, 0.62)
-# A view at least this high can be read.
+# Smallest height of a readable view.
 least_height <- 0.7
-# ... and at most this high, alone or one of several.
+# Largest height of a single view, and of each of several views.
 tallest_views <- c(9, 4.5)
-# Views beside a tall view from astern are stretched up to this.
+# Views next to a tall view from astern are stretched up to this height.
 shortest_column <- 4.5
 
-# The views that a drawing needs: list(plane, region ("whole" or "net"), enlarged (whether the net
-# is drawn again), across, up (ranges, m), boxes (ranges of what is drawn again)).
+# Returns the views for a drawing: list(plane, region ("whole" or "net"), enlarged (TRUE if the net
+# is drawn again), across, up (ranges [m]), boxes (ranges drawn again)).
 plane_views <- function(drawing, planes, enlarge) {
   whole <- drawn_ranges(list(drawing$ropes, drawing$netting), drawing$marks)
   net <- if (enlarge) net_to_enlarge(drawing, whole)
@@ -39,20 +39,20 @@ fitting_height <- function(figure, width) {
   zoom * natural_height(plane_views(figure$drawing, figure$planes, TRUE), width / zoom)
 }
 
-# A page much too low for the enlarged net goes without it.
+# A page that is much too low does not have the enlarged net.
 views_for_page <- function(figure, page) {
   enlarge <- fitting_height(figure, page[1]) <= 1.25 * page[2]
   plane_views(figure$drawing, figure$planes, enlarge)
 }
 
-# Ranges of a net much shorter than its gear, else NULL.
+# Returns the ranges of a net that is much shorter than its gear, otherwise NULL.
 net_to_enlarge <- function(drawing, whole) {
   if (!length(drawing$netting$tension)) return(NULL)
   net <- drawn_ranges(list(drawing$netting), NULL)
   if (net[2, 1] - net[1, 1] < 0.6 * (whole[2, 1] - whole[1, 1])) net
 }
 
-# Ranges of x, y and z (2 x 3) with a little room around.
+# Returns the ranges of x, y and z [2 x 3] with a margin.
 drawn_ranges <- function(lines, marks) {
   all <- do.call(cbind, lapply(lines, function(l) cbind(l$from, l$to)))
   if (NROW(marks)) all <- cbind(all, t(as.matrix(marks[c("x", "y", "z")])))
@@ -61,8 +61,8 @@ drawn_ranges <- function(lines, marks) {
   ranges + rbind(-room, room)
 }
 
-# Rows of the page from the top: strips over its full width, then a column of views along x with the
-# view from astern beside it. Returns list(strips, left, right) of view numbers.
+# Returns list(strips, left, right) of view numbers. Strips have the full width. Below them, the
+# views along x are on the left and the view from astern on the right.
 page_rows <- function(views) {
   astern <- vapply(views, function(v) v$plane == "yz", NA)
   whole <- vapply(views, function(v) v$region == "whole", NA)
@@ -70,15 +70,15 @@ page_rows <- function(views) {
   list(strips = strips, left = setdiff(which(!astern), strips), right = which(astern))
 }
 
-room_across <- plane_margins[2] + plane_margins[4]
-room_up <- plane_margins[1] + plane_margins[3]
+space_across <- plane_margins[2] + plane_margins[4]
+space_up <- plane_margins[1] + plane_margins[3]
 
-# Height that a view wants at a width, margins included.
+# Returns the height for equal scales on both axes, margins included.
 view_height <- function(view, width) {
-  max(least_height, diff(view$up) / diff(view$across) * (width - room_across)) + room_up
+  max(least_height, diff(view$up) / diff(view$across) * (width - space_across)) + space_up
 }
 
-# Share of the width for the views along x: at all three views' common scale, within bounds.
+# Returns the fraction of the width at which all three views have the same scale, within limits.
 left_share <- function(views, rows) {
   if (!length(rows$right)) return(1)
   long <- diff(views[[rows$left[1]]]$across)
@@ -108,8 +108,8 @@ natural_height <- function(views, width) {
   title_height + legend_height + sum(heights$strips) + heights$lower
 }
 
-# Frames (left, bottom, right, top) of the title, the legends and every view on a page. On a page
-# rather too low for them the views are narrower, so that they keep their proportions.
+# Returns frames (left, bottom, right, top) of the title, the legends and every view. On a page that
+# is too low, the views are narrower and keep their proportions.
 page_frames <- function(views, page) {
   widths <- page[1] * seq(1, 0.6, by = -0.02)
   fits <- vapply(widths, natural_height, 0, views = views) <= page[2] + 1e-6
@@ -156,14 +156,14 @@ draw_legends <- function(figure, frame, page) {
     scale <- figure$scales[[kind]]
     lines <- figure$drawing[[if (kind == "rope") "ropes" else "netting"]]
     if (!length(lines$tension)) next
-    draw_colour_bar(scale, kind, left, width, slack_words(lines$tension))
+    draw_colour_bar(scale, kind, left, width, slack_text(lines$tension))
     left <- left + width + min(0.55, 0.05 * page[1])
   }
   used <- view_symbols$role %in% symbol_of(figure$drawing$marks$role)$role
   draw_key(view_symbols[used, ], left, page[1] - 0.1)
 }
 
-# scale: NULL where all is slack.
+# scale: NULL if all lines are slack.
 draw_colour_bar <- function(scale, kind, left, width, slack) {
   graphics::text(left, 0.72, scale_heading(scale, kind), adj = c(0, 0.5), font = 2, cex = 0.8)
   from <- left

@@ -1,27 +1,32 @@
-#' Plane figures of a state
+#' Draw plane views of a state
 #'
-#' Draws the gear from above (XY), from the port side (XZ) and from astern (YZ), each at one scale
-#' on both axes. Ropes are thick and netting is thin; both are coloured by tension, with a legend
-#' each. Where the warps make the gear much longer than its net, the net is drawn again, enlarged,
-#' if the page is high enough.
+#' Draws the gear from above (XY), from the port side (XZ) and from astern (YZ), with the same scale
+#' on both axes. Ropes (thick) are coloured by tension, netting (thin) by tension or by mesh opening
+#' or angle. Each has a legend.
 #'
-#' Netting of cells is drawn as the two twine directions through its cells, which are larger
-#' than the meshes. Of a net too fine for the page twines are left out until those drawn lie about
-#' as far apart everywhere, and several bars or cells in a row are one line with their mean tension.
-#' Between panels of bars their seam is drawn, with the mean tension of the twines that end on it.
+#' @section Drawn lines:
+#' - If the warps make the gear much longer than its net, the net is also drawn enlarged, unless the
+#'   page is too low.
+#' - Netting of cells is drawn as the two twine directions through its cells, which are larger than
+#'   the meshes.
+#' - If a net is too fine for the page, some twines are omitted, so that the drawn twines are about
+#'   equally spaced. Several bars or cells in a row are one line with their mean tension.
+#' - Seams between panels of bars have the mean tension of the twines that end on them.
 #'
-#' @param x A state, from [settle()].
-#' @param planes Which planes to draw: any of `"xy"`, `"xz"` and `"yz"`.
-#' @param file `NULL` for the current graphics device, or a file to write, ending in `.png`, `.pdf`
-#'   or `.svg`. It is written whole or not at all.
-#' @param width,height Size of the file's page, inches; a `height` of `NULL` fits the gear.
-#' @param colour What the colours of netting show: `"tension"` of one twine, `"mesh_opening"`
-#' (opening
-#'   over mesh size) or `"mesh_angle"`, as in [mesh_openings()].
+#' @param x A state from [settle()].
+#' @param planes The planes to draw: any of `"xy"`, `"xz"` and `"yz"` (default: all).
+#' @param file `NULL` (default) for the current graphics device, or a file to write, ending in
+#'   `.png`, `.pdf` or `.svg`. It is written atomically.
+#' @param width,height Size of the file's page in inches. If `height` is `NULL` (default), it fits
+#'   the gear.
+#' @param colour The quantity that colours of netting show: `"tension"` of one twine (default),
+#'   `"mesh_opening"` (opening over mesh size) or `"mesh_angle"`, as in [mesh_openings()].
 #' @param ... Not used.
-#' @return `x`, invisibly. A wrong argument is an error of class `codend_error_argument`.
+#' @return `x`, invisibly. An invalid argument is an error of class `codend_error_argument`.
+#' @seealso [view_3d()] for three dimensions, [codend_charts] for charts, [plot.codend_gear()] for
+#'   the net drawing.
 #' @examples
-#' state <- settle("towed_cable")
+#' state <- settle("small_midwater_trawl", nodes = 300)
 #' plot(state, planes = "xz")
 #' @export
 plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, width = 10,
@@ -34,8 +39,8 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
     fitting_height(figure, width))
 }
 
-# What the figures show, before any page is known: list(drawing, title, conditions, scales of rope
-# and netting, flow (m/s, x and y), in_water, bed (see drawn_bed()), planes).
+# Returns the data of the views for any page: list(drawing, title, conditions, scales of rope and
+# netting, flow [m/s, x and y], in_water, bed from drawn_bed(), planes).
 plane_figure <- function(state, planes, colour = "tension") {
   coloured <- coloured_drawing(state, colour)
   list(
@@ -50,16 +55,16 @@ plane_figure <- function(state, planes, colour = "tension") {
   )
 }
 
-# page: inches. A narrow page is a wide one drawn smaller: text and margins shrink with it.
+# page: inches. A narrow page is a wide page that is drawn smaller, with its text and margins.
 draw_figure <- function(figure, page) {
   given <- page
   page <- page / page_zoom(page[1])
   views <- views_for_page(figure, page)
   frames <- page_frames(views, page)
-  check_room(frames$views, given)
+  check_space(frames$views, given)
   kept <- graphics::par(no.readonly = TRUE)
   on.exit(graphics::par(kept))
-  # The size of text first: margins are laid out in lines of it.
+  # text size is set first, because margins are measured in lines of text
   graphics::par(family = "sans", bg = "white", cex = 0.8 * zoom_of(page))
   graphics::plot.new()
   for (k in seq_along(views)) draw_plane(figure, views[[k]], frames$views[[k]], page)
@@ -67,28 +72,28 @@ draw_figure <- function(figure, page) {
   draw_legends(figure, frames$legend, page)
 }
 
-check_room <- function(frames, page) {
-  across <- min(vapply(frames, function(f) f[3] - f[1], 0)) - room_across
-  up <- min(vapply(frames, function(f) f[4] - f[2], 0)) - room_up
+check_space <- function(frames, page) {
+  across <- min(vapply(frames, function(f) f[3] - f[1], 0)) - space_across
+  up <- min(vapply(frames, function(f) f[4] - f[2], 0)) - space_up
   if (across < 0.3 || up < 0.1) {
     size <- round(page, 1)
     abort_argument(
-      "A page of {size[1]} by {size[2]} inches is too small for its {length(frames)}
-      figure{?s}; make it larger or draw fewer planes."
+      "A page of {size[1]} by {size[2]} inches is too small for {length(frames)}
+      panel{?s}; increase its size or draw fewer planes."
     )
   }
 }
 
-# Inches of the narrowest page that has room for text at its full size.
+# Width of the narrowest page with text at its full size [inch].
 full_width <- 7
 
 page_zoom <- function(width) min(1, width / full_width)
 
-# How much smaller the open device is than a page that is drawn on it.
+# Returns the size of the open device relative to a page that is drawn on it.
 zoom_of <- function(page) graphics::par("din")[1] / page[1]
 
-# Opens a plotting region on part of the page; frame and margins in inches (left, bottom, right, top
-# of the frame; bottom, left, top, right as mai).
+# Opens a plotting region on part of the page. frame: left, bottom, right, top [inch]; margins:
+# bottom, left, top, right [inch].
 open_region <- function(frame, page, margins) {
   zoom <- zoom_of(page)
   graphics::par(
@@ -153,7 +158,7 @@ view_heading <- function(view) {
   paste0(subject, " ", plane_words[[view$plane]], " (", toupper(view$plane), ")")
 }
 
-# Far lines first, near ones over them.
+# Lines near the viewer are drawn over distant lines.
 draw_lines <- function(lines, scale, axes, width) {
   if (!length(lines$tension)) return(invisible())
   away <- setdiff(1:3, axes)
@@ -174,12 +179,11 @@ draw_marks <- function(marks, axes) {
     col = "#202428", cex = symbol$size, lwd = 0.8)
 }
 
-# The flow beside the heading: an arrow in its plane, or an arrow's tip or tail where it crosses it.
-# pin: inches of the view on the page.
+# Draws the flow next to the heading: an arrow in its plane, or the tip or tail of an arrow across
+# it. `pin`: size of the view on the page [inch].
 draw_flow <- function(flow, axes, usr, pin) {
   speed <- sqrt(sum(flow^2))
   if (speed == 0) return(invisible())
-  # Metres per inch.
   inch <- diff(usr[1:2]) / pin[1]
   along <- c(flow, 0)[axes] / speed
   centre <- c(usr[2] - 0.25 * inch, usr[4] + 0.13 * inch)
@@ -195,7 +199,7 @@ draw_flow <- function(flow, axes, usr, pin) {
     graphics::points(centre[1], centre[2], pch = if (across > 0) 20 else 4, cex = 0.8,
       col = water_colour)
   }
-  # A narrow view has only room for the arrow.
+  # a narrow view only has space for the arrow
   if (pin[1] < 2.8) return(invisible())
   graphics::text(usr[2] - 0.5 * inch, centre[2], sprintf("flow %.2f m/s", speed), adj = c(1, 0.5),
     col = water_colour, cex = 0.8)

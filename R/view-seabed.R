@@ -1,13 +1,13 @@
-# The sea bed seen from the side or from astern: a line with the ground below it.
+# The sea bed in a view from the side or from astern: a line with the ground below it.
 
-# axes: of the view; usr: its limits (m); up: inches that it is high.
+# axes: of the view; usr: its limits [m]; up: its height on the page [inch].
 draw_bed <- function(bed, axes, usr, up) {
   if (is.null(bed) || axes[2] != 3L) return(invisible())
   ends <- matrix(bed$middle, 2L, 2L)
   ends[axes[1], ] <- usr[1:2]
   height <- bed_heights(bed, ends)
   if (min(height) > usr[4] || max(height) < usr[3]) return(invisible())
-  # below what is drawn, so that its own edge is hidden
+  # below the view, so that the lower edge is hidden
   deep <- min(height, usr[3]) - diff(usr[3:4])
   graphics::polygon(usr[c(1, 2, 2, 1)], c(height, deep, deep), col = bed_colours[["ground"]],
     border = NA)
