@@ -1,8 +1,5 @@
-# A catch that netting is settled with.
-
-# Whether netting holds another catch than before. Netting ahead of a catch has several balances,
-# and which of them steps from a state lead to depends on its catch: the one that is found from
-# nothing is taken from every start.
+# TRUE if the catch differs. The netting ahead of a catch has several equilibria. A cold start makes
+# the result independent of the initial state.
 has_other_catch <- function(si, before) {
   held <- function(si) unlist(si$catch[c("blocked", "volume")])
   any(held(si) != held(before), na.rm = TRUE)
@@ -11,7 +8,7 @@ has_other_catch <- function(si, before) {
 abort_catch_volume <- function(si, volume) {
   abort_plan(
     sprintf(
-      "Plan field `catch` is %s; the netting of `catch.panels` holds %s when full.",
+      "Plan field `catch` is %s, but the netting of `catch.panels` holds at most %s.",
       format_si(si$catch$volume, "volume"), format_si(signif(volume, 4), "volume")
     ),
     "catch", si$catch$volume

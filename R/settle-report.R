@@ -1,11 +1,10 @@
-# How a solve shows its progress, and what is said where it fails.
+# Progress of the solver and its error messages.
 
-# CPU seconds of this process.
 cpu_clock <- function() sum(proc.time()[c("user.self", "sys.self")])
 
-# A function(iteration, residual) that shows a bar once a solve has run for two seconds.
+# Returns a function(iteration, residual) that shows a progress bar after two seconds.
 settle_progress <- function() {
-  # to load cli takes longer than a small gear to settle
+  # loading cli takes longer than settling a small gear
   if (!interactive() && !isatty(stderr())) return(function(iteration, residual) NULL)
   if (!cli::is_dynamic_tty()) return(function(iteration, residual) NULL)
   begun <- proc.time()[["elapsed"]]
@@ -16,7 +15,7 @@ settle_progress <- function() {
       if (proc.time()[["elapsed"]] - begun < 2) return(NULL)
       bar <<- cli::cli_progress_bar(
         total = NA, .envir = frame, format = paste(
-          "{cli::pb_spin} Settling: step {cli::pb_current}, largest net force",
+          "{cli::pb_spin} Settling: iteration {cli::pb_current}, largest residual force",
           "{cli::pb_status} of the largest tension [{cli::pb_elapsed}]"
         )
       )
@@ -27,39 +26,39 @@ settle_progress <- function() {
   }
 }
 
-# advice: sentences that say what to try, or NULL.
-abort_unsettled <- function(report, lattice, position, advice = NULL) {
-  where <- describe_node(lattice, report$worst_node)
+# `advice`: sentences with remedies, or NULL.
+abort_unsettled <- function(report, mesh, position, advice = NULL) {
+  where <- describe_node(mesh, report$worst_node)
   at <- round(matrix(position, 3L)[, report$worst_node], 1)
   if (report$wake_change > 1e-5) {
     abort_not_converged(
-      "The gear did not settle: shape and wake still changed each other after {report$wake_renewals}
-      rounds, the speed of the flow at a point by {signif(100 * report$wake_change, 2)} % of the
-      free flow's.",
+      "The gear did not settle: shape and wake did not converge in {report$wake_renewals}
+      iterations. The last one changed the speed of the flow at a point by
+      {signif(100 * report$wake_change, 2)} % of the free flow.",
       report = report
     )
   }
   if (report$part_rounding > report$greatest_rounding) {
     abort_not_converged(
-      c("The gear did not settle: rounding of places alone leaves net forces of
+      c("The gear did not settle: rounding errors of positions cause residual forces of
         {signif(report$part_rounding, 2)} of the largest force in {.val {report$rounding_part}}.",
-        "i" = "It is too stiff for a place so far from the origin to compute its tension: lower
+        "i" = "It is too stiff at this distance from the origin for an accurate tension: reduce
         its {.field axial_stiffness}."),
       report = report
     )
   }
   if (report$residual <= settle_tolerance && report$part_residual > report$part_tolerance) {
     abort_not_converged(
-      "The gear did not settle: after {report$iterations} steps the largest net force on
-      {.val {report$worst_part}} is {signif(report$part_residual, 2)} of the largest force in it,
-      where {report$part_tolerance} is needed.",
+      "The gear did not settle: after {report$iterations} iterations the largest residual force
+      on {.val {report$worst_part}} is {signif(report$part_residual, 2)} of its largest force; the
+      limit is {report$part_tolerance}.",
       report = report
     )
   }
   abort_not_converged(
     c(
-      "The gear did not settle: after {report$iterations} steps the largest net force is
-      {signif(report$residual, 2)} of the largest tension, where {settle_tolerance} is needed.",
+      "The gear did not settle: after {report$iterations} iterations the largest residual force
+      is {signif(report$residual, 2)} of the largest tension; the limit is {settle_tolerance}.",
       "x" = "Worst at {where}, near x = {at[1]} m, y = {at[2]} m, z = {at[3]} m:
       {signif(in_unit(report$worst_force, 'kN'), 3)} kN.",
       stats::setNames(sprintf("{advice[%d]}", seq_along(advice)), rep("i", length(advice)))
@@ -68,19 +67,19 @@ abort_unsettled <- function(report, lattice, position, advice = NULL) {
   )
 }
 
-# The parts that meet at a node, by number.
-parts_at <- function(lattice, node) {
-  e <- lattice$mesh
+# Returns the numbers of the parts that meet at a node.
+parts_at <- function(mesh, node) {
+  e <- mesh$model
   touching <- function(nodes, width, part) unique(part[(which(nodes == node) - 1L) %/% width + 1L])
   unique(c(
-    touching(e$bars$node, 2L, lattice$bar_part),
-    touching(e$cells$node, 4L, lattice$cell_part)
+    touching(e$bars$node, 2L, mesh$bar_part),
+    touching(e$cells$node, 4L, mesh$cell_part)
   ))
 }
 
-# The same in words.
-describe_node <- function(lattice, node) {
-  part <- parts_at(lattice, node)
+# Returns kinds and names of the parts at a node as a string.
+describe_node <- function(mesh, node) {
+  part <- parts_at(mesh, node)
   if (!length(part)) return("a point outside ropes and netting")
-  paste0(lattice$parts$kind[part], " `", lattice$parts$name[part], "`", collapse = ", ")
+  paste0(mesh$parts$kind[part], " `", mesh$parts$name[part], "`", collapse = ", ")
 }

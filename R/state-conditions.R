@@ -1,31 +1,31 @@
-# What a state is in: the flow past the gear, and words for it.
+# Flow past the gear in a state, as numbers and as text.
 
-# Water past the gear at the depth of its middle, m/s (x aft, y starboard).
+# Returns the water velocity at the gear's mid-depth [m/s]: x aft, y to starboard.
 flow_past <- function(state) {
-  if (state$lattice$mesh$water$density == 0) return(c(0, 0))
+  if (state$mesh$model$water$density == 0) return(c(0, 0))
   water_velocity(state, -mean(range(state$position[3L, ])))
 }
 
-# Velocity (m/s, along x and y) of the water past the vessel at a depth (m).
+# Returns the water velocity (x, y) at a depth, relative to the vessel [m/s].
 water_velocity <- function(state, depth) {
-  water <- state$lattice$mesh$water
+  water <- state$mesh$model$water
   if (length(water$depth) == 1L) return(c(water$x, water$y))
   vapply(water[c("x", "y")], function(speed) {
     stats::approx(water$depth, speed, depth, rule = 2)$y
   }, 0, USE.NAMES = FALSE)
 }
 
-# Such as "towed at 3 knot".
+# Returns a string such as "towed at 3 knot".
 state_conditions <- function(state) {
   paste0(still_conditions(state), wave_conditions(state))
 }
 
-# Waves move a gear in a tow; settled it is in their mean.
+# Waves move a gear only in a tow; a settled gear is in the mean conditions.
 wave_conditions <- function(state) {
   waves <- state$si$water$waves
   if (is.null(waves)) return("")
-  if (is.null(state$time)) return(sprintf(", in the mean of %s", wave_words(waves)))
-  sprintf(", in %s", wave_words(waves))
+  if (is.null(state$time)) return(sprintf(", mean over %s", wave_text(waves)))
+  sprintf(", in %s", wave_text(waves))
 }
 
 still_conditions <- function(state) {
@@ -36,8 +36,8 @@ still_conditions <- function(state) {
   if (state$si$water$density > 0) "in still water" else "in air"
 }
 
-# Such as "regular waves of 2 m and 7 s".
-wave_words <- function(waves) {
+# Returns a string such as "regular waves of 2 m and 7 s".
+wave_text <- function(waves) {
   sprintf(
     "%s of %s m%s and %s s",
     switch(waves$spectrum,

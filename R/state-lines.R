@@ -1,26 +1,26 @@
-# A state's lines: every bar, and in every netting cell its two families of twine and
-# the straight bars of hexagonal meshes, as one table.
+# Table of all lines of a state: bars, and in each netting cell two families of twine and the
+# straight bars of hexagonal meshes.
 
-# Positions of all points that elements stand on: 3 x (nodes + tied points), m.
-state_points <- function(state) lattice_points(state$lattice, state$position)
+# Returns positions of all points of elements: 3 x (nodes + tied points) [m].
+state_points <- function(state) mesh_points(state$mesh, state$position)
 
-# Returns a data frame with a row per line: part (row of lattice$parts), element (number of the bar
-# or cell), family (bar, u, v or straight), tension (N, of one line), length and rest (m, of one
-# line) and lines (how many run in parallel). A cell's bars of one family count as parallel
-# lines of one bar's length, so that lines x rest is always a length of twine or rope.
+# Returns a data frame: one row per line. `part`: row of `mesh$parts`; `element`: number of the
+# bar or cell; `family`: bar, u, v or straight. `tension`, `length`, `rest`: tension [N], length and
+# rest length [m] of one line. `lines`: number of parallel lines; `lines * rest` is the total length
+# of twine or rope.
 state_lines <- function(state) {
-  lattice <- state$lattice
-  # A board's struts are no lines of the gear.
-  bar <- which(lattice$parts$kind[lattice$bar_part] != "piece")
-  bars <- lapply(lattice$mesh$bars[c("rest", "multiplicity")], `[`, bar)
-  cells <- lattice$mesh$cells
+  mesh <- state$mesh
+  # the struts of a board are not lines of the gear
+  bar <- which(mesh$parts$kind[mesh$bar_part] != "piece")
+  bars <- lapply(mesh$model$bars[c("rest", "multiplicity")], `[`, bar)
+  cells <- mesh$model$cells
   in_cell <- cell_bars(cells)
   cell <- seq_along(cells$rest)
   hexagon <- which(cells$straight > 0)
   number <- length(cell)
   list2DF(list(
-    part = c(lattice$bar_part[bar], lattice$cell_part, lattice$cell_part,
-      lattice$cell_part[hexagon]),
+    part = c(mesh$bar_part[bar], mesh$cell_part, mesh$cell_part,
+      mesh$cell_part[hexagon]),
     element = c(bar, cell, cell, hexagon),
     family = rep(c("bar", "u", "v", "straight"),
       c(length(bar), number, number, length(hexagon))),
@@ -33,7 +33,7 @@ state_lines <- function(state) {
   ))
 }
 
-# Middles of elements of as many corners: 3 x elements, m.
+# Returns centres of elements with the same number of corners: 3 x elements [m].
 element_middles <- function(points, node, corners) {
   first <- seq.int(0L, by = corners, length.out = length(node) %/% corners)
   total <- points[, node[first + 1L], drop = FALSE]
@@ -41,10 +41,10 @@ element_middles <- function(points, node, corners) {
   total / corners
 }
 
-bars_of_part <- function(state, part) which(state$lattice$bar_part == part)
+bars_of_part <- function(state, part) which(state$mesh$bar_part == part)
 
-# Nodes at the ends of some bars: 2 x bars.
+# Returns the end nodes of bars: 2 x bars.
 bar_ends <- function(state, bars) {
-  node <- state$lattice$mesh$bars$node
+  node <- state$mesh$model$bars$node
   rbind(node[2L * bars - 1L], node[2L * bars])
 }
