@@ -1,7 +1,7 @@
-# Named arrays as one text for a shared page, and a gear's numbers as such arrays.
+# Named arrays as one string for a shared page, and the numbers of a gear as such arrays.
 
-# All arrays of an engine list by path, as the engine's reader has them: a list of groups as their
-# count, of class "groups".
+# Returns the arrays of a nested list by path, as the engine reads them. An unnamed list becomes its
+# length, of class "groups", followed by its arrays.
 flat_arrays <- function(x, prefix = "") {
   out <- list()
   for (name in names(x)) {
@@ -20,9 +20,9 @@ flat_arrays <- function(x, prefix = "") {
   out
 }
 
-# Arrays as list(head = of every array its type (d: double, f: single, i: whole, w: words, g:
-# groups), count, first byte, whether bytes of like weight are together, and words, body = text of
-# their bytes, deflated). Whole numbers and words are differences; arrays alike are held once.
+# Returns list(head, body). `head` lists for each array: type (d: double, f: single, i: integer, w:
+# strings, g: groups), count, first byte, `together` of smaller_body(), distinct strings. `body` is
+# a string of deflated bytes. Integers and strings are stored as differences, identical arrays once.
 packed_arrays <- function(arrays) {
   head <- bodies <- places <- list()
   at <- 0
@@ -60,22 +60,22 @@ array_type <- function(x) {
   if (is.double(x)) "d" else "i"
 }
 
-# What needs no more than single floats.
+# Marks numbers for storage in single precision.
 single_floats <- function(x) structure(as.double(x), class = "single_floats")
 
-# Numbers with this many binary figures left.
+# Rounds each number to this many bits.
 few_figures <- function(x, bits) {
   step <- 2^(floor(log2(pmax(abs(x), 1e-99))) + 1 - bits)
   round(x / step) * step
 }
 
-# Numbers with the largest one's binary figures down to this one.
+# Rounds all numbers to the step that the largest number has with this many bits.
 of_largest <- function(x, bits) {
   step <- 2^(floor(log2(max(abs(x), 1e-99))) + 1 - bits)
   round(x / step) * step
 }
 
-# Numbers that come again deflate best whole, others with their bytes of like weight together.
+# Repeated numbers deflate best as they are, others with bytes of equal weight together.
 smaller_body <- function(bytes, size) {
   together <- as.vector(t(matrix(bytes, size)))
   if (length(memCompress(together, "gzip")) < length(memCompress(bytes, "gzip"))) {
@@ -85,12 +85,12 @@ smaller_body <- function(bytes, size) {
   }
 }
 
-# Letters of a page's texts: those that neither HTML nor JSON marks.
+# Characters that neither HTML nor JSON escapes.
 text_letters <- setdiff(strsplit(intToUtf8(33:126), "")[[1L]], c("\"", "<", "\\"))
 
 deflated <- function(bytes) letters_of(memCompress(bytes, "gzip"))
 
-# Bytes as list(count, text): every 13 bits, lowest first, as two of 91 letters.
+# Returns list(count, text): each 13 bits, lowest first, become two of 91 characters.
 letters_of <- function(bytes) {
   count <- length(bytes)
   groups <- ceiling(count / 13)
@@ -106,9 +106,8 @@ letters_of <- function(bytes) {
   list(count, intToUtf8(codes[rbind(bits %% 91, bits %/% 91) + 1L]))
 }
 
-# The numbers that a page's engine settles a gear from, by path after `numbers.`, with `page/` what
-# pictures and warnings take. standard: the engine's names of measures of every gear that it is
-# asked for.
+# Returns the numbers for the engine of a page (`numbers.` and path), and the numbers for pictures
+# and warnings (`page/` and name). `standard`: kinds of the measures that every gear has.
 shared_arrays <- function(si, netting, standard) {
   parts <- part_table(si)
   asked <- c(si$measures, lapply(standard, function(kind) list(kind = kind)))

@@ -1,13 +1,11 @@
-# Measures as a shared page shows them.
-
-# The measures of a state, in order: list(programs = by measure list(kind, unit, size, words, value,
-# error (as a share), definition), standard = names of those that every gear has).
+# Returns list(programs, standard). `programs` lists kind, unit, size, words, value, relative error
+# and definition of each measure; `standard` the kinds of measures that every gear has.
 shared_measures <- function(state) {
   found <- measures(state)
   unit <- attr(found, "unit")
   error <- attr(found, "error")
   value <- plain_measures(found)
-  words <- words_of(names(found), unname(unit))
+  words <- label_of(names(found), unname(unit))
   definition <- definitions_of(found)
   programs <- lapply(setNames(seq_along(found), names(found)), function(k) {
     list(

@@ -1,9 +1,8 @@
-# What a shared page holds of a gear: its arrays, and what the page's scripts (inst/share) read of
-# them.
+# The data of a gear in a shared page: arrays, and input of the page's scripts (inst/share).
 
-# A state with sliders, as list(head = what of the arrays is where, body = their bytes as text, and
-# what the scripts take), which becomes JSON; left_out: words of sliders that do not fit, by field;
-# misfit: how far series of sliders are from the plan.
+# Returns a list for JSON: `head` and `body` of packed arrays, and input of the scripts. `left_out`
+# has the reason for each field without a slider. `misfit` is the largest error of the sliders'
+# series.
 shared_model <- function(state, fields) {
   measured <- shared_measures(state)
   series <- slider_series(state, fields, measured$standard)
@@ -12,7 +11,7 @@ shared_model <- function(state, fields) {
   index <- sort(unique(unlist(lapply(series$terms, `[[`, "index"))))
   touched <- filler$names[unique(as.integer(filler$array[index]))]
   arrays <- c(filler$base, first_shape(state))
-  # what a page fills is a double
+  # the page fills only doubles
   arrays[touched] <- lapply(arrays[touched], as.double)
   keep <- function(x) {
     name <- paste0("series/", length(arrays))
@@ -20,7 +19,7 @@ shared_model <- function(state, fields) {
     name
   }
   scene <- shared_scene(state, shape, keep)
-  # a page has the arrays that sliders touch one after the other
+  # positions in the concatenation of the arrays that sliders change
   place <- cumsum(filler$array %in% filler$array[index])
   terms <- lapply(series$terms, function(term) {
     list(of = I(term$of - 1L), sizes = I(term$sizes), index = keep(place[term$index] - 1L),
@@ -29,11 +28,11 @@ shared_model <- function(state, fields) {
   packed <- packed_arrays(arrays)
   boards <- state$si$otter_boards
   list(
-    head = packed$head, body = packed$body, nodes = state$lattice$nodes,
+    head = packed$head, body = packed$body, nodes = state$mesh$nodes,
     tolerance = settle_tolerance, steps = settle_iterations,
-    fields = lapply(series$fields, told_field), terms = terms, touched = I(touched),
+    fields = lapply(series$fields, slider_field), terms = terms, touched = I(touched),
     programs = measured$programs, order = I(names(measured$programs)), scene = scene,
-    names = I(vapply(gsub("_", " ", state$lattice$parts$name), capital, "", USE.NAMES = FALSE)),
+    names = I(vapply(gsub("_", " ", state$mesh$parts$name), capital, "", USE.NAMES = FALSE)),
     boards = I(vapply(gsub("_", " ", names(boards)), capital, "", USE.NAMES = FALSE)),
     fallen_heel = fallen_heel, knot = plan_units$speed[["knot"]],
     conditions = list(
@@ -44,17 +43,17 @@ shared_model <- function(state, fields) {
   )
 }
 
-# The arrays of a state's shape that a page begins from.
+# Returns the arrays of the shape from which a page starts.
 first_shape <- function(state) {
   shape <- state_shape(state)
-  # exact: from a start close to it slack netting may settle otherwise
-  from <- begun_shape(state$si, state$lattice$counts$asked, shape)
+  # not rounded: from a nearby shape, slack netting may settle in a different shape
+  from <- initial_shape(state$si, state$mesh$counts$asked, shape)
   arrays <- flat_arrays(from, "from.")
   arrays[["from.strain"]] <- single_floats(few_figures(shape$strain, 13))
   arrays
 }
 
-told_field <- function(field) {
+slider_field <- function(field) {
   list(
     name = field$name, label = field$label, unit = field$unit, whole = field$whole,
     value = field$value, lower = field$lower, upper = field$upper, step = slider_step(field)

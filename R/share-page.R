@@ -1,10 +1,10 @@
-# The page that share() writes: its texts as HTML, everything else deflated inside it.
+# The page that share() writes: its text as HTML, all other data deflated.
 
-# Scripts of the package's own, in the order in which they are read, and those of the worker.
+# Scripts of the page and of its worker, in load order.
 page_scripts <- c("arrays.js", "page.js")
 worker_scripts <- c("engine.js", "arrays.js", "model.js", "worker.js")
 
-# Bytes of a page that a tow is cut to fit into.
+# A tow has fewer stored times than given if the page would exceed this size [bytes].
 shared_bytes <- 1e6
 
 packed_text <- function(text) deflated(charToRaw(enc2utf8(text)))
@@ -13,7 +13,7 @@ scene_json <- function(scene) {
   escape_json(as.character(jsonlite::toJSON(scene, auto_unbox = TRUE, digits = NA, null = "null")))
 }
 
-# What the page unpacks, by name: deflated bytes as letters_of() gives them.
+# Returns the data that the page unpacks, each as in letters_of().
 shared_parts <- function(state, model, tow) {
   wasm <- gzfile(system.file("share", "engine.wasm.gz", package = "codend", mustWork = TRUE), "rb")
   on.exit(close(wasm))
@@ -34,8 +34,8 @@ shared_parts <- function(state, model, tow) {
   c(parts, list(tow = packed_text(scene_json(motion_scene(tow, bytes = max(left, 1e5))))))
 }
 
-# A scene whose long texts of numbers are arrays, as list(scene, head, body): a number from 0 is in
-# place of each. Shapes and colours have fewer figures than the engine's, which follow once it runs.
+# Returns list(scene, head, body). Each array in the scene is replaced by its number, from 0. Arrays
+# are rounded, because the engine computes accurate values once it runs.
 packed_scene <- function(scene) {
   arrays <- list()
   keep <- function(x) {
@@ -72,7 +72,7 @@ packed_scene <- function(scene) {
 
 write_shared_page <- function(file, state, model, parts) {
   body <- with_plain_numbers(as.character(shared_body(state, model, !is.null(parts$tow))))
-  # nothing is asked of any server, whatever the plan says
+  # the page loads nothing from a server, even if the plan contains HTML
   policy <- paste0("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; ",
     "script-src 'unsafe-inline' 'wasm-unsafe-eval' 'unsafe-eval' blob:; worker-src blob:; ",
     "style-src 'unsafe-inline'; img-src data: blob:\"/>")
@@ -126,19 +126,19 @@ shared_body <- function(state, model, moves) {
           lapply(names(sources), function(of) {
             list(tag$dt(of), lapply(unlist(sources[[of]]), tag$dd))
           }))),
-        tag$details(tag$summary("What these measures are"), tag$dl(
+        tag$details(tag$summary("Definitions of these measures"), tag$dl(
           lapply(unname(model$programs), function(one) {
             list(tag$dt(one$words), tag$dd(one$definition))
           }))),
         tag$details(tag$summary("This page"),
           tag$p(sprintf("Made by codend %s, %s. The engine settles a model of %s nodes in this
-            page; nothing leaves it, and it needs no network.",
+            page. The page works without a network and sends no data.",
             utils::packageVersion("codend"), format(Sys.Date()), big_number(model$nodes))),
-          if (length(model$left_out)) tag$p("Fields that cannot be sliders here: ",
+          if (length(model$left_out)) tag$p("Fields without a slider: ",
             paste(names(model$left_out), collapse = ", "), "."),
           tag$pre(tabindex = "0", `aria-label` = "The plan", format(state$gear))))
     ),
-    tag$noscript("This page settles the gear by scripts, which this browser does not run.")
+    tag$noscript("This page needs scripts to settle the gear; this browser does not run them.")
   )
 }
 

@@ -1,7 +1,7 @@
-# What a shared page draws of a shape that it settles: how points, tensions and meshes that the
-# viewer takes follow from the engine's numbers. Numbers count from 0.
+# The drawing of a shape that a page settles: indices and weights that give the viewer's points,
+# tensions and meshes from the engine's arrays. Indices start at 0.
 
-# shape: as scene_shape() gives it; keep(x): keeps a long array and gives its name.
+# shape: from scene_shape(); keep(x): stores a long array and returns its name.
 shared_scene <- function(state, shape, keep) {
   fixed <- shape$fixed
   netting <- fixed$netting$groups
@@ -20,21 +20,21 @@ keep_groups <- function(groups, keep) {
     weight = keep(single_floats(groups$weight)), count = groups$count, split = groups$split)
 }
 
-# Nodes in whose middle each mark lies.
+# Each mark is at the centre of its nodes.
 shared_marks <- function(state, marks) {
-  lattice <- state$lattice
+  mesh <- state$mesh
   points <- state_points(state)
   key <- function(x) paste(x[1L, ], x[2L, ], x[3L, ])
   node <- match(key(t(as.matrix(marks[c("x", "y", "z")]))), key(points))
   lapply(seq_len(NROW(marks)), function(k) {
     board <- state$si$otter_boards[[as.character(marks$part[k])]]
-    I(if (is.null(board)) node[k] - 1L else unname(lattice$points[board$points]) - 1L)
+    I(if (is.null(board)) node[k] - 1L else unname(mesh$points[board$points]) - 1L)
   })
 }
 
-# What mesh_means() takes of the lattice.
+# Returns the input of mesh_means().
 shared_meshes <- function(state, netting, keep) {
-  meshes <- state$lattice$mesh$frame$meshes
+  meshes <- state$mesh$model$frame$meshes
   panel <- meshes$row_panel[meshes$row + 1L]
   list(
     panel = keep(panel - 1L), unit = keep(meshes$unit),
@@ -42,7 +42,6 @@ shared_meshes <- function(state, netting, keep) {
   )
 }
 
-# Rows of a sparse matrix, one after the other.
 keep_sparse <- function(terms, keep) {
   good <- which(terms$weight != 0)
   order <- good[order(terms$row[good], terms$column[good])]

@@ -1,30 +1,29 @@
-# What sliders do to the numbers of a gear, found by reading its plan at several of their values.
+# The effect of sliders on the numbers of a gear, from its plan at several values of the sliders.
 #
-# Over the range of a slider, t from -1 to 1, every number that changes is a series of Chebyshev
-# polynomials through its values at their nodes. Linear and quadratic changes are exact so, roots
-# and the like to rounding. Where two sliders change one number together, what they do beyond their
-# sum is such a series in both. Plans with values between are what all of it is held to.
+# Over the range of a slider, t from -1 to 1, each number that changes is a series of Chebyshev
+# polynomials through its values at Chebyshev-Lobatto nodes. Linear and quadratic changes are exact,
+# others such as roots accurate to rounding. If two sliders change the same number, a series in both
+# adds their interaction. All series are checked against the plan at other values.
 #
-# A term is list(of = numbers of one or two sliders, sizes = polynomials of each, index = numbers of
-# the gear that change, series = their coefficients, numbers x products of polynomials, those of the
-# first slider fastest).
+# A term is list(of = one or two sliders, sizes = polynomials of each, index = numbers that change,
+# series = coefficients [numbers x products of polynomials], the first slider fastest).
 
-# Share of an array's largest number at which a series ends, and beyond which it is refused.
+# Target and limit of the misfit, as a fraction of the largest number in an array.
 series_reached <- 1e-13
 series_refused <- 1e-10
-# How many nodes are tried, of one slider and of each of two.
+# Numbers of nodes to try, for one slider and for each of two sliders.
 series_nodes <- list(c(3L, 5L, 9L, 17L), c(2L, 3L, 5L))
-# Where series are held to the plan.
+# Values of t at which series are checked against the plan.
 series_checks <- cbind(c(0.83, -0.57, 0.31, -0.14), c(-0.71, 0.64, -0.26, 0.93))
 
-# What only a crude layout or a division takes: a page begins from a shape that is divided.
+# Numbers for the initial layout and the meshing. A page needs neither, as it starts from a shape.
 layout_numbers <- "^numbers[.]gear[.].*[.](near|upright|room|segments)$"
 
-# The numbers of a state's gear with sliders, as list(base = arrays of the gear as it is, names =
-# of those that are numbers, array = which of them every number is in, fill = a function(values)
-# that gives all numbers, or a text that says why it cannot).
+# Returns list(base = arrays of the gear, names = of its arrays of numbers, array = array of each
+# number, fill). `fill(values)` returns all numbers at values of the sliders, or a string with the
+# reason why the plan allows none.
 gear_filler <- function(state, fields, standard) {
-  asked <- state$lattice$counts$asked
+  asked <- state$mesh$counts$asked
   netting <- Find(function(netting) identical(panels_of_bars(state$si, netting), asked$bars),
     list(NULL, "bars", "cells"))
   own <- own_values(fields)
@@ -32,9 +31,9 @@ gear_filler <- function(state, fields, standard) {
     moved <- which(values != own)
     gear <- if (length(moved)) set_free(state$gear, fields[moved], values[moved]) else state$gear
     si <- gear_si(gear)
-    # the page divides the gear by the counts of the state's own mesh
-    if (!identical(asked_division(si, asked$nodes, netting), asked)) {
-      return("divides the gear otherwise")
+    # the page uses the mesh of the state
+    if (!identical(requested_mesh_size(si, asked$nodes, netting), asked)) {
+      return("changes the mesh of the model")
     }
     shared_arrays(si, netting, standard)
   }
@@ -63,10 +62,10 @@ gear_filler <- function(state, fields, standard) {
   )
 }
 
-# The first array in which two gears differ by more than numbers, in words, or NULL.
+# Returns how two gears differ in anything but numbers, or NULL.
 odd_array <- function(arrays, base) {
   if (!identical(names(arrays), names(base)) || !identical(lengths(arrays), lengths(base))) {
-    return("gives the gear other parts")
+    return("changes the parts of the gear")
   }
   changed <- !mapply(identical, arrays, base) & !vapply(arrays, is.double, NA)
   if (!any(changed)) return(NULL)
@@ -74,9 +73,8 @@ odd_array <- function(arrays, base) {
   paste0("changes ", gsub("[._/]", " ", sub("^[a-z]+[./]", "", name)))
 }
 
-# The series of sliders: list(fields = those that fit, terms, filler, left_out = words by field,
-# misfit = the largest share left between). A slider whose range was asked for and does not fit is
-# an error.
+# Returns list(fields = sliders with a series, terms, filler, left_out = reasons by field, misfit).
+# If the user requested a slider that has no series, it throws an error.
 slider_series <- function(state, fields, standard) {
   filler <- gear_filler(state, fields, standard)
   name <- vapply(fields, `[[`, "", "name")
@@ -104,11 +102,11 @@ slider_series <- function(state, fields, standard) {
   }
   for (f in kept()) for (g in kept()[kept() > f]) {
     if (!all(c(f, g) %in% kept())) next
-    # what each changes of its own lies apart
+    # sliders without common numbers do not interact
     if (!length(intersect(terms[[f]]$index, terms[[g]]$index))) next
     found <- fitted_term(filler, fields, c(f, g), terms[c(f, g)])
     if (is.character(found)) {
-      leave(g, paste("together with", name[f], found), "give one of them, or narrower ranges")
+      leave(g, paste("together with", name[f], found), "use only one slider, or narrower ranges")
     } else if (length(found$index)) {
       terms <- c(terms, list(found))
     }
@@ -116,11 +114,11 @@ slider_series <- function(state, fields, standard) {
   of_kept <- function() {
     Filter(function(term) length(term$index) && all(term$of %in% kept()), terms)
   }
-  # what three and more do together no series has
+  # series do not cover interactions of three or more sliders
   while ((off <- misfit_together(filler, fields, of_kept(), kept())) > 10 * series_refused) {
     joint <- unlist(lapply(of_kept(), function(term) if (length(term$of) > 1L) term$of))
-    leave(max(joint, kept()[1L]), "changes the same numbers as two others do together",
-      "give fewer sliders")
+    leave(max(joint, kept()[1L]), "changes the same numbers as two other sliders",
+      "use fewer sliders")
   }
   terms <- lapply(of_kept(), function(term) {
     term$of <- match(term$of, kept())
@@ -137,14 +135,14 @@ of_share <- function(field, t) {
   if (field$whole) round(value) else value
 }
 
-# Chebyshev polynomials 0 to n - 1 at t: a column each.
+# Returns Chebyshev polynomials 0 to n - 1 at t, a column each.
 chebyshev <- function(t, n) {
   outer(t, seq_len(n) - 1L, function(t, k) cos(k * acos(pmin(pmax(t, -1), 1))))
 }
 
 lobatto <- function(n) -cos(pi * (seq_len(n) - 1L) / (n - 1L))
 
-# Products of the polynomials of one or two sliders at t, a row each: a column each.
+# Returns the products of the polynomials of one or two sliders: rows as in t, a column each.
 polynomials <- function(t, sizes) {
   one <- chebyshev(t[, 1L], sizes[1L])
   if (length(sizes) == 1L) return(one)
@@ -153,7 +151,7 @@ polynomials <- function(t, sizes) {
     two[, rep(seq_len(sizes[2L]), each = sizes[1L]), drop = FALSE]
 }
 
-# What terms add to all numbers at values of all sliders.
+# Returns the change of all numbers by terms at values of all sliders.
 series_change <- function(terms, filler, fields, values) {
   change <- numeric(length(filler$array))
   for (term in terms) {
@@ -164,13 +162,13 @@ series_change <- function(terms, filler, fields, values) {
   change
 }
 
-# The largest number of every number's array; nothing is held to shares of less than 1e-6.
+# Returns the largest number in the array of each number, but at least 1e-6.
 array_sizes <- function(filler, x) {
   pmax(as.vector(tapply(abs(x), filler$array, max))[filler$array], 1e-6)
 }
 
-# The largest misfit of terms to the plan at values, as a share of the array's largest number, or
-# why the plan has no such gear.
+# Returns the largest error of terms as a fraction of the largest number in its array, or a string
+# with the reason why the plan allows no such gear.
 misfit <- function(terms, filler, fields, values) {
   base <- filler$fill()
   x <- filler$fill(values)
@@ -179,7 +177,7 @@ misfit <- function(terms, filler, fields, values) {
   max(0, abs(off) / array_sizes(filler, pmax(abs(x), abs(base))))
 }
 
-# The term of one slider, or of two beyond what terms hold, or why there is none.
+# Returns the term of one slider, or of two in addition to `terms`, or a string with a reason.
 fitted_term <- function(filler, fields, of, terms = list()) {
   own <- own_values(fields)
   base <- filler$fill()
@@ -187,7 +185,7 @@ fitted_term <- function(filler, fields, of, terms = list()) {
   checks <- lapply(seq_len(nrow(series_checks)), function(k) {
     values_at(series_checks[k, seq_along(of)])
   })
-  # the misfit, or why
+  # Returns the largest misfit, or a string with a reason.
   held_to <- function(terms) {
     off <- lapply(checks, function(values) misfit(terms, filler, fields, values))
     odd <- Filter(is.character, off)
@@ -218,7 +216,7 @@ fitted_term <- function(filler, fields, of, terms = list()) {
       found[c("sizes", "index")] <- list(unname(lengths(t)), index)
       solved <- solve(polynomials(grid, found$sizes))
       found$series <- y[index, , drop = FALSE] %*% t(solved)
-      # nothing at the gear's own values
+      # no change at the gear's own values
       here <- matrix(mapply(to_share, fields[of], own[of]), 1L)
       found$series[, 1L] <- found$series[, 1L] -
         drop(found$series %*% t(polynomials(here, found$sizes)))
@@ -228,12 +226,12 @@ fitted_term <- function(filler, fields, of, terms = list()) {
     if (off <= 10 * series_reached || any(lengths(t) < n)) break
   }
   if (off > series_refused) {
-    return(sprintf("changes numbers in a way that no series holds (%.0e of them left)", off))
+    return(sprintf("changes the model too irregularly for a series (relative residual %.0e)", off))
   }
   found
 }
 
-# The misfit with these sliders at once, at a few places that the plan allows.
+# Returns the misfit with all sliders moved at once, at a few values that the plan allows.
 misfit_together <- function(filler, fields, terms, kept) {
   if (length(kept) < 2L) return(0)
   off <- lapply(1:3, function(k) {

@@ -1,25 +1,24 @@
-# The sliders of a shared page: fields of a plan with a range, which a page may change.
+# The sliders of a shared page: fields of a plan that a page may change within a range.
 
-# The range of a slider without one: the largest of these shares of its value to both sides that the
-# plan allows and series hold.
+# Default ranges, as fractions of the value to both sides. A slider has the largest range that the
+# plan allows and a series covers.
 slider_shares <- c(0.25, 0.15, 0.1, 0.05, 0.02)
 
-# Sliders as free_fields() gives fields, with `label`, `fixed` (whether their range was asked
-# for) and `asked` (whether they were).
-# sliders: as sensitivities() takes fields, or NULL for those that people change first; ranges: by
-# the fields' paths, or NULL.
+# Adds to free_fields() `label`, `fixed` (TRUE if the user gave the range) and `asked` (TRUE if the
+# user gave the sliders). `sliders`: as in sensitivities(), or NULL for the fields that users change
+# first. `ranges`: by path, or NULL.
 slider_fields <- function(gear, sliders, ranges) {
   if (!is.null(ranges) && !(is.list(ranges) && length(ranges) && !is.null(names(ranges)))) {
     abort_argument("{.arg ranges} must be a list of ranges by the paths of fields, such as
       {.code list(warps.length = c(\"300 m\", \"600 m\"))}.")
   }
-  found <- slope_fields(gear, slider_paths(sliders))
+  found <- sensitivity_fields(gear, slider_paths(sliders))
   name <- vapply(found, `[[`, "", "name")
   given <- vapply(names(ranges), function(path) paste(paths_of(path), collapse = " + "), "",
     USE.NAMES = FALSE)
   lost <- setdiff(given, name)
   if (length(lost)) {
-    abort_argument("{.arg ranges} has {.field {lost[1]}}, which is none of the sliders:
+    abort_argument("{.arg ranges} has {.field {lost[1]}}, which is not a slider; the sliders are
       {.field {name}}.")
   }
   labels <- slider_labels(gear, found)
@@ -33,8 +32,8 @@ slider_fields <- function(gear, sliders, ranges) {
     }
     if (is.null(range)) {
       if (is.null(sliders)) return(NULL)
-      abort_argument("{.arg sliders} has {.field {field$name}}, which the plan lets nobody change
-        by itself: give it a range in {.arg ranges}.")
+      abort_argument("{.arg sliders} has {.field {field$name}}, which has no valid default range in
+        this plan: give it a range in {.arg ranges}.")
     }
     c(range, list(label = label, fixed = fixed, asked = !is.null(sliders)))
   }, found, labels)
@@ -49,15 +48,15 @@ slider_paths <- function(sliders) {
   unname(lapply(as.list(sliders), function(one) unlist(lapply(one, paths_of))))
 }
 
-# A field with a share of its value to both sides as its range, rounded to what people read; less
-# where the plan does not allow it, NULL where it allows none.
+# Returns the field with a rounded range, at most the fraction `most` of its value to both sides.
+# Returns NULL if the plan allows no range.
 usual_range <- function(gear, field, most) {
   for (share in slider_shares[slider_shares <= most]) {
     ends <- field$value + c(-1, 1) * share * abs(field$value)
     ends <- if (field$whole) {
       c(max(floor(ends[1L]), if (field$value > 0) 1 else -Inf), ceiling(ends[2L]))
     } else {
-      # the value itself stays inside
+      # the value stays inside
       size <- 10^floor(log10(share * abs(field$value)))
       c(floor(ends[1L] / size * 2), ceiling(ends[2L] / size * 2)) * size / 2
     }
@@ -71,7 +70,6 @@ usual_range <- function(gear, field, most) {
   NULL
 }
 
-# Labels of fields: those that the tank has, or their path in words.
 slider_labels <- function(gear, fields) {
   usual <- usual_of_plan(gear$plan)
   vapply(fields, function(field) {
@@ -83,7 +81,7 @@ slider_labels <- function(gear, fields) {
   }, "")
 }
 
-# Steps of a slider: about a hundred, of 1, 2 or 5 times a power of ten.
+# Returns 1, 2 or 5 times a power of ten, for about a hundred steps.
 slider_step <- function(field) {
   if (field$whole) return(1)
   step <- (field$upper - field$lower) / 100

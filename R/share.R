@@ -1,50 +1,57 @@
-#' A gear as one page that settles by itself
+#' Share a gear as a page that settles it
 #'
-#' Writes a settled gear as one HTML file that anyone can open, on a computer or a phone and without
-#' a network: the gear in three dimensions, sliders for fields of its plan, and codend's engine,
-#' which settles the gear in the browser as they move. Next to them are the measures with the
-#' estimated discretisation errors and how much they have changed, warnings, the plan drawing, the
-#' plan's notes and sources, and the version of codend. A tow that is given plays.
+#' Writes a settled gear as one HTML file with sliders for fields of its plan. As they move,
+#' codend's engine settles the gear in the browser, on a computer or a phone and without a network.
 #'
-#' What a slider does to the gear's numbers is found before the page is written, by reading the plan
-#' at several values of the field, and is checked against the plan at values between, to one part in
-#' 10^10. The page divides the gear as the state is divided: a field that changes how, such as a
-#' count of meshes, cannot be a slider. The page settles from the shape that it shows, in parts
-#' where sliders go far at once; errors are those of the state, as shares of the measures, and
-#' findings those of the gear as it was shared.
+#' @section Contents of the page:
+#' - the gear in three dimensions, and the sliders;
+#' - the measures with their changes and estimated discretisation errors, and warnings;
+#' - the plan drawing, the notes and sources of the plan, and the version of codend;
+#' - a tow, if given, which the page plays.
 #'
-#' The engine of the page is this package's own, compiled to WebAssembly by `make wasm` in codend's
-#' sources, and is installed where that was made before. A source package holds no compiled code:
-#' installed from one, `share()` stops and says so. Browsers since 2023 run it (Chrome 91, Firefox
-#' 113, Safari 16.4).
+#' @section Accuracy:
+#' - `share()` reads the plan at several values of each field, and interpolates the effect of its
+#'   slider on the gear. The interpolation is checked to one part in 10^10 at values in between.
+#' - The page uses the mesh of the state. A field that changes the mesh, such as a count of meshes,
+#'   cannot be a slider.
+#' - The page settles from the displayed shape, and in several steps if sliders move far.
+#' - Relative errors are copied from the state. Findings refer to the gear as shared.
 #'
-#' @param state A state, from [settle()]. The page answers a slider the faster the fewer nodes the
-#'   state has: a few hundred suit a slow computer.
-#' @param file The HTML file to write. It is written whole or not at all.
+#' @section Requirements:
+#' The page needs codend's engine as WebAssembly, which `make wasm` compiles in codend's sources.
+#' Source packages contain no compiled code: after installation from a source package, `share()`
+#' throws an error. Browsers since 2023 run the page (Chrome 91, Firefox 113, Safari 16.4).
+#'
+#' @param state A state from [settle()]. The fewer nodes it has, the faster the page is: a few
+#'   hundred suit a slow computer.
+#' @param file The HTML file to write. It is written atomically.
 #' @param sliders Paths of the fields that the page may change, such as `"towing.speed"`, or a list
-#'   of such paths that change together, as [sensitivities()] takes them. `NULL` takes a dozen that
-#'   people change first, without those that cannot be sliders.
-#' @param ranges A list of ranges by the paths of sliders, each two values with units, such as
-#'   `list(warps.length = c("300 m", "600 m"))`. A slider without one reaches a quarter of its value
-#'   to both sides, or less where the plan does not allow that.
-#' @param tow `NULL`, or a trajectory of the gear, from [tow()].
-#' @return The file's name, invisibly. A slider or range that cannot be is an error of class
-#'   `codend_error_argument` that names it.
-#' @seealso [view_3d()] for a picture alone, [report()] for a page to print, [flume()] for every
-#'   field.
+#'   of paths that change together, as in [sensitivities()]. `NULL` (default): a dozen fields that
+#'   users change first, if they can be sliders.
+#' @param ranges A list of ranges by path of a slider, each two values with units, such as
+#'   `list(warps.length = c("300 m", "600 m"))`. Default: 25 % of the value to both sides, or less
+#'   if the plan does not allow it.
+#' @param tow `NULL` (default), or a trajectory of the gear from [tow()].
+#' @return The name of the file, invisibly. An invalid slider or range is an error of class
+#'   `codend_error_argument`, which contains its name.
+#' @seealso [view_3d()] for a picture without sliders, [report()] for a page to print, [flume()] for
+#'   a page with every field.
 #' @examples
 #' \dontrun{
 #' share(settle("towed_cable"), "cable.html", sliders = "towing.speed")
+#' share(settle("midwater_trawl", nodes = 500), "trawl.html", ranges = list(
+#'   towing.speed = c("3 knot", "5 knot")
+#' ))
 #' }
 #' @export
 share <- function(state, file, sliders = NULL, ranges = NULL, tow = NULL) {
   check_given("state", "file")
   check_is_state(state)
   if (!is.null(state$time) || !isTRUE(state$report$converged)) {
-    abort_argument("{.arg state} must be settled, not a moment of a tow.")
+    abort_argument("{.arg state} must be a settled state ({.fn settle}), not a moment of a tow.")
   }
   if (!is.null(tow) && !inherits(tow, "codend_trajectory")) {
-    abort_argument("{.arg tow} must be a trajectory, from {.fn tow}.")
+    abort_argument("{.arg tow} must be a trajectory from {.fn tow}.")
   }
   check_file_path(file, ".html")
   check_can_share()
@@ -57,7 +64,7 @@ share <- function(state, file, sliders = NULL, ranges = NULL, tow = NULL) {
   invisible(file)
 }
 
-# Whether the engine for pages is installed.
+# TRUE if the engine for pages is installed.
 can_share <- function() all(nzchar(system.file("share", engine_files, package = "codend")))
 
 engine_files <- c("engine.js", "engine.wasm.gz")
@@ -65,8 +72,8 @@ engine_files <- c("engine.js", "engine.wasm.gz")
 check_can_share <- function() {
   if (can_share()) return(invisible())
   abort_argument(c(
-    "{.fn share} needs codend's engine as WebAssembly, which this installation does not have:
-    source packages hold no compiled code.",
+    "{.fn share} needs codend's engine as WebAssembly, but this installation does not have it:
+    source packages have no compiled code.",
     "i" = "In codend's sources, {.code make wasm} compiles it (with Debian's emscripten); then
     install codend from there."
   ))

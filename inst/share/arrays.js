@@ -1,13 +1,13 @@
 // Named arrays of a shared page, as packed_arrays() in R/share-arrays.R writes them.
 //
-// codendArrays(head, bytes, arrays): head says where each is in bytes; arrays, by name, are those that
-// are unpacked or filled already. It has has(name) and array(name).
+// `codendArrays(head, bytes, arrays)`: `head` lists the position and type of each array in `bytes`.
+// `arrays` contains the unpacked arrays by name. Returns {has(name), array(name)}.
 function codendArrays(head, bytes, arrays) {
   'use strict';
   function numbers(of, Kind) {
     var n = of[1], size = Kind.BYTES_PER_ELEMENT, raw = bytes.slice(of[2], of[2] + n * size);
     if (!of[3]) return new Kind(raw.buffer);
-    // bytes of like weight are together
+    // Bytes of equal significance are stored together.
     var out = new Uint8Array(n * size);
     for (var b = 0; b < size; b++) {
       for (var k = 0; k < n; k++) out[size * k + b] = raw[b * n + k];

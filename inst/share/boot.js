@@ -1,8 +1,8 @@
-// Unpacks a shared page and starts it: first what is drawn, then the engine.
+// Unpacks a shared page and starts it: first the picture, then the engine.
 (function () {
   'use strict';
   var packed = JSON.parse(document.getElementById('packed').textContent);
-  // Two of 91 letters are 13 bits, lowest first.
+  // Each pair of letters (base 91) encodes 13 bits, lowest first.
   function letter(code) { return code - 33 - (code > 34) - (code > 60) - (code > 92); }
   function bytes(name) {
     var count = packed[name][0], text = packed[name][1], out = new Uint8Array(count);
@@ -24,7 +24,7 @@
   }
   function failed(error) {
     document.getElementById('told').textContent = 'This browser cannot run the page: ' +
-      (error.message || error) + '. It takes Chrome 91, Firefox 113, Safari 16.4 or newer.';
+      (error.message || error) + '. The page needs Chrome 91, Firefox 113, Safari 16.4 or newer.';
     window.codendFailed = String(error);
   }
   if (!window.DecompressionStream || !window.WebAssembly || !window.Worker) {

@@ -1,12 +1,12 @@
-// A gear in the engine: fills its numbers for the sliders' values, settles it and measures what it
-// finds. For the worker of a shared page, and for tests in node.
+// A gear in the engine: fills its numbers for the values of the sliders, settles and measures it.
+// The worker of a shared page and tests in node use it.
 //
-// codendModel(engine, page, bytes): engine is the compiled engine, page what R wrote (R/share.R),
-// bytes its arrays. It has
-//   values()          the sliders' values that hold now, by number
-//   move(values)      settles the gear at other values, a step at a time: see walk()
-//   shape()           {points, places, boards, rope_tension, u, v, drag, opening, angle: as the viewer
-//                     takes them, measures, warnings, conditions}
+// `codendModel(engine, page, bytes)`: `engine` is the compiled engine, `page` the description of
+// R/share.R, `bytes` its arrays. Methods:
+//   `values()` returns the settled values of the sliders.
+//   `walk(values)` returns a function that settles the gear step by step.
+//   `shape()` returns {moved, measures, warnings, flow, conditions, values, steps}.
+//     `moved` contains points, places, boards, drag, rope_tension, u, v, opening and angle.
 function codendModel(engine, page, bytes) {
   'use strict';
   var head = page.head, arrays = {}, decoder = new TextDecoder();
@@ -54,7 +54,7 @@ function codendModel(engine, page, bytes) {
   // ---- filling and settling ---------------------------------------------------------------------
 
   var fields = page.fields, good = null, base = [];
-  // The arrays that sliders change, one after the other.
+  // The arrays that sliders change, concatenated.
   page.touched.forEach(function (name) { base.push.apply(base, of.array(name)); });
 
   function chebyshev(field, value, n) {
@@ -63,7 +63,7 @@ function codendModel(engine, page, bytes) {
     for (var k = 0; k < n; k++) out.push(Math.cos(k * angle));
     return out;
   }
-  // Products of the polynomials of a term's sliders, those of the first one fastest.
+  // Returns products of the polynomials of a term's sliders. The first slider varies fastest.
   function polynomials(term, values) {
     return term.of.reduce(function (before, f, k) {
       var out = [];
@@ -90,7 +90,7 @@ function codendModel(engine, page, bytes) {
       hand_over(name, arrays[name]);
     });
   }
-  // Where the gear does not settle it stays as it was.
+  // Returns false if the gear does not settle, and restores the last settled values.
   function settle_at(values) {
     fill(values);
     if (checked(engine._codend_settle(page.tolerance, page.steps)) === 1) {
@@ -101,11 +101,11 @@ function codendModel(engine, page, bytes) {
     return false;
   }
 
-  // How far sliders together go at once, in ranges, and how often a part that fails is halved.
+  // Largest step of all sliders together, in slider ranges; maximum number of halvings of a step.
   var most_way = 0.5, most_halved = 4;
 
-  // From where the gear is to other values in parts: calls of the function that it gives settle the
-  // next part each and say 'done', 'more' or 'stuck' (the gear stays where it came).
+  // Returns a function that settles one step towards `values` per call. It returns 'done', 'more'
+  // or 'stuck' (the gear stays at its last settled values).
   function walk(values) {
     var from = good, way = 0, part = 0;
     fields.forEach(function (field, k) {
@@ -128,9 +128,9 @@ function codendModel(engine, page, bytes) {
     };
   }
 
-  // ---- what is shown ----------------------------------------------------------------------------
+  // ---- results ----------------------------------------------------------------------------------
 
-  // empty: the mean of a group without bars and cells.
+  // empty: the value of a group without bars and cells.
   function group_means(groups, bars, cells, empty) {
     var element = of.array(groups.element), group = of.array(groups.group), n = groups.count;
     var weight = of.array(groups.weight), split = cells ? groups.split : element.length, into = new Float32Array(n);
@@ -198,16 +198,16 @@ function codendModel(engine, page, bytes) {
     };
   }
 
-  // What a reader is warned of: [words] each.
+  // Returns the warnings for the reader as strings.
   function warnings(unstable, values) {
     var out = [], degrees = 180 / Math.PI, plates = found('plates');
-    if (unstable) out.push('The balance that was found does not last: a small push carries the gear away from it.');
+    if (unstable) out.push('The equilibrium is unstable: small disturbances grow.');
     (page.boards || []).forEach(function (board, k) {
       var attack = plates[5 * k] * degrees, heel = plates[5 * k + 1] * degrees;
       var stall = of.array('page/stall')[k];
       if (Math.abs(heel) > page.fallen_heel) out.push(board + ' has fallen over: it heels by ' + heel.toFixed(0) + ' deg.');
-      else if (attack < 0) out.push(board + ' is back-winded: the flow meets its outer face, at ' + attack.toFixed(0) + ' deg.');
-      else if (attack > stall) out.push(board + ' is stalled: it meets the flow at ' + attack.toFixed(0) + ' deg, and its lift is largest at ' + stall.toFixed(0) + ' deg.');
+      else if (attack < 0) out.push(board + ' is back-winded: the flow hits its outer face, at ' + attack.toFixed(0) + ' deg.');
+      else if (attack > stall) out.push(board + ' is stalled: its angle of attack is ' + attack.toFixed(0) + ' deg, but its lift is largest at ' + stall.toFixed(0) + ' deg.');
     });
     found('load').forEach(function (share, part) {
       if (share > 1) out.push(page.names[part] + ' carries ' + (100 * share).toFixed(0) + ' % of its breaking load.');
@@ -226,7 +226,7 @@ function codendModel(engine, page, bytes) {
     return size > 0 ? 'in a current of ' + size.toFixed(2) + ' m/s' + told.waves : told.still;
   }
 
-  // ---- the beginning ----------------------------------------------------------------------------
+  // ---- initialisation ---------------------------------------------------------------------------
 
   Object.keys(head).forEach(function (name) {
     if (/^series\//.test(name)) return;

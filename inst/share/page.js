@@ -1,4 +1,4 @@
-// A shared page: the viewer, sliders and measures of a gear that a worker settles.
+// A shared page: viewer, sliders and measures of a gear that a worker settles.
 window.codendPage = function (given, shapes, page, packed) {
   'use strict';
   var scene = given.scene, drawn = codendArrays(given.head, shapes, {});
@@ -16,7 +16,7 @@ window.codendPage = function (given, shapes, page, packed) {
   if (viewer) viewer.show(scene, null);
   times.picture = performance.now();
 
-  // ---- numbers as people read them --------------------------------------------------------------
+  // ---- formatted numbers ------------------------------------------------------------------------
 
   function figures(x) {
     if (!isFinite(x)) return 'none';
@@ -44,16 +44,16 @@ window.codendPage = function (given, shapes, page, packed) {
     var low = Math.round(value / field.step) * field.step;
     return Math.min(Math.max(Number(low.toPrecision(12)), field.lower), field.upper);
   }
-  function in_words(k, value) { return (Number(value.toPrecision(6)) + ' ' + fields[k].unit).trim(); }
+  function with_unit(k, value) { return (Number(value.toPrecision(6)) + ' ' + fields[k].unit).trim(); }
   function tell_slider(k) {
-    var words = in_words(k, values[k]);
+    var words = with_unit(k, values[k]);
     by_id('slider-' + (k + 1) + '-value').textContent = words;
     inputs[k].setAttribute('aria-valuetext', words);
   }
-  // Where sliders came to that were to go on, each with where to.
+  // Returns the sliders that stopped early, each with the reached and the requested value.
   function met(at) {
     return fields.map(function (field, k) {
-      return at[k] === values[k] ? '' : field.label + ' ' + in_words(k, at[k]) + ' (of ' + in_words(k, values[k]) + ')';
+      return at[k] === values[k] ? '' : field.label + ' ' + with_unit(k, at[k]) + ' (of ' + with_unit(k, values[k]) + ')';
     }).filter(Boolean).join(', ');
   }
   var number = 0, shown = 0;
@@ -71,7 +71,7 @@ window.codendPage = function (given, shapes, page, packed) {
       tell_slider(k);
       move();
     });
-    // a key moves by a step
+    // A key moves the slider by one step or by ten.
     input.addEventListener('keydown', function (event) {
       var way = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
       if (!way) return;
@@ -92,7 +92,7 @@ window.codendPage = function (given, shapes, page, packed) {
   }
   by_id('reset').addEventListener('click', function () { set(own); move(); });
 
-  // ---- what was found ---------------------------------------------------------------------------
+  // ---- results ----------------------------------------------------------------------------------
 
   var names = Object.keys(page.programs), rows = Array.from(by_id('measures').rows);
   function busy(is) { document.body.classList.toggle('busy', is); }
@@ -147,8 +147,8 @@ window.codendPage = function (given, shapes, page, packed) {
     if (said.number < number) return;
     if (said.kind === 'stuck') {
       times.stuck += 1;
-      told.textContent = 'No balance was found beyond ' + met(said.shape.values) +
-        ': the gear is shown there.';
+      told.textContent = 'The gear does not settle beyond ' + met(said.shape.values) +
+        '; the picture shows the gear there.';
       set(said.shape.values);
       busy(false);
     } else if (said.done) {
@@ -170,7 +170,7 @@ window.codendPage = function (given, shapes, page, packed) {
   }).catch(packed.failed);
   window.codendSizes = {};
   names.forEach(function (name) { window.codendSizes[name] = page.programs[name].size; });
-  // what tests move
+  // for tests
   window.codendMove = function (to) { set(to); move(); };
 
   // ---- drawing and tow --------------------------------------------------------------------------

@@ -1,9 +1,9 @@
-// The worker of a shared page: settles the gear at the sliders' values, the last that it was told,
-// in parts where they are far; what is overtaken is dropped after the part at hand.
+// The worker of a shared page settles the gear at the latest values of the sliders, in steps if
+// they are far away. A new move replaces an older one after the current step.
 //
-// It is told {kind: 'start', page, bytes, wasm}, then {kind: 'move', number, values}, and tells
+// It receives {kind: 'start', page, bytes, wasm}, then {kind: 'move', number, values}. It sends
 // {kind: 'shape', number, done, shape}, {kind: 'stuck', number, shape} or {kind: 'failed', words}.
-// `number` is that of the move.
+// `number` identifies the move.
 function codendWorker(tell) {
   'use strict';
   var model = null, wanted = null, busy = false, number = 0, next = null;
@@ -29,7 +29,7 @@ function codendWorker(tell) {
       next = null;
       tell({ kind: 'failed', number: number, words: String(error.message || error) });
     }
-    // so that moves that have come meanwhile are heard
+    // The timeout lets messages of new moves arrive.
     setTimeout(work, 0);
   }
   return function (said) {
