@@ -1,17 +1,17 @@
-# The header of a NetCDF file in the classic format with 64-bit offsets, read before the NetCDF
-# library sees it: the library allocates whatever a forged header asks for. The layout is that of
-# the "NetCDF Classic and 64-bit Offset File Formats" specification (Unidata), of which codend
-# writes a part.
+# Checks the header of a NetCDF file (classic format, 64-bit offsets) before the NetCDF library
+# opens it, because the library allocates as much memory as a forged header requests. Layout:
+# "NetCDF Classic and 64-bit Offset File Formats" (Unidata), limited to the types that codend
+# writes.
 
-# More than any file of codend's has: bytes of a header, and entries of one of its lists.
+# Upper limits: bytes of a header, and entries of each list in it.
 most_header_bytes <- 2^24
 most_header_entries <- 1000L
 
-# Bytes of a value of each type that codend writes: characters, integers, doubles.
+# Bytes per value for the types that codend writes: characters, integers, doubles.
 header_widths <- c("2" = 1, "4" = 4, "6" = 8)
 
-# Stops by wrong(why) unless every count of a file's header and every variable lies within the file.
-# cut: whether its last records may be missing. Returns how many of the records are there.
+# Stops by wrong(why) unless all variables lie within the file. `cut`: TRUE if the last records may
+# be missing. Returns the number of complete records.
 whole_records <- function(file, cut, wrong) {
   size <- file_size(file)
   bytes <- readBin(file, "raw", min(size, most_header_bytes))
@@ -23,21 +23,21 @@ whole_records <- function(file, cut, wrong) {
   }
   whole <- function(most = Inf) {
     value <- readBin(take(4L), "integer", endian = "big")
-    if (is.na(value) || value < 0L || value > most) wrong("its header holds a wrong number")
+    if (is.na(value) || value < 0L || value > most) wrong("its header has an invalid number")
     value
   }
   text <- function(n) take(4 * ceiling(n / 4))
   name <- function() text(whole())
-  # a list of a header: its mark and its length, both 0 where there is none
+  # reads a list: its tag and length (both 0 if empty), then its entries
   entries <- function(mark, one) {
     found <- whole()
     n <- whole(most_header_entries)
-    if (found != mark && (found != 0L || n != 0L)) wrong("its header is none of codend's")
+    if (found != mark && (found != 0L || n != 0L)) wrong("its header was not written by codend")
     lapply(seq_len(n), function(k) one())
   }
   width <- function() {
     type <- header_widths[as.character(whole())]
-    if (is.na(type)) wrong("it holds numbers of an unknown type")
+    if (is.na(type)) wrong("it has numbers of an unknown type")
     type[[1]]
   }
   attribute <- function() {
@@ -67,10 +67,10 @@ whole_records <- function(file, cut, wrong) {
   growing <- variables["growing", ] > 0
   begin <- variables["offset", ]
   bytes <- variables["bytes", ]
-  short <- "it is shorter than what it says to hold"
+  short <- "it is shorter than its header requires"
   if (any(begin[!growing] + bytes[!growing] > size)) wrong(short)
   if (!any(growing)) return(0)
-  # a file is padded to whole words, but for its end
+  # records are padded to 4 bytes, except at the end of the file
   of_record <- sum(4 * ceiling(bytes[growing] / 4))
   there <- min(records, floor((size - begin - bytes)[growing] / of_record + 1))
   if (there < records && !cut) wrong(short)

@@ -1,12 +1,11 @@
-# States as JSON (inst/schema/state.schema.json), for languages without a reader of NetCDF.
+# States as JSON (inst/schema/state.schema.json), for languages without a NetCDF reader.
 
-# Writes a state. Returns `file`, invisibly.
 write_state_json <- function(state, file) {
   numbers <- state_numbers(state)
   numbers <- Filter(function(number) length(number$value) > 0L, numbers)
-  numbers <- numbers[!startsWith(names(numbers), "kept_")]
+  numbers <- numbers[!startsWith(names(numbers), "saved_")]
   found <- measures(state)
-  said <- measure_words(found)
+  said <- measure_labels(found)
   error <- attr(found, "error")
   of_state <- list(
     codend = "state", version = format(utils::packageVersion("codend")),
@@ -28,12 +27,12 @@ write_state_json <- function(state, file) {
   write_file(file, function(path) writeBin(charToRaw(enc2utf8(text)), path))
 }
 
-# A number to the last bit, for which jsonlite has too few digits.
+# Returns a number with 17 digits, because jsonlite writes fewer.
 exact_json <- function(x) {
   structure(if (is.finite(x)) sprintf("%.17g", x) else "null", class = "json")
 }
 
-# Values as an array: matrices as an array of their columns.
+# Returns values as a JSON array; matrices become an array of columns.
 json_values <- function(x) {
   if (is.matrix(x)) return(t(x))
   if (!is.double(x)) return(I(x))

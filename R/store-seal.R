@@ -1,5 +1,5 @@
-# The seal of a kept file: behind its data the MD5 sum of all bytes before, so that a file that was
-# cut short or changed is told before anything in it is used. Readers of NetCDF pass over it.
+# Checksum at the end of a file: the MD5 sum of all preceding bytes. It reveals truncated or changed
+# files before any data are used. NetCDF readers ignore it.
 
 seal_mark <- "codend md5 "
 seal_bytes <- nchar(seal_mark) + 32L
@@ -10,7 +10,7 @@ seal_file <- function(file) {
   tryCatch(writeBin(charToRaw(paste0(seal_mark, sum)), connection), finally = close(connection))
 }
 
-# "good", "broken", or "none" of a file that is not sealed.
+# Returns "good", "broken" or "none" (no checksum).
 seal_of <- function(file) {
   size <- file.size(file)
   if (size < seal_bytes) return("none")
@@ -20,7 +20,7 @@ seal_of <- function(file) {
   seal <- readBin(connection, "raw", seal_bytes)
   marked <- seq_len(nchar(seal_mark))
   if (!identical(seal[marked], charToRaw(seal_mark))) return("none")
-  # md5sum() reads whole files
+  # md5sum() accepts only whole files
   before <- tempfile()
   on.exit(unlink(before), add = TRUE)
   copy <- base::file(before, "wb")

@@ -1,47 +1,44 @@
-# A state on disk: NetCDF in the classic format, with the names and units of a trajectory's file.
+# States as NetCDF (classic format), with the same names and units as trajectories.
 
-# Writes a state as NetCDF. Returns `file`, invisibly.
 write_state <- function(state, file) {
   check_netcdf()
-  write_kept(file, function(nc) {
+  write_saved(file, function(nc) {
     numbers <- c(state_numbers(state), measure_numbers(state))
     numbers <- Filter(function(number) length(number$value) > 0L, numbers)
-    lattice <- state$lattice
-    sizes <- c(bar = length(lattice$bar_part), cell = length(lattice$cell_part))
-    define_file(nc, numbers, sizes, lattice, state$gear,
+    mesh <- state$mesh
+    sizes <- c(bar = length(mesh$bar_part), cell = length(mesh$cell_part))
+    define_file(nc, numbers, sizes, mesh, state$gear,
       paste0(state$gear$plan$name, ", ", state_conditions(state)), "state")
     for (name in names(numbers)) put(nc, name, numbers[[name]]$value)
   })
 }
 
-# The state of an open file.
 read_state <- function(nc, file) {
-  read_kept(nc, file, function(get) {
-    what <- read_kept_numbers(get)
+  read_saved(nc, file, function(get) {
+    what <- read_saved_variables(get)
     places <- function(names) do.call(rbind, lapply(names, function(name) as.vector(get(name))))
     names <- rownames(node_variables)
     position <- as.vector(places(names[1:3]))
     velocity <- as.vector(places(names[4:6]))
     if (!length(velocity)) velocity <- numeric(length(position))
-    lattice <- lattice_of_recipe(what$si, what$mesh, position)
-    sizes <- c(length(position), length(velocity)) == 3L * lattice$nodes
+    mesh <- mesh_of_recipe(what$si, what$recipe, position)
+    sizes <- c(length(position), length(velocity)) == 3L * mesh$nodes
     if (!all(sizes) || !all(is.finite(c(position, velocity)))) {
-      stop("its places do not fit its model")
+      stop("its positions do not fit its model")
     }
-    state <- new_state(what$gear, what$si, lattice, position, what$report, velocity)
+    state <- new_state(what$gear, what$si, mesh, position, what$report, velocity)
     for (name in c("time", "compared", "step_accuracy")) state[[name]] <- what[[name]]
     if (length(what$levels)) state$levels <- new_levels(what$levels, complete = TRUE)
     state
   })
 }
 
-# The variables of a state's file, by name.
 state_numbers <- function(state) {
   real <- function(value, across, unit, words) {
     file_variable("NC_DOUBLE", across, words, unit, value)
   }
   axis <- c("x", "y", "z")
-  place <- c("place aft", "place to starboard", "height above the water surface")
+  place <- c("position aft", "position to starboard", "height above the water surface")
   way <- c("aft", "to starboard", "upward")
   vectors <- lapply(1:3, function(k) {
     found <- list(
@@ -53,7 +50,7 @@ state_numbers <- function(state) {
     setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
   })
   drag <- drag_table(state)
-  plain <- c("si", "mesh", "report", "time", "compared", "step_accuracy")
+  plain <- c("si", "recipe", "report", "time", "compared", "step_accuracy")
   kept <- c(
     Filter(Negate(is.null), lapply(setNames(nm = plain), function(name) .subset2(state, name))),
     list(gear = state$gear, levels = levels_of(state, plain_measures(measures(state))))
@@ -62,7 +59,7 @@ state_numbers <- function(state) {
     do.call(c, vectors),
     list(
       held = file_variable("NC_INT", "node", "1 where a node is held",
-        value = as.integer(state$lattice$mesh$held)),
+        value = as.integer(state$mesh$model$held)),
       bar_tension = real(state$bar_tension, "bar", "N", "tension of one line"),
       u_tension = real(state$u_tension, "cell", "N", "tension of one twine along u"),
       v_tension = real(state$v_tension, "cell", "N", "tension of one twine along v"),
@@ -71,13 +68,13 @@ state_numbers <- function(state) {
         "hydrodynamic force to starboard of the flow"),
       part_lift = real(drag$lift_kN, "part", "kN", "hydrodynamic force upward")
     ),
-    model_variables(state$lattice), kept_numbers(kept)
+    model_variables(state$mesh), saved_variables(kept)
   )
 }
 
 measure_numbers <- function(state) {
   found <- measures(state)
-  said <- measure_words(found)
+  said <- measure_labels(found)
   lapply(setNames(seq_along(found), names(found)), function(k) {
     file_variable("NC_DOUBLE", character(), said$words[k], cf_unit(said$unit[k]), found[[k]])
   })

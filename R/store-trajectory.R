@@ -1,11 +1,10 @@
-# A trajectory on disk: NetCDF in the classic format (64-bit offsets), whose records can grow while
-# others read, with names and units of the CF conventions.
+# Trajectories as NetCDF (classic format, 64-bit offsets, CF conventions). Other programs can read
+# the file while it grows.
 #
-# A record is one kept time. It counts once its mark `complete` is set, which is after its numbers
-# have reached the file, so a run that dies leaves all records but the one it was writing. What a
-# tow needs to go on is kept for the two last records in turn, so that one is always whole.
+# Each saved time is one record. It is valid once its flag `complete` is set, after its numbers have
+# reached the disk. A killed run therefore loses only the record in progress. Data for a
+# continuation alternate between two slots, so one slot is always complete.
 
-# Writes a trajectory as NetCDF. Returns `file`, invisibly.
 write_trajectory <- function(trajectory, file) {
   check_netcdf()
   record <- record_trajectory(constants_of(trajectory), trajectory_frames(trajectory), file)
@@ -17,35 +16,35 @@ write_trajectory <- function(trajectory, file) {
 #' @export
 read_result <- function(file) {
   check_given("file")
-  nc <- open_kept(file)
+  nc <- open_saved(file)
   if (attr(nc, "what") == "state") read_state(nc, file) else read_trajectory(nc, file)
 }
 
-# The trajectory of an open file, with all complete records.
+# Reads the trajectory of an open file with all complete records.
 read_trajectory <- function(nc, file) {
-  read_kept(nc, file, function(get) {
-    what <- read_kept_numbers(get)
-    # records from the first that are complete
+  read_saved(nc, file, function(get) {
+    what <- read_saved_variables(get)
+    # count complete records from the start
     n <- min(sum(cumprod(get("complete") == 1L)), attr(nc, "records"))
-    # the last from which a tow can go on
+    # last record that allows a continuation
     resumed <- get("resume_record")
     n <- max(0L, resumed[resumed >= 1 & resumed <= n])
-    if (n == 0L) abort_file(file, "holds no complete record.")
+    if (n == 0L) abort_file(file, "has no complete record.")
     end <- file_ends[1L + get("end")]
     if (is.na(end)) stop("its end is unknown")
     if (end != "interrupted" && seal_of(file) == "none") stop("it ends without its checksum")
-    what$lattice <- lattice_of_recipe(what$si, what$mesh)
-    gather_trajectory(what[names(what) != "mesh"], read_frames(get, n), end)
+    what$mesh <- mesh_of_recipe(what$si, what$recipe)
+    gather_trajectory(what[names(what) != "recipe"], read_frames(get, n), end)
   })
 }
 
-# How a trajectory ends, as numbers from 0. A file says the first until its run has ended.
+# Codes for the end of a tow, from 0. A running tow has the first code.
 file_ends <- c("interrupted", "reached", "stuck", "unbalanced")
 
-# Numbers that a record has of every node; for those of other things see frame_fields.
+# Unit and description of node variables; frame_fields lists the others.
 node_variables <- rbind(
-  x = c("m", "place aft of the start, over the ground"),
-  y = c("m", "place to starboard of the start, over the ground"),
+  x = c("m", "position aft of the start, over the ground"),
+  y = c("m", "position to starboard of the start, over the ground"),
   z = c("m", "height above the water surface"),
   x_velocity = c("m s-1", "velocity aft of the start, over the ground"),
   y_velocity = c("m s-1", "velocity to starboard of the start, over the ground"),
@@ -53,13 +52,14 @@ node_variables <- rbind(
 )
 
 vessel_variables <- rbind(
-  vessel_x = c("m", "place of the vessel aft of its start, over the ground"),
-  vessel_y = c("m", "place of the vessel to starboard of its start, over the ground"),
+  vessel_x = c("m", "position of the vessel aft of its start, over the ground"),
+  vessel_y = c("m", "position of the vessel to starboard of its start, over the ground"),
   vessel_speed = c("m s-1", "speed of the vessel over the ground"),
-  course = c("radian", "course to starboard of that at the start")
+  course = c("radian", "course relative to the start, positive to starboard")
 )
 
-# Numbers of a march beside its nodes; those of controlled lengths and ropes that break are vectors.
+# Data for a continuation, in addition to the nodes. Controlled lengths and breaking ropes are
+# vectors.
 resume_numbers <- c("steps", "caution", "step")
 resume_control <- c("length", "since", "speed", "target_speed", "near_limit")
 report_numbers <- c(
@@ -70,8 +70,8 @@ report_ends <- c("reached", "stopped", "stuck", "unbalanced")
 resume_motions <- c("now", "before")
 motion_vectors <- c("position", "velocity", "acceleration", "algorithmic_acceleration")
 
-# Writes a file with the frames of a trajectory, whole or not at all, and leaves it open for more.
-# what: the constants of the trajectory. Returns list(add = function(frame), close = function(end)).
+# Writes the snapshots of a trajectory atomically and leaves the file open for more. `what`:
+# constants of the trajectory. Returns list(add = function(frame), close = function(end)).
 record_trajectory <- function(what, frames, file) {
   count <- 0L
   first <- gather_trajectory(what, frames[1L], "interrupted")
@@ -81,7 +81,7 @@ record_trajectory <- function(what, frames, file) {
     put_frame(nc, what, frame, count, names(measured))
   }
   write_netcdf(file, function(nc) {
-    # the last has what a tow goes on from
+    # the last snapshot includes the data for a continuation
     define_trajectory(nc, what, frames[[length(frames)]], measured)
     for (frame in frames) add_to(nc, frame)
   })
@@ -107,15 +107,15 @@ record_trajectory <- function(what, frames, file) {
   )
 }
 
-# ---- what a file holds --------------------------------------------------------------------------
+# ---- content of files ----------------------------------------------------------------------------
 
 define_trajectory <- function(nc, what, frame, measured) {
-  lattice <- what$lattice
+  mesh <- what$mesh
   variables <- c(
-    record_variables(), model_variables(lattice),
+    record_variables(), model_variables(mesh),
     list(hexagonal_cell = file_variable("NC_INT", "hexagonal_cell",
-      "cells of hexagonal meshes, from 1", value = which(has_straight_bars(lattice)))),
-    resume_variables(), kept_numbers(what),
+      "cells of hexagonal meshes, from 1", value = which(has_straight_bars(mesh)))),
+    resume_variables(), saved_variables(what),
     lapply(measured, function(of) file_variable(of$type, "time", of$words, of$unit))
   )
   sizes <- c(
@@ -123,16 +123,16 @@ define_trajectory <- function(nc, what, frame, measured) {
     hexagonal_cell = length(frame$straight_tension), point = length(frame$wake),
     catch = length(frame$catch_front), energy_part = length(engine_energy_parts()),
     growing_part = length(frame$done$length), rupture = length(frame$done$broken),
-    anchor = length(frame$done$anchor), component = 3L * lattice$nodes, slot = 2L,
+    anchor = length(frame$done$anchor), component = 3L * mesh$nodes, slot = 2L,
     report_number = length(report_numbers)
   )
   RNetCDF::dim.def.nc(nc, "time", unlim = TRUE)
-  define_file(nc, variables, sizes, lattice, what$gear, paste("Tow of", what$gear$plan$name),
+  define_file(nc, variables, sizes, mesh, what$gear, paste("Tow of", what$gear$plan$name),
     "trajectory")
-  put_texts(nc, "time", c(axis = "T", standard_name = "time"))
-  put_texts(nc, "vessel_speed", c(standard_name = "platform_speed_wrt_ground"))
-  put_texts(nc, "energy", c(energy_parts = paste(engine_energy_parts(), collapse = " ")))
-  put_texts(nc, "end", c(flag_meanings = paste(file_ends, collapse = " ")))
+  put_attributes(nc, "time", c(axis = "T", standard_name = "time"))
+  put_attributes(nc, "vessel_speed", c(standard_name = "platform_speed_wrt_ground"))
+  put_attributes(nc, "energy", c(energy_parts = paste(engine_energy_parts(), collapse = " ")))
+  put_attributes(nc, "end", c(flag_meanings = paste(file_ends, collapse = " ")))
   RNetCDF::att.put.nc(nc, "end", "flag_values", "NC_INT", seq_along(file_ends) - 1L)
   for (name in names(variables)) put(nc, name, variables[[name]]$value)
 }
@@ -165,7 +165,7 @@ resume_variables <- function() {
     setNames(rep(list(variable), length(names)), paste0("resume_", names))
   }
   c(
-    of("record", type = "NC_INT", words = "which time a slot is of, from 1"),
+    of("record", type = "NC_INT", words = "index of the time of a slot, from 1"),
     of(paste0(resume_motions, "_time"), unit = "s"),
     of(outer(resume_motions, motion_vectors, paste, sep = "_"), "component"),
     of(resume_numbers), of(paste0("control_", resume_control), "growing_part"),
@@ -176,7 +176,7 @@ resume_variables <- function() {
 
 # ---- writing ------------------------------------------------------------------------------------
 
-# measured: names of the measures that the file has.
+# `measured`: names of the measures in the file.
 put_frame <- function(nc, what, frame, k, measured) {
   now <- gather_trajectory(what, list(frame), "interrupted")
   put_at <- function(name, value) put_numbers(nc, name, value, k)
@@ -217,7 +217,7 @@ put_resume <- function(nc, frame, k) {
   put_one("record", k)
 }
 
-# Numbers of a variable at one of its times or slots.
+# Writes the values of a variable at one time or slot.
 put_numbers <- function(nc, name, value, k) {
   if (!length(value)) return(invisible())
   n <- if (RNetCDF::var.inq.nc(nc, name)$ndims == 2L) length(value)
@@ -264,7 +264,7 @@ read_resume <- function(get, n) {
   done$anchor <- as.double(all("anchor"))
   report <- NULL
   if (one("report_end") > 0L) {
-    numbers <- all("report")  # earlier versions wrote fewer
+    numbers <- all("report")  # earlier versions wrote fewer numbers
     report <- c(
       list(end = report_ends[one("report_end")]),
       as.list(setNames(numbers, report_numbers[seq_along(numbers)]))

@@ -1,11 +1,10 @@
-# A tree of R's lists and vectors as plain data: its form as text (JSON), and its numbers bit by bit
-# in two arrays. Reading it evaluates nothing: only what is named here comes out, and a function
-# never does.
+# Stores nested lists and vectors as plain data: structure as JSON, numbers exactly in two arrays.
+# Only the classes and attributes in this file can be read; functions are never restored.
 
 tree_attributes <- c("names", "dim", "dimnames", "row.names", "levels", "class")
-tree_classes <- c("data.frame", "factor", "codend_lattice")
+tree_classes <- c("data.frame", "factor", "codend_mesh")
 
-# Returns list(form = text, numbers = doubles, integers).
+# Returns list(form = JSON string, numbers = doubles, integers).
 flatten_tree <- function(tree) {
   numbers <- list()
   integers <- list()
@@ -16,14 +15,14 @@ flatten_tree <- function(tree) {
     held <- attributes(x)
     stopifnot(names(held) %in% tree_attributes, held$class %in% tree_classes)
     if (identical(names(held), "names")) {
-      form$names <- words_form(held$names)
+      form$names <- strings_to_json(held$names)
     } else if (length(held)) {
       form$attributes <- form_of(held)
     }
     switch(kind,
       NULL = NULL,
       list = form$items <- lapply(unname(as.list(unclass(x))), form_of),
-      character = form$text <- words_form(as.vector(unclass(x))),
+      character = form$text <- strings_to_json(as.vector(unclass(x))),
       double = {
         form$length <- length(x)
         numbers[[length(numbers) + 1L]] <<- as.vector(unclass(x))
@@ -32,7 +31,7 @@ flatten_tree <- function(tree) {
         form$length <- length(x)
         integers[[length(integers) + 1L]] <<- as.integer(unclass(x))
       },
-      stop("a file keeps no ", kind)
+      stop("files cannot store ", kind)
     )
     form
   }
@@ -43,14 +42,14 @@ flatten_tree <- function(tree) {
   )
 }
 
-# Words as JSON has them, where a missing one is null, and back.
-words_form <- function(words) lapply(enc2utf8(words), function(word) if (!is.na(word)) word)
+# Converts strings to JSON and back; null represents a missing string.
+strings_to_json <- function(words) lapply(enc2utf8(words), function(word) if (!is.na(word)) word)
 
-form_words <- function(form) {
+strings_from_json <- function(form) {
   vapply(form, function(word) if (is.null(word)) NA_character_ else word, "")
 }
 
-# The tree again; wrong(what): stops for what does not fit. A function is given back as a
+# Rebuilds the list. `wrong`: function that stops with a message. Functions become a
 # lost_function().
 build_tree <- function(form, numbers, integers, wrong) {
   used <- c(numbers = 0, integers = 0)
@@ -66,14 +65,14 @@ build_tree <- function(form, numbers, integers, wrong) {
     x <- switch(form$kind,
       NULL = NULL,
       list = lapply(form$items, value_of),
-      character = form_words(form$text),
+      character = strings_from_json(form$text),
       double = take(numbers, "numbers", form$length),
       integer = take(integers, "integers", form$length),
       logical = as.logical(take(integers, "integers", form$length)),
       `function` = lost_function(),
       wrong("its form is unknown")
     )
-    if (!is.null(form$names)) names(x) <- form_words(form$names)
+    if (!is.null(form$names)) names(x) <- strings_from_json(form$names)
     if (!is.null(attributes)) {
       known <- all(names(attributes) %in% tree_attributes) &&
         all(attributes$class %in% tree_classes)
