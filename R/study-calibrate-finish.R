@@ -1,6 +1,3 @@
-# From a fit to the calibration that is returned.
-
-# refined: as refine_fit() gives it.
 finish_calibration <- function(refined) {
   task <- refined$task
   fit <- refined$fit
@@ -13,7 +10,7 @@ finish_calibration <- function(refined) {
   begun <- model_at(task, points_scaled(task$points, own_values(fields)))
   used <- lapply(task$match, function(one) which(!is.na(one$measured)))
   task$freedom <- max(1, sum(lengths(used)) - sum(at == ""))
-  # estimated errors lose what the fields took
+  # Estimated errors must account for the degrees of freedom that the fields use.
   grown <- sqrt(sum(lengths(used)) / task$freedom)
   error <- vapply(seq_along(task$match), function(k) {
     one <- task$match[[k]]
@@ -40,14 +37,14 @@ finish_calibration <- function(refined) {
       fields = data.frame(
         field = field_names(fields), unit = vapply(fields, `[[`, "", "unit"),
         begun = own_values(fields), value = values, error = sqrt(diag(covariance)),
-        lattice = found$lattice,
+        mesh = found$mesh,
         lower = lower_ends(fields), upper = upper_ends(fields), at = at,
         prior_mean = prior[, 1L], prior_sd = prior[, 2L], row.names = NULL
       ),
       covariance = covariance, matched = matched,
       match = match_table(task, matched, error), left_out = task$left_out,
       conditions = task$conditions, converged = fit$converged, misfit = fit$value,
-      settles = task$points$count$settles, slopes = task$points$count$slopes,
+      n_solves = task$points$count$n_solves, slopes = task$points$count$slopes,
       nodes = refined$nodes, accuracy = refined$accuracy, task = task, scaled = scaled
     ),
     class = "codend_calibration"
@@ -66,8 +63,8 @@ match_table <- function(task, matched, error) {
   )
 }
 
-# Of fields in their units, NA for those at the end of their range: list(covariance, lattice (by
-# field, standard errors that the lattice leaves)).
+# Returns list(covariance, mesh (standard errors due to the mesh)) in field units; NA at range
+# ends.
 fields_covariance <- function(task, model, used, error, at) {
   n <- length(task$points$fields)
   information <- matrix(0, n, n)
@@ -80,18 +77,18 @@ fields_covariance <- function(task, model, used, error, at) {
   }
   names <- field_names(task$points$fields)
   covariance <- matrix(NA_real_, n, n, dimnames = list(names, names))
-  lattice <- rep(NA_real_, n)
+  mesh <- rep(NA_real_, n)
   free <- which(at == "")
   inverse <- tryCatch(solve(information[free, free, drop = FALSE]), error = function(e) NULL)
   width <- task$points$width[free]
   if (is.null(inverse)) {
-    # what the data do not tell is not known at all
+    # A singular matrix means that the data do not determine the fields.
     covariance[free, free] <- diag(Inf, length(free)) * outer(width, width)
   } else {
     model <- lapply(model, function(one) list(slopes = one$slopes[, free, drop = FALSE]))
-    left <- lattice_covariance(task, model, used, error, inverse)
+    left <- mesh_covariance(task, model, used, error, inverse)
     covariance[free, free] <- (inverse + left) * outer(width, width)
-    lattice[free] <- sqrt(diag(left)) * width
+    mesh[free] <- sqrt(diag(left)) * width
   }
-  list(covariance = covariance, lattice = lattice)
+  list(covariance = covariance, mesh = mesh)
 }

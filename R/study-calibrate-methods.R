@@ -1,29 +1,35 @@
-#' What a calibration reports
+#' Coefficients, intervals and predictions of a calibration
 #'
-#' Values, intervals, residuals and predictions of what [calibrate()] found.
+#' These methods return values, confidence intervals, residuals and predictions of a calibration
+#' from [calibrate()].
 #'
 #' @param object A calibration, from [calibrate()].
-#' @param parm Fields, by their names or numbers; all when missing.
-#' @param level Share of the intervals.
-#' @param method `"profile"`: where the likelihood, the other fields found again, falls by what the
-#'   level needs. `"normal"`: by the covariance, which takes no time.
-#' @param type `"response"` in the units of the match, or `"standardised"` by its error.
-#' @param newdata A data frame with columns that set fields, as `data` of [calibrate()]; the hauls
-#'   of the calibration when missing.
+#' @param parm Names or numbers of fields. Default: all.
+#' @param level Probability of the intervals, between 0 and 1. Default 0.95.
+#' @param method `"profile"` (default): the ends at which the likelihood, with the other fields
+#'   fitted again, falls by the amount that `level` requires. `"normal"`: an interval from the
+#'   covariance, which takes no time.
+#' @param type `"response"` (default): residuals in the units of the match. `"standardised"`:
+#'   residuals divided by the error of the match.
+#' @param newdata A data frame with columns that set fields, like `data` of [calibrate()]. Default:
+#'   the hauls of the calibration.
 #' @param ... Not used.
 #' @return
 #'
-#'   - `coef()`: values by field, in the plan's unit; `vcov()` their covariance;
-#'   - `confint()`: a matrix with the two ends by field. An end of the range that the likelihood
-#'     does not rule out is given as it is;
-#'   - `fitted()` and `residuals()`: a number by row of `matched`;
-#'   - `predict()`: a data frame with a row per row of `newdata` and match: `row`, `match`, `fit`,
-#'     `error` (standard error of the fit by the covariance), `low` and `high` (of a new haul, with
-#'     the error of the match) and, where `newdata` has what is matched, `measured`. Rows that do
-#'     not settle are `NA`;
-#'   - `logLik()`: with the number of fields and estimated errors; `nobs()`: what is matched.
+#'   - `coef()`: a numeric vector of fitted values by field, in the plan's unit. `vcov()`: their
+#'     covariance matrix.
+#'   - `confint()`: a matrix, one row per field, with the two ends. An end of the range that the
+#'     likelihood does not exclude is returned unchanged.
+#'   - `fitted()` and `residuals()`: a numeric vector, one value per row of `matched`.
+#'   - `predict()`: a data frame, one row per match and row of `newdata`. Columns: `row`, `match`,
+#'     `fit`, `error`, `low`, `high` and `measured`. `error` is the standard error of the fit from
+#'     the covariance. `low` and `high` are the interval of a new haul, including the error of the
+#'     match. `measured` is `NA` if `newdata` lacks its columns. Rows that do not settle are `NA`.
+#'   - `logLik()`: the log-likelihood; its degrees of freedom count the fields and the estimated
+#'     errors. `nobs()`: the number of matched values.
 #'
-#'   Wrong arguments are an error of class `codend_error_argument`.
+#'   Wrong arguments raise an error of class `codend_error_argument`.
+#' @seealso [calibrate()], [sample_posterior()], [codend_tidy].
 #' @name calibration_methods
 #' @examples
 #' runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
@@ -70,7 +76,7 @@ logLik.codend_calibration <- function(object, ...) {
   match <- object$match
   by <- split(object$matched$residual, factor(object$matched$match, unique(match$text)))
   value <- sum(mapply(function(residual, error, estimated) {
-    # of estimated errors the most likely
+    # The likelihood of an estimated error is largest at the root mean square.
     if (estimated) error <- sqrt(mean(residual^2))
     sum(stats::dnorm(residual, 0, error, log = TRUE))
   }, by, match$error, match$estimated))
@@ -80,7 +86,7 @@ logLik.codend_calibration <- function(object, ...) {
 
 check_level <- function(level) {
   if (!(is.numeric(level) && length(level) == 1L && is.finite(level) && level > 0 && level < 1)) {
-    abort_argument("{.arg level} is {.val {level}}; it must be a share between 0 and 1.")
+    abort_argument("{.arg level} is {.val {level}}; it must be a fraction between 0 and 1.")
   }
 }
 
@@ -103,15 +109,14 @@ confint.codend_calibration <- function(object, parm, level = 0.95,
   ends
 }
 
-# How many standard errors an interval reaches to each side: of Student's t where an error is
-# estimated.
+# Returns the half-width in standard errors: Student's t if an error is estimated, else normal.
 reach_of <- function(object, level) {
   share <- (1 + level) / 2
   if (any(object$match$estimated)) stats::qt(share, object$task$freedom) else stats::qnorm(share)
 }
 
-# By how much the logarithm of the likelihood falls at the ends of an interval. Of estimated errors
-# it is n / 2 log(1 + t^2 / freedom), exactly so where the model is linear.
+# Returns the fall of the log-likelihood at the ends of an interval. With estimated errors it is
+# `n / 2 log(1 + t^2 / freedom)`, which is exact for a linear model.
 fall_of <- function(object, level) {
   reach <- reach_of(object, level)
   if (!any(object$match$estimated)) return(reach^2 / 2)
@@ -127,7 +132,7 @@ profile_ends <- function(object, k, level) {
   least <- object$misfit
   end_of <- function(way) {
     place <- best
-    # the root of the fall, nearly straight in the field: found by its chords
+    # The square root of the fall is nearly linear in the field: secants converge fast.
     root <- function(x) {
       place[k] <<- x
       found <- fit_fields(task, place, held = k)
@@ -143,7 +148,7 @@ profile_ends <- function(object, k, level) {
       if (x == limit && now[2L] <= wanted) return(limit)
       if (abs(now[2L] - wanted) <= 0.01 * wanted) return(x)
       slope <- (now[2L] - before[2L]) / (now[1L] - before[1L])
-      # a flat likelihood: a longer step
+      # If the likelihood is flat, double the step.
       if (!is.finite(slope) || slope * way <= 0) x <- best[k] + 2 * (x - best[k]) else {
         if (is.finite(now[2L])) before <- now
         x <- now[1L] + (wanted - now[2L]) / slope
@@ -155,15 +160,14 @@ profile_ends <- function(object, k, level) {
   task$points$lower[k] + pmin(pmax(ends, 0), 1) * task$points$width[k]
 }
 
-# How many times wider an interval is for what the lattice leaves, which the likelihood does not
-# see.
+# Returns the widening of an interval by the discretisation error, absent in the likelihood.
 widened_by <- function(object, k) {
   fields <- object$fields
-  own <- fields$error[k]^2 - fields$lattice[k]^2
+  own <- fields$error[k]^2 - fields$mesh[k]^2
   if (is.finite(own) && own > 0) fields$error[k] / sqrt(own) else 1
 }
 
-# Steps to an end of a profile, at most.
+# Largest number of secant steps to an end of a profile.
 profile_steps <- 12L
 
 #' @rdname calibration_methods
@@ -175,13 +179,14 @@ predict.codend_calibration <- function(object, newdata = NULL, level = 0.95, ...
   old <- is.null(newdata)
   if (old) newdata <- task$data
   if (!is.data.frame(newdata) || !nrow(newdata)) {
-    abort_argument("{.arg newdata} must be a data frame with a row per haul.")
+    abort_argument("{.arg newdata} must be a data frame with one row per haul.")
   }
   newdata <- as.data.frame(newdata)
   if (!old) {
     lost <- setdiff(object$conditions, names(newdata))
     if (length(lost)) {
-      abort_argument("{.arg newdata} has no column {.field {lost}}, which the calibration had.")
+      abort_argument("{.arg newdata} needs a column {.field {lost}}, like the data of the
+        calibration.")
     }
     set <- condition_columns(task$points$gear, newdata, task$points$fields)
     newdata[set] <- given_value(newdata[set], "newdata")
@@ -190,7 +195,7 @@ predict.codend_calibration <- function(object, newdata = NULL, level = 0.95, ...
     task$memory$tried <- list()
     near <- Find(Negate(is.null), object$task$memory$near)
     task$memory$near <- rep(list(near), length(task$cases))
-    task$cases <- corrected_alike(task$cases, object$task$cases)
+    task$cases <- with_mean_correction(task$cases, object$task$cases)
   }
   model <- model_at(task, object$scaled, slopes = TRUE)
   width <- task$points$width
@@ -216,8 +221,8 @@ predict.codend_calibration <- function(object, newdata = NULL, level = 0.95, ...
   }))
 }
 
-# New cases with the mean of the corrections that others have.
-corrected_alike <- function(cases, others) {
+# Returns the new cases with the mean correction of the calibrated cases.
+with_mean_correction <- function(cases, others) {
   known <- Filter(Negate(is.null), lapply(others, `[[`, "correction"))
   if (!length(known)) return(cases)
   mean_of <- function(field) Reduce(`+`, lapply(known, `[[`, field)) / length(known)
@@ -233,20 +238,21 @@ print.codend_calibration <- function(x, ...) {
     if (length(x$conditions)) paste0(" by ", paste(x$conditions, collapse = ", ")), "\n", sep = "")
   fields <- x$fields
   cat_columns(list(
-    paste0("  ", fields$field), slope_figures(fields$value), fields$unit,
-    ifelse(is.na(fields$error), "", paste("+-", slope_figures(signif(fields$error, 2)))),
-    ifelse(is.na(fields$lattice), "", paste("lattice", slope_figures(signif(fields$lattice, 2)))),
-    paste("from", slope_figures(fields$begun)),
+    paste0("  ", fields$field), sensitivity_digits(fields$value), fields$unit,
+    ifelse(is.na(fields$error), "", paste("+-", sensitivity_digits(signif(fields$error, 2)))),
+    ifelse(is.na(fields$mesh), "", paste("mesh", sensitivity_digits(signif(fields$mesh, 2)))),
+    paste("from", sensitivity_digits(fields$begun)),
     ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
   ), left = c(1L, 3L, 7L))
   match <- x$match
   cat_columns(list(
     paste0("  ", match$text), paste(match$hauls, "hauls"),
-    paste("off by", slope_figures(match$rms)), paste("before", slope_figures(match$rms_begun)),
-    paste("mean", slope_figures(match$bias))
+    paste("off by", sensitivity_digits(match$rms)), paste("before",
+      sensitivity_digits(match$rms_begun)),
+    paste("mean", sensitivity_digits(match$bias))
   ))
-  cat("  ", if (x$converged) "converged" else "not converged", ", ", x$settles,
-    " gears settled, the last with ", lattice_words(x$nodes, x$accuracy), "\n", sep = "")
+  cat("  ", if (x$converged) "converged" else "not converged", ", ", x$n_solves,
+    " gears settled, the last with ", mesh_size_text(x$nodes, x$accuracy), "\n", sep = "")
   invisible(x)
 }
 
@@ -260,12 +266,12 @@ summary.codend_calibration <- function(object, level = 0.95, ...) {
 #' @export
 print.codend_calibration_summary <- function(x, ...) {
   print(x$calibration)
-  cat("\nIntervals by the covariance\n")
+  cat("\nIntervals from the covariance\n")
   print(signif(x$intervals, 5))
   correlation <- tryCatch(suppressWarnings(stats::cov2cor(x$calibration$covariance)),
     error = function(e) NULL)
   if (length(correlation) > 1L) {
-    cat("\nCorrelation of the fields\n")
+    cat("\nCorrelations of the fields\n")
     print(round(correlation, 2))
   }
   worst <- x$calibration$matched

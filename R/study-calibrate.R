@@ -1,71 +1,91 @@
-#' Calibrate a gear to what was measured
+#' Calibrate a gear to measurements
 #'
-#' Finds the values of fields of a plan, such as a board's lift coefficient or the friction of the
-#' sea bed, with which the settled gear comes nearest to what sensors said in hauls or tank runs,
-#' and how well these values are known.
+#' `calibrate()` fits fields of a plan, such as the lift coefficient of a board or the friction of
+#' the seabed, to measurements. The data are hauls or tank runs. The result includes standard errors
+#' of the fields.
 #'
-#' Each row of the data is a haul in its own conditions. Gears are settled from the shapes of the
-#' last step, and their [sensitivities()] to the fields are exact: the steps are Gauss and Newton's
-#' within a trust region that keeps to the ranges (`stats::nlminb()`, the PORT library). Differences
-#' are normal, with one standard deviation for each thing that is matched: of the sensor, of the
-#' model and of what varies between hauls together. It is estimated where `error` does not give it,
-#' so that what fits badly weighs little. Priors add to the likelihood.
+#' @details
+#' # Fields and priors
+#' - Give ranges as in [optimise_gear()]: `list(warps.length = c("300 m", "600 m"))`. A
+#'   [normal_value()] is also a prior.
+#' - Give paths without a range to use known uncertainties as priors:
+#'   `c("multipliers.board_lift", "bridles.upper.length")`. Multipliers then have the posterior of
+#'   the validation book. Other fields have the uncertainty in the plan or in the table of kinds, as
+#'   in [uncertainty()].
+#' - A list can mix both: paths are then items without a name.
 #'
-#' A coarse model of the gear, with few nodes, is wrong by a few percent, alike in all hauls, and
-#' fields would make up for that. So where its error is more than `accuracy`, up to 8 hauls are
-#' settled with more nodes at the best values, the difference corrects the coarse model (as in
-#' [optimise_gear()]), and fields are fitted again until they stay. The discretisation error that
-#' is left is part of the fields' errors and of their intervals: `lattice` is its part.
+#' # Matches
+#' - A measure with a unit in its name is in that unit. Without the unit it is in SI, and so is the
+#'   column.
+#' - Columns of the package units are converted to the unit of the measure.
+#' - Rows with `NA` in a matched column are not used for this match.
 #'
-#' The covariance is that of the sensitivities at the best values. Intervals of
-#' [confint()][stats::confint] follow the likelihood itself, the other fields found again at each
-#' value; with estimated errors their reach is that of Student's t.
+#' # Method
+#' - The steps are Gauss-Newton steps in a trust region within the ranges (`stats::nlminb()`, the
+#'   PORT library). Derivatives are exact ([sensitivities()]). Each gear is settled ([settle()])
+#'   from its shape in the previous step.
+#' - Residuals are normal, with one standard deviation per matched quantity. It covers the sensor,
+#'   the model and the variation between hauls.
+#' - Without `error`, the standard deviations are estimated. A quantity that fits badly then has
+#'   little weight.
+#' - Priors add to the likelihood.
+#'
+#' # Discretisation
+#' A coarse mesh has an error of a few percent, similar in all hauls, which the fields would
+#' compensate. If the error exceeds `accuracy`, up to 8 hauls are also settled with more nodes at
+#' the best values. The difference corrects the coarse mesh (as in [optimise_gear()]), and the
+#' fields are fitted again until they converge. The remaining discretisation error is part of the
+#' errors and intervals of the fields.
+#'
+#' # Intervals
+#' - The covariance follows from the sensitivities at the best values.
+#' - [confint()][stats::confint] follows the likelihood itself: the other fields are fitted again at
+#'   each value. With estimated errors it uses Student's t.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
-#' @param data A data frame with a row per haul or run. Columns that are named by the path of a
-#'   field (`towing.speed`, `warps.length`, `seabed.depth`) set it, as
-#'   [update()][update.codend_gear] does: numbers in SI, texts with a unit or objects of the package
-#'   units.
-#' @param change The fields that may change, with ranges, [value_range()] or [normal_value()], as in
-#'   [optimise_gear()]; a normal distribution is a prior as well. Paths alone, as in
-#'   `c("multipliers.board_lift", "bridles.upper.length")`, begin from what [uncertainty()] knows of
-#'   them: multipliers from the posterior of the validation book, others from the plan or the table
-#'   of kinds. They are a character vector, or items of the list without a name.
-#' @param match What is measured: a formula or a list of formulas, columns at the left and measures
-#'   at the right: `list(DoorSpread ~ door_spread, (Port + Starboard) / 2 ~ warp_tension_kN)`. A
-#'   measure without the unit in its name is in SI, and so is the column. Columns that are objects
-#'   of the package units are converted to the unit of the measure. Rows with `NA` there are not
-#'   matched.
-#' @param error Standard deviations by what is matched, in the same order and units; `NULL`, or `NA`
-#'   for one of them, to estimate it.
-#' @param nodes,netting Of the model that the fit steps with, as in [settle()].
-#' @param accuracy Discretisation error of what is fitted, as a share of what is measured: where it
-#'   is larger with `nodes`, the fit ends with more nodes. `NULL` stays with `nodes`.
-#' @return An object of class `codend_calibration`, a list of
+#' @param data A data frame: one row per haul or run. Columns named by the path of a field
+#'   (`towing.speed`, `warps.length`) set it, as in [update()][update.codend_gear]. Values are
+#'   numbers in SI, text with a unit, or objects of the package units.
+#' @param change The fields to fit: a list of ranges, [value_range()] or [normal_value()] by path,
+#'   or a character vector of paths. See the section on fields and priors.
+#' @param match A formula or a list of formulas, data columns on the left and measures on the right.
+#'   Example: `list(DoorSpread ~ door_spread, (Port + Starboard) / 2 ~ warp_tension_kN)`. See the
+#'   section on matches.
+#' @param error Standard deviations, one per formula of `match`, in the same units. `NULL` (default)
+#'   estimates all; `NA` estimates a single one.
+#' @param nodes,netting Number of nodes and kind of netting elements of the coarse mesh, as in
+#'   [settle()].
+#' @param accuracy Largest discretisation error of the fitted measures, as a fraction of the
+#'   measured values. Default `"1 %"`. `NULL` always stays with `nodes`.
 #'
-#'   - `gear`: with the fields found, [update()][update.codend_gear]d;
-#'   - `fields`: a data frame with `field`, `unit`, `begun`, `value`, `error` (standard error, `NA`
-#'     at an end), `lattice` (the part of discretisation), `lower`, `upper`, `at`
-#'     (`"lower"`, `"upper"` or empty: the end of the range that it lies at), `prior_mean` and
-#'     `prior_sd`;
-#'   - `covariance` of the fields;
-#'   - `matched`: a data frame with a row per haul and thing matched: `row` of the data, `match`,
-#'     `measured`, `begun` (of the gear as it was), `fitted`, `residual` (measured less fitted) and
-#'     `standardised`;
-#'   - `match`: a data frame with the `text` of each, its `hauls`, standard deviation `error`,
-#'     whether it was `estimated`, the mean of residuals (`bias`), and the root mean square of
-#'     residuals before (`rms_begun`) and now (`rms`);
-#'   - `left_out`: rows whose gear does not settle; `conditions`: columns that set fields;
-#'     `converged`, `settles` and `slopes`, counts of gears settled and of their slopes taken;
-#'     `nodes` of the last model and `accuracy`, its discretisation error in what is fitted, as a
-#'     share.
+#' @return An object of class `codend_calibration`, a list:
 #'
-#'   `coef()`, `vcov()`, `confint()`, `fitted()`, `residuals()`, `predict()`, `logLik()`, `nobs()`,
-#'   `summary()` and `plot()` know it; see [calibration_methods], [sample_posterior()] and
-#'   [explain_misfit()].
-#'   Wrong arguments are an error of class `codend_error_argument`, a wrong value of a field in the
-#'   data one of class `codend_error_plan`; rows that do not settle are left out with a warning of
-#'   class `codend_warning_hauls_left_out`.
+#'   - `gear`: the gear with the fitted fields.
+#'   - `fields`: a data frame, one row per field, in the unit `unit` of the plan. `begun` is the
+#'     initial value, `value` the fitted one and `error` its standard error (`NA` at an end of the
+#'     range). `mesh` is the part of `error` due to discretisation. `lower` and `upper` are the
+#'     range. `at` is `"lower"` or `"upper"` at an end of the range, else empty. `prior_mean` and
+#'     `prior_sd` describe the prior.
+#'   - `covariance`: the covariance matrix of the fields.
+#'   - `matched`: a data frame, one row per haul and match. Columns: `row` (of `data`), `match`,
+#'     `measured`, `begun` (with the initial gear), `fitted`, `residual` (measured minus fitted) and
+#'     `standardised`.
+#'   - `match`: a data frame, one row per match. Columns: `text`, `hauls` (count), `error` (standard
+#'     deviation), `estimated` (logical), `bias` (mean residual), and the root mean square of the
+#'     residuals before (`rms_begun`) and after (`rms`).
+#'   - `left_out`: rows whose gear does not settle.
+#'   - `conditions`: names of the columns that set fields.
+#'   - `converged`: `TRUE` if the fit converged.
+#'   - `n_solves`, `slopes`: numbers of settled gears and of computed sensitivities.
+#'   - `nodes`, `accuracy`: number of nodes of the last mesh, and its discretisation error as a
+#'     fraction.
+#'
+#'   Wrong arguments raise an error of class `codend_error_argument`. A wrong field value in the
+#'   data raises `codend_error_plan`. Rows that do not settle are left out with a warning of class
+#'   `codend_warning_hauls_left_out`.
+#' @seealso [calibration_methods] for `coef()`, `confint()`, `predict()` and others;
+#'   [sample_posterior()], [explain_misfit()], [uncertainty()];
+#'   `vignette("calibrate-to-your-sensors", package = "codend")`.
 #' @export
 #' @examples
 #' # Two speeds and three tensions of a towed cable: how long is it really?
@@ -87,13 +107,13 @@ calibrate <- function(gear, data, change, match, error = NULL, nodes = 1500, net
   finish_calibration(refine_fit(task, fit, accuracy))
 }
 
-# What is fitted: list(points, cases (a list per different setting: points, rows), words, match (a
-# list per formula: text, formula, measured, known), of, memory).
+# Returns the calibration task: list(points, cases (one per distinct setting), case_of (case of each
+# row), conditions, data, memory, left_out, words, match, of (measures needed)).
 new_calibration <- function(gear, data, change, match, error, nodes, netting) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
   if (!is.data.frame(data) || !nrow(data)) {
-    abort_argument("{.arg data} must be a data frame with a row per haul.")
+    abort_argument("{.arg data} must be a data frame with one row per haul.")
   }
   data <- as.data.frame(data)
   change <- change_with_priors(gear, change)
@@ -107,28 +127,29 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting) {
   )
   task$memory$tried <- list()
   first <- own_values(points$fields)
-  # the gear as it was, in every case
   states <- lapply(task$cases, function(case) settle_point(case, first))
   good <- !vapply(states, is.null, NA)
-  if (!any(good)) abort_not_converged("The gear settles in no row of the data.", report = NULL)
+  if (!any(good)) {
+    abort_not_converged("The gear does not settle in any row of the data.", report = NULL)
+  }
   task$left_out <- which(!good[task$case_of])
   if (length(task$left_out)) {
     rows <- task$left_out
     cli::cli_warn(
-      "The gear does not settle in {length(rows)} row{?s} of the data, which {?is/are} left out:
+      "The gear does not settle in {length(rows)} row{?s} of the data. The calibration omits row{?s}
       {rows}.",
       class = c("codend_warning_hauls_left_out", "codend_warning"), call = NULL
     )
   }
   task$memory$near <- states
-  task$words <- formula_words(states[[which(good)[1L]]]$measures)
+  task$words <- formula_names(states[[which(good)[1L]]]$measures)
   task$match <- read_matches(match, data, task, error)
   named <- unlist(lapply(task$match, function(one) one$formula$names))
   task$of <- unique(task$words$column[task$words$name %in% named])
   task
 }
 
-# Columns of the data that set fields. A name that begins as a path does and is none is an error.
+# Returns the names of the columns that set fields. A name that starts like a path must be a field.
 condition_columns <- function(gear, data, fields) {
   first <- sub("[.].*", "", names(data))
   like_path <- grepl(".", names(data), fixed = TRUE) &
@@ -139,23 +160,24 @@ condition_columns <- function(gear, data, fields) {
     if (is.null(plan_field(gear$plan, name))) {
       near <- nearest(name, given_paths(gear$plan))
       hint <- if (length(near)) paste0(" Did you mean ", near, "?") else ""
-      abort_argument("{.arg data} has the column {.field {name}}, which is no field of this
+      abort_argument("{.arg data} has the column {.field {name}}, which is not a field of this
         plan.{hint}")
     }
     if (name %in% free) {
-      abort_argument("{.arg data} sets {.field {name}}, which {.arg change} is to find.")
+      abort_argument("{.arg data} has the column {.field {name}}, but {.arg change} calibrates this
+        field.")
     }
   }
   paths
 }
 
-# Rows with the same settings are one case: list(cases (points with the gear so set), case_of).
+# Returns list(cases (points with the gear set, one per distinct setting), case_of (by row)).
 new_cases <- function(points, data, set) {
   table <- data[set]
   for (name in set) {
     if (anyNA(table[[name]])) {
       row <- which(is.na(table[[name]]))[1L]
-      abort_argument("{.arg data} has no {.field {name}} in row {row}.")
+      abort_argument("{.arg data} has no value of {.field {name}} in row {row}.")
     }
   }
   key <- if (length(set)) do.call(paste, c(unname(table), sep = "\r")) else rep("", nrow(data))
@@ -173,34 +195,33 @@ new_cases <- function(points, data, set) {
   list(cases = cases, case_of = base::match(key, key[rows]))
 }
 
-# Matches made ready: lists of text, formula (of measures), measured (by row of the data), error (NA
-# where it is to be estimated).
+# Returns a list per match: text, formula, measured (by row), error (NA: to be estimated).
 read_matches <- function(match, data, task, error) {
   if (inherits(match, "formula")) match <- list(match)
   good <- is.list(match) && length(match) > 0L &&
     all(vapply(match, function(one) inherits(one, "formula") && length(one) == 3L, NA))
   if (!good) {
-    abort_argument("{.arg match} must be formulas such as {.code DoorSpread ~ door_spread}: columns
-      at the left, measures at the right.")
+    abort_argument("{.arg match} must be formulas such as {.code DoorSpread ~ door_spread}, with
+      columns on the left and measures on the right.")
   }
   error <- given_value(if (is.null(error)) rep(NA, length(match)) else error, "error")
   abort_error <- function() {
     said <- unlist(error)
     abort_argument("{.arg error} is {.val {said}}; it must be {length(match)} standard
-      deviation{?s} above 0, or NA for what is to be estimated.")
+      deviation{?s} above 0, or NA to estimate {?it/them} from the data.")
   }
   if (length(error) != length(match)) abort_error()
   Map(function(one, error) {
     text <- paste(trimws(deparse(one[[2L]], width.cutoff = 500L)), collapse = " ")
     lost <- setdiff(all.vars(one[[2L]]), names(data))
     if (length(lost)) {
-      abort_argument("{.arg match} names {.field {lost[1]}}, which is no column of the data.")
+      abort_argument("{.arg match} uses {.field {lost[1]}}, which is not a column of the data.")
     }
     formula <- ready_expression(one[[3L]], "match", task$words, character(), environment(one))
     measured <- eval(one[[2L]], data, environment(one))
     measured <- formula_numbers(measured, formula, task$words, text)
     if (length(measured) != nrow(data)) {
-      abort_argument("{.arg match} has {.code {text}}, which is no number in every row.")
+      abort_argument("{.arg match} has {.code {text}}, which is not a number in every row.")
     }
     measured[!is.finite(measured)] <- NA
     measured[task$left_out] <- NA
@@ -211,7 +232,7 @@ read_matches <- function(match, data, task, error) {
     hauls <- sum(!is.na(measured))
     if (hauls < 1L || (is.na(error) && hauls < 3L)) {
       abort_argument("{.arg match} has {hauls} row{?s} with {.code {text}}, too few to estimate its
-        error: three are the least, or give {.arg error}.")
+        error: give at least three rows, or give {.arg error}.")
     }
     list(text = text, formula = formula, measured = measured, error = error)
   }, match, error)
@@ -219,7 +240,7 @@ read_matches <- function(match, data, task, error) {
 
 # ---- the fit -------------------------------------------------------------------------------------
 
-# Every case at scaled fields: list(points by case (NULL where it does not settle), slopes).
+# Settles all cases. Returns list(scaled, points (by case, NULL if unsettled), slopes (by case)).
 cases_at <- function(task, scaled, slopes = FALSE) {
   found <- Find(function(one) identical(one$scaled, scaled), task$memory$tried)
   if (is.null(found)) {
@@ -235,18 +256,17 @@ cases_at <- function(task, scaled, slopes = FALSE) {
   if (slopes && is.null(found$slopes)) {
     found$slopes <- Map(function(case, point) {
       if (is.null(point)) return(NULL)
-      by <- point_slopes(case, point, task$of)
+      by <- point_derivatives(case, point, task$of)
       replace(by, is.na(by), 0)
     }, task$cases, found$points)
   }
   others <- Filter(function(one) !identical(one$scaled, scaled), task$memory$tried)
-  # the last few are enough: a trial, and the point that it is compared with
+  # `nlminb()` compares a trial with the previous point, so three results are enough.
   task$memory$tried <- utils::head(c(list(found), others), 3L)
   found
 }
 
-# The model at scaled fields: a list per match of fitted (by row, NA where it does not settle) and,
-# where asked for, slopes (rows by fields).
+# Returns a list per match: fitted (by row, NA if unsettled), slopes (rows x fields, or NULL).
 model_at <- function(task, scaled, slopes = FALSE) {
   found <- cases_at(task, scaled, slopes)
   lapply(task$match, function(one) {
@@ -254,7 +274,7 @@ model_at <- function(task, scaled, slopes = FALSE) {
       point <- found$points[[k]]
       if (is.null(point)) return(list(value = NA_real_, slope = rep(NA_real_, length(scaled))))
       by <- found$slopes[[k]]
-      if (!is.null(by)) by <- corrected_slopes(task$cases[[k]], by)
+      if (!is.null(by)) by <- corrected_derivatives(task$cases[[k]], by)
       at <- formula_point(task$cases[[k]], point, task$words, by)
       evaluate_formula(one$formula, at)
     })
@@ -266,7 +286,8 @@ model_at <- function(task, scaled, slopes = FALSE) {
   })
 }
 
-# The negative logarithm of the likelihood (and priors), its slopes and curvature by scaled fields.
+# Returns list(value, slope, curvature): the negative log-likelihood with priors, its gradient and
+# its Gauss-Newton Hessian by scaled fields.
 misfit_at <- function(task, scaled, slopes = FALSE) {
   model <- model_at(task, scaled, slopes)
   n <- length(scaled)
@@ -298,7 +319,7 @@ misfit_at <- function(task, scaled, slopes = FALSE) {
   found
 }
 
-# The error of a match: given, or the root mean square, which a perfect fit may not take to 0.
+# Returns the given standard deviation, or the root mean square (above 0 even for a perfect fit).
 error_of <- function(one, off) {
   if (!is.na(one$error)) return(one$error)
   max(sqrt(mean(off^2)), 1e-9 * max(abs(one$measured), na.rm = TRUE), .Machine$double.xmin)
@@ -306,13 +327,13 @@ error_of <- function(one, off) {
 
 has_prior <- function(fields) !vapply(fields, function(field) is.null(field$prior), NA)
 
-# The mean and standard deviation of a field's prior, scaled.
+# Returns c(mean, standard deviation) of the prior of field k, scaled.
 scaled_prior <- function(points, k) {
   prior <- points$fields[[k]]$prior
   c((prior[1L] - points$lower[k]) / points$width[k], prior[2L] / points$width[k])
 }
 
-# Fields fitted from a place. held: fields (by number) that stay.
+# Fits the fields from the initial guess `place` (scaled). held: numbers of fixed fields.
 fit_fields <- function(task, place, held = integer()) {
   free <- setdiff(seq_along(place), held)
   full <- function(x) replace(place, free, x)
@@ -325,7 +346,7 @@ fit_fields <- function(task, place, held = integer()) {
     function(x) misfit_at(task, full(x), slopes = TRUE)$slope[free],
     function(x) misfit_at(task, full(x), slopes = TRUE)$curvature[free, free, drop = FALSE],
     lower = 0, upper = 1,
-    # a change of the logarithm of the likelihood that nobody would notice
+    # A relative change of 1e-7 in the log-likelihood is negligible.
     control = list(abs.tol = 0, rel.tol = 1e-7, x.tol = 1e-5, iter.max = 60L, eval.max = 120L)
   )
   list(scaled = full(found$par), value = found$objective, converged = found$convergence == 0L)

@@ -1,35 +1,43 @@
-#' What a misfit points at
+#' Find causes of the misfit of a calibration
 #'
-#' Where a calibrated gear and its hauls still differ: which other input of the plan, of boards,
-#' netting, ropes, sea bed or water, would bring them together, which condition the differences
-#' follow, and which measurement would determine the fields of the calibration best.
+#' `explain_misfit()` ranks possible causes of the remaining differences between a calibrated gear
+#' and its hauls: inputs of the plan and conditions. It also ranks further measurements by how much
+#' they would improve the calibration.
 #'
-#' Inputs are judged by the sensitivities of what was matched at the calibrated gear: by how much
-#' the sum of squared standardised residuals would fall were the input free next to the fields of
-#' the calibration (score test), on a straight line, and believed to lie within `spread` of its
-#' value: one that would have to change by more explains little. An input whose effect is that of
-#' the calibrated fields cannot be distinguished from them (`own` near 0).
+#' @details
+#' Each input is ranked by a score test at the calibrated gear. The score is the fall of the sum of
+#' squared standardised residuals if the input were fitted too.
+#'
+#' - The test is linear and uses the sensitivities of the matched measures.
+#' - Each input is assumed to lie within `spread` of its value. An input that would need a larger
+#'   change explains little.
+#' - An input with the same effect as the calibrated fields cannot be distinguished from them: its
+#'   `own` is near 0.
 #'
 #' @param fit A calibration, from [calibrate()].
-#' @param to Inputs to look at, as `to` of [sensitivities()]; `NULL` takes lengths, masses, areas,
-#'   buoyancies, diameters and coefficients that the plan gives, two dozen at most.
-#' @param spread Standard deviation that inputs are believed to have, as a share of their value.
-#' @param sensor Error of a sensor that is not there yet, as a share of what it measures.
-#' @param cases How many of the settings in the data to look at, evenly over them; each takes the
-#'   sensitivities to all inputs.
-#' @return An object of class `codend_explanation`, a list of data frames, the most telling first:
+#' @param to Inputs to test, like `to` of [sensitivities()]. `NULL` (default) selects up to 24
+#'   lengths, masses, areas, buoyancies, diameters and coefficients of the plan.
+#' @param spread Assumed standard deviation of the inputs, as a fraction of their values. Default
+#'   0.2.
+#' @param sensor Assumed error of an additional sensor, as a fraction of its measured value. Default
+#'   0.02.
+#' @param cases Largest number of settings in the data to analyse, evenly spaced. Default 8. Each
+#'   setting needs the sensitivities to all inputs.
+#' @return An object of class `codend_explanation`, a list of data frames, the most important row
+#'   first:
 #'
-#'   - `inputs`: `field`, its `value` and `unit`, the `step` that the residuals indicate and that
-#'     step in `percent`, the `fall` of the squared residuals as a share of them, `p` (the
-#'     probability of so large a fall by chance; small where the input matters) and `own`, the share
-#'     of its effect that the calibrated fields do not have too;
-#'   - `trends`: `match`, the `condition` (a numeric column of the data), `correlation` of the
-#'     residuals with it and `p`;
-#'   - `measurements`: `measure`, and `gain`: the factor by which the standard errors of the fields
-#'     would shrink, their geometric mean, were it measured in all hauls with `sensor`'s error; a
-#'     column `matched` says what is already. Empty where no field is free.
+#'   - `inputs`: one row per input. `field`, `value` and `unit` identify it. `step` (in `unit`) and
+#'     `percent` are the change that the residuals indicate. `fall` is the fraction by which the
+#'     squared residuals fall, and `p` the probability of such a fall by chance. `own` is the
+#'     fraction of the effect that the calibrated fields cannot reproduce.
+#'   - `trends`: one row per match and condition. Columns: `match`, `condition` (a numeric column of
+#'     the data), `correlation` of the residuals with it, and `p`.
+#'   - `measurements`: one row per measure. `gain` is the factor by which the standard errors of the
+#'     fields (geometric mean) would shrink with this measure in all hauls, with the error `sensor`.
+#'     `matched` is `TRUE` if it is already matched. The table is empty if no field is free.
 #'
-#'   Wrong arguments are an error of class `codend_error_argument`.
+#'   Wrong arguments raise an error of class `codend_error_argument`.
+#' @seealso [calibrate()], [sensitivities()], [uncertainty()].
 #' @export
 #' @examples
 #' runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
@@ -57,11 +65,11 @@ explain_misfit <- function(fit, to = NULL, spread = 0.2, sensor = 0.02, cases = 
 
 check_share <- function(value, name) {
   if (!(is.numeric(value) && length(value) == 1L && is.finite(value) && value > 0)) {
-    abort_argument("{.arg {name}} is {.val {value}}; it must be a share above 0.")
+    abort_argument("{.arg {name}} is {.val {value}}; it must be a fraction above 0.")
   }
 }
 
-# Last steps of paths that inputs have where none are asked for, and how many are looked at.
+# Default inputs: the last parts of their paths, and their largest number.
 input_fields <- c("length", "mass", "area", "buoyancy", "diameter", "lift_coefficient",
   "drag_coefficient", "drag_area", "friction", "density", "normal", "tangential")
 most_inputs <- 24L
@@ -69,14 +77,15 @@ most_inputs <- 24L
 explained_inputs <- function(fit, to) {
   taken <- c(unlist(lapply(fit$task$points$fields, `[[`, "paths")), fit$conditions)
   if (!is.null(to)) {
-    found <- slope_fields(fit$gear, to)
+    found <- sensitivity_fields(fit$gear, to)
     both <- intersect(unlist(lapply(found, `[[`, "paths")), taken)
     if (length(both)) {
-      abort_argument("{.arg to} has {.field {both[1]}}, which the calibration sets or finds.")
+      abort_argument("{.arg to} has {.field {both[1]}}, but the calibration already uses this
+        field.")
     }
     return(lapply(found, `[[`, "paths"))
   }
-  found <- slope_fields(fit$gear, "all")
+  found <- sensitivity_fields(fit$gear, "all")
   keep <- vapply(found, function(field) {
     !field$whole && !any(field$paths %in% taken) &&
       sub(".*[.]", "", field$paths[1L]) %in% input_fields
@@ -84,8 +93,8 @@ explained_inputs <- function(fit, to) {
   utils::head(lapply(found[keep], `[[`, "paths"), most_inputs)
 }
 
-# Slopes of all measures at some settings: lists of rows (of the data), measures, fields and inputs
-# (matrices of measures by scaled fields, and by shares of inputs).
+# Returns a list per analysed case: rows (of the data), case, point, fields (measures x scaled
+# fields), inputs (measures x relative inputs), value, unit.
 explained_cases <- function(fit, inputs, most) {
   task <- fit$task
   at <- cases_at(task, fit$scaled, slopes = FALSE)
@@ -97,9 +106,9 @@ explained_cases <- function(fit, inputs, most) {
     slopes <- if (length(inputs)) sensitivities(point$state, NULL, inputs, secants = FALSE)
     list(
       rows = which(task$case_of == k), case = k, point = point,
-      fields = clear(point_slopes(task$cases[[k]], point, all)),
+      fields = clear(point_derivatives(task$cases[[k]], point, all)),
       inputs = if (length(inputs)) {
-        by <- matrix(slopes$slope * slopes$value, length(all),
+        by <- matrix(slopes$derivative * slopes$value, length(all),
           dimnames = list(all, unique(slopes$field)))
         clear(by)
       },
@@ -111,8 +120,8 @@ explained_cases <- function(fit, inputs, most) {
 
 clear <- function(slopes) replace(slopes, !is.finite(slopes), 0)
 
-# What is matched at one setting: its slopes by columns of slopes of measures.
-matched_slopes <- function(task, case, one, slopes) {
+# Returns the derivatives of a matched formula in one case. slopes: derivatives of measures (rows).
+matched_derivatives <- function(task, case, one, slopes) {
   at <- formula_point(task$cases[[case$case]], case$point, task$words)
   rows <- match(task$words$column, rownames(slopes))
   at$slopes <- slopes[rows, , drop = FALSE] * task$words$factor
@@ -132,8 +141,8 @@ explain_inputs <- function(fit, cases, spread) {
     do.call(rbind, lapply(cases, function(case) {
       here <- known[known$row %in% case$rows, ]
       if (!nrow(here)) return(NULL)
-      by <- c(matched_slopes(task, case, one, case$fields),
-        matched_slopes(task, case, one, case$inputs))
+      by <- c(matched_derivatives(task, case, one, case$fields),
+        matched_derivatives(task, case, one, case$inputs))
       cbind(here$standardised, matrix(by / error, nrow(here), length(by), byrow = TRUE))
     }))
   })
@@ -143,14 +152,14 @@ explain_inputs <- function(fit, cases, spread) {
   residual <- table[, 1L]
   known <- table[, 1L + free, drop = FALSE]
   effects <- table[, -seq_len(1L + n), drop = FALSE]
-  # what the calibrated fields can do is taken out
+  # Remove the part that the calibrated fields can explain.
   rest <- effects
   if (length(free)) {
     residual <- qr.resid(qr(known), residual)
     rest <- qr.resid(qr(known), effects)
   }
   told <- colSums(rest^2)
-  # an input that would have to change beyond belief explains little
+  # The prior penalises an input that would have to change by much more than `spread`.
   size <- told + 1 / spread^2
   whole <- colSums(effects^2)
   own <- ifelse(whole > 0, told / whole, 0)
@@ -213,7 +222,7 @@ explain_measurements <- function(fit, cases, sensor) {
       if (size == 0) return(0 * known)
       length(case$rows) * tcrossprod(case$fields[name, free]) / size^2
     }))
-    # the volume of the fields' uncertainty, before over after
+    # A larger log-determinant means a smaller confidence region.
     volume <- function(information) as.double(determinant(information)$modulus)
     exp((volume(known + hauls * more) - volume(known)) / (2 * length(free)))
   }, 0)
@@ -226,27 +235,27 @@ explain_measurements <- function(fit, cases, sensor) {
 
 #' @export
 print.codend_explanation <- function(x, ...) {
-  cat("What the misfit of \"", attr(x, "gear_name"), "\" points at\n", sep = "")
+  cat("Likely causes of the misfit of \"", attr(x, "gear_name"), "\"\n", sep = "")
   telling <- utils::head(x$inputs[x$inputs$fall > 0, ], 6L)
   if (nrow(telling)) {
     cat("\nInputs\n")
     cat_columns(list(
       paste0("  ", telling$field), with_plain_numbers(sprintf("%+.0f %%", telling$percent)),
-      with_plain_numbers(sprintf("takes %.0f %% of the squares", 100 * telling$fall)),
-      paste("p", slope_figures(signif(telling$p, 2))),
-      ifelse(telling$own < 0.05, "hardly distinct from what is calibrated", "")
+      with_plain_numbers(sprintf("explains %.0f %% of the squares", 100 * telling$fall)),
+      paste("p", sensitivity_digits(signif(telling$p, 2))),
+      ifelse(telling$own < 0.05, "hardly distinct from the calibrated fields", "")
     ), left = c(1L, 5L))
   }
   trends <- x$trends[x$trends$p < 0.05, ]
   if (nrow(trends)) {
-    cat("\nResiduals go with\n")
+    cat("\nResiduals correlate with\n")
     cat(paste0("  ", trends$match, " with ", trends$condition, ", correlation ",
       with_plain_numbers(sprintf("%+.2f", trends$correlation)), "\n"), sep = "")
   }
   best <- utils::head(x$measurements[!x$measurements$matched & x$measurements$gain > 1.01, ], 5L)
   if (nrow(best)) {
-    cat("\nTo measure next: errors of the fields shrink by\n")
-    cat(paste0("  ", best$measure, "  ", slope_figures(signif(best$gain, 3)), "\n"), sep = "")
+    cat("\nNext measurement: factor by which errors of the fields decrease\n")
+    cat(paste0("  ", best$measure, "  ", sensitivity_digits(signif(best$gain, 3)), "\n"), sep = "")
   }
   invisible(x)
 }

@@ -1,28 +1,35 @@
 #' Draw from the posterior of a calibration
 #'
-#' Values of the fields of [calibrate()] in proportion to how probable the data make them: what the
-#' covariance and the profiles of [confint()][stats::confint] approach, without the assumption that
-#' the gear answers in straight lines. Ranges are even priors, [normal_value()] is a normal one,
-#' and an
-#' estimated error has the prior 1 / error, over which it is integrated.
+#' `sample_posterior()` draws values of the fields of [calibrate()] in proportion to their posterior
+#' probability. Unlike the covariance and [confint()][stats::confint], it does not assume a nearly
+#' linear response of the gear.
 #'
-#' A random-walk Metropolis chain (`mcmc::metrop()`) begins at the best values, its steps shaped by
-#' the covariance and 2.38 / sqrt(fields) times as wide (Gelman, Roberts and Gilks 1996). Every draw
-#' settles the gear once for each different row of the data.
+#' @details
+#' - Priors: a range is a uniform prior, [normal_value()] a normal one. An estimated error has the
+#'   prior 1 / error and is integrated out.
+#' - Method: a random-walk Metropolis chain (`mcmc::metrop()`) starts at the best values. Its steps
+#'   follow the covariance, scaled by 2.38 / sqrt(number of fields) (Gelman, Roberts and Gilks
+#'   1996).
+#' - Cost: every draw settles the gear once for each distinct setting in the data.
 #'
-#' @param calibration From [calibrate()].
-#' @param draws Draws to keep.
-#' @param begin Draws before, which are not kept.
-#' @param seed A whole number: equal seeds give equal draws.
-#' @return A data frame of class `codend_posterior` with a column per field, in the units of
-#'   `calibration$fields`, and a row per draw. The attribute `chain` is a data frame with `field`,
-#'   `unit`, `mean`, `sd`, `effective` (independent draws that these are worth, by Geyer's initial
-#'   sequence) and the quantiles `q5`, `q50` and `q95`; the attribute `accepted` the share of steps
-#'   taken. Fewer than 50 effective draws are warned of (`codend_warning_few_draws`). Wrong
-#'   arguments are an error of class `codend_error_argument`.
+#' @param calibration A calibration, from [calibrate()].
+#' @param draws Number of draws to return. Default 1000.
+#' @param begin Number of initial draws to discard. Default 100.
+#' @param seed A whole number. Equal seeds give equal draws.
+#' @return A data frame of class `codend_posterior`: one row per draw, one column per field, in the
+#'   units of `calibration$fields`. It has two attributes:
+#'
+#'   - `chain`: a data frame, one row per field. Columns: `field`, `unit`, `mean`, `sd`,
+#'     `effective`, and the quantiles `q5`, `q50` and `q95`. `effective` is the number of equivalent
+#'     independent draws (Geyer's initial sequence).
+#'   - `accepted`: the fraction of accepted steps.
+#'
+#'   Fewer than 50 effective draws raise a warning of class `codend_warning_few_draws`. Wrong
+#'   arguments raise an error of class `codend_error_argument`.
 #' @references Gelman, A., Roberts, G. O. and Gilks, W. R. (1996): Efficient Metropolis jumping
 #'   rules. Bayesian Statistics 5, 599-607. Geyer, C. J. (1992): Practical Markov chain Monte Carlo.
 #'   Statistical Science 7, 473-483.
+#' @seealso [calibrate()], [calibration_methods].
 #' @export
 #' @examplesIf requireNamespace("mcmc", quietly = TRUE)
 #' runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
@@ -34,7 +41,7 @@
 sample_posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
   check_given("calibration")
   if (!inherits(calibration, "codend_calibration")) {
-    abort_argument("{.arg calibration} must come from {.fn calibrate}.")
+    abort_argument("{.arg calibration} must be a result of {.fn calibrate}.")
   }
   check_count("draws", draws)
   check_count("begin", begin)
@@ -42,12 +49,12 @@ sample_posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
   check_package("mcmc", "A posterior")
   task <- calibration$task
   width <- task$points$width
-  # the fit's own memory stays as it is
+  # A copy leaves the memory of the fit unchanged.
   near <- task$memory$near
   task$memory <- list2env(list(tried = list(), near = near))
   likely <- function(scaled) {
     if (any(scaled < 0 | scaled > 1)) return(-Inf)
-    # a copy: the chain writes the next place over this one, which the task remembers
+    # `+ 0` makes a copy, because the chain overwrites `scaled` and the task stores it.
     -misfit_at(task, scaled + 0)$value
   }
   run <- with_seed(seed, mcmc::metrop(
@@ -61,8 +68,8 @@ sample_posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
   poor <- chain$field[chain$effective < least_effective]
   if (length(poor)) {
     cli::cli_warn(
-      "The draws of {.field {poor}} are worth fewer than {least_effective} independent ones: take
-      more {.arg draws}.", class = c("codend_warning_few_draws", "codend_warning"), call = NULL
+      "The effective sample size of {.field {poor}} is below {least_effective}: increase
+      {.arg draws}.", class = c("codend_warning_few_draws", "codend_warning"), call = NULL
     )
   }
   structure(found, class = c("codend_posterior", "data.frame"), chain = chain,
@@ -71,7 +78,7 @@ sample_posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
 
 least_effective <- 50
 
-# Steps of the chain; of fields without a covariance, as at the end of a range, a tenth of it.
+# The standard deviation is a tenth of the range for a field without a covariance (at a range end).
 chain_scale <- function(calibration, width) {
   covariance <- calibration$covariance / outer(width, width)
   known <- is.finite(diag(covariance))
@@ -97,7 +104,7 @@ chain_figures <- function(draws, unit) {
 #' @export
 print.codend_posterior <- function(x, ...) {
   chain <- attr(x, "chain")
-  cat(nrow(x), " draws, ", format(round(100 * attr(x, "accepted"))), " % of steps taken\n",
+  cat(nrow(x), " draws, ", format(round(100 * attr(x, "accepted"))), " % of proposals accepted\n",
     sep = "")
   chain[-(1:2)] <- lapply(chain[-(1:2)], signif, 4)
   chain$effective <- round(chain$effective)
