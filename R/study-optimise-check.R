@@ -1,12 +1,12 @@
-# Whether what a search found is an optimum.
+# First-order conditions of an optimum.
 
-# A condition nearer to its limit than this share of it is at it, a field nearer to an end of its
-# range than this share of that.
+# A condition or field is active within this fraction of its limit or range.
 active_share <- 1e-3
 
-# The conditions of Karush, Kuhn and Tucker at a tried point: list(left, price (a weight for each
-# condition, 0 where it is not at its limit), at ("lower", "upper" or "" by field)). left: the
-# largest slope of the aim, as a share of itself, by any scaled field, that no weight holds.
+# Evaluates the Karush-Kuhn-Tucker conditions at a tried point. Returns list(left, price, at).
+# `left`: largest remaining derivative of the objective by a scaled field, as a fraction of the
+# objective. `price`: multiplier of each condition, 0 if inactive. `at`: "lower", "upper" or "" by
+# field.
 optimality_of <- function(task, tried, held = integer()) {
   values <- tried$values
   n <- length(tried$scaled)
@@ -19,15 +19,15 @@ optimality_of <- function(task, tried, held = integer()) {
   rows <- rbind(values$gap_slope[active, , drop = FALSE], ends)
   signed <- c(values$equal[active], rep(FALSE, nrow(ends)))
   free <- setdiff(seq_len(n), held)
-  weights <- least_weights(rows[, free, drop = FALSE], values$aim_slope[free], signed)
-  rest <- values$aim_slope[free]
+  weights <- least_weights(rows[, free, drop = FALSE], values$objective_gradient[free], signed)
+  rest <- values$objective_gradient[free]
   if (length(weights)) rest <- rest + drop(weights %*% rows[, free, drop = FALSE])
   price <- numeric(length(values$gap))
   price[active] <- weights[seq_along(active)]
   list(left = max(0, abs(rest)), price = price, at = at)
 }
 
-# Weights w of rows, at least 0 where not signed, for the least |slope + w rows|.
+# Returns the weights w that minimise |slope + w rows|, with w >= 0 unless `signed`.
 least_weights <- function(rows, slope, signed) {
   if (!nrow(rows)) return(numeric())
   size <- sqrt(rowSums(rows^2))

@@ -1,9 +1,9 @@
-# From searches to the optimum that is returned: whole numbers, the last check, the tables.
-
-# accuracy: as in optimise_gear(), a share; NULL stays on the lattice of the search.
+# accuracy: a fraction; NULL keeps the mesh of the search.
 finish_optimum <- function(task, runs, accuracy = NULL) {
   best <- best_run(runs)
-  if (is.null(best)) abort_not_converged("No gear of the search settles.", report = NULL)
+  if (is.null(best)) {
+    abort_not_converged("The gear does not settle anywhere in the search.", report = NULL)
+  }
   refined <- refine_optimum(task, best, accuracy)
   whole <- which(whole_fields(task$points$fields))
   if (length(whole)) {
@@ -11,7 +11,7 @@ finish_optimum <- function(task, runs, accuracy = NULL) {
     refined <- refine_optimum(refined$coarse, rounded, accuracy, rounded$held)
   }
   task <- refined$task
-  best <- best_run(c(list(refined$run), begun_run(task, refined$run$best)))
+  best <- best_run(c(list(refined$run), initial_run(task, refined$run$best)))
   ended <- best$ended
   tried <- best$best
   found <- optimality_of(task, tried, best$held)
@@ -21,35 +21,35 @@ finish_optimum <- function(task, runs, accuracy = NULL) {
   fields <- optimum_fields(task, tried, found$at)
   result <- list(
     gear = tried$point$gear, state = state,
-    aim = optimum_aim(task, tried), fields = fields,
+    objective = optimum_objective(task, tried), fields = fields,
     keep = optimum_keep(task, tried, found$price), optimality = found$left,
     optimal = found$left <= most_optimality && tried$values$worst <= keep_tolerance,
-    smooth = !nrow(kinks), kinks = kinks, nodes = state$lattice$nodes,
+    smooth = !nrow(kinks), kinks = kinks, nodes = state$mesh$nodes,
     accuracy = task_error(task, tried), history = optimum_history(task),
-    starts = optimum_starts(task, runs), settles = task$points$count$settles, ended = ended
+    starts = optimum_starts(task, runs), n_solves = task$points$count$n_solves, ended = ended
   )
   if (!all(result$keep$holds)) {
     failed <- result$keep$text[!result$keep$holds]
     cli::cli_warn(
-      "No gear was found that settles and keeps {.code {failed}}; the nearest is returned.",
+      "No settled gear meets {.code {failed}}; the result is the nearest gear.",
       class = c("codend_warning_conditions_not_kept", "codend_warning"), call = NULL
     )
   }
   structure(result, class = "codend_optimum")
 }
 
-# Fields of whole numbers rounded: up and down for the two whose rounding changes the aim most, to
-# the nearest for others. The other fields are found again beside each choice.
+# Fields with the largest effect on the objective are rounded up and down, others to the nearest
+# number.
 most_rounded <- 2L
-# Settled gears at most for that, each choice.
-settles_rounding <- 30L
+# Largest number of settled gears per rounded choice.
+n_solves_rounding <- 30L
 
 round_optimum <- function(task, run, whole) {
   tried <- run$best
   exact <- points_values(task$points, tried$scaled)[whole]
   off <- abs(exact - round(exact))
   if (all(off < 1e-6)) return(run)
-  telling <- abs(tried$values$aim_slope[whole]) / task$points$width[whole] * (off > 1e-6)
+  telling <- abs(tried$values$objective_gradient[whole]) / task$points$width[whole] * (off > 1e-6)
   both <- utils::head(order(-telling), most_rounded)
   both <- both[off[both] > 1e-6]
   choices <- lapply(seq_along(whole), function(k) {
@@ -59,46 +59,48 @@ round_optimum <- function(task, run, whole) {
   runs <- lapply(seq_len(nrow(choices)), function(k) {
     place <- tried$scaled
     place[whole] <- (choices[k, ] - task$points$lower[whole]) / task$points$width[whole]
-    found <- find_optimum(task, place, settles_rounding, held = whole, from = tried$point)
+    found <- find_optimum(task, place, n_solves_rounding, held = whole, from = tried$point)
     found$held <- whole
     found
   })
   best <- best_run(runs)
   if (is.null(best)) {
-    abort_not_converged("No gear with whole numbers next to the optimum settles.", report = NULL)
+    abort_not_converged("The gear with whole numbers next to the optimum does not settle.", report
+      = NULL)
   }
   best
 }
 
-# The gear as it was, as a search that went nowhere, in a list; none where a tried point is better.
-begun_run <- function(task, than) {
+# Returns list(the initial gear as a search) if it is better than `than`, else list().
+initial_run <- function(task, than) {
   point <- task$base
   if (!is_better(task_values(task, point), than$values)) return(list())
   best <- list(
     scaled = points_scaled(task$points, point$values), point = point,
-    values = task_values(task, point, known_slopes(task$points, point, task$of))
+    values = task_values(task, point, known_derivatives(task$points, point, task$of))
   )
-  list(list(best = best, ended = "nothing is better than the gear as it was", settles = 0L))
+  list(list(best = best, ended = "no gear is better than the initial one", n_solves = 0L))
 }
 
-# Measures of the aim and the conditions that are not smooth at the optimum by a field.
+# Returns the measures of the objective and conditions with a kink at the optimum, by field.
 kinks_at <- function(task, tried) {
-  kept <- c("measure", "field", "slope", "slope_unit")
+  kept <- c("measure", "field", "derivative", "derivative_unit")
   smooth_by <- tried$point$values != 0 & !whole_fields(task$points$fields)
   fields <- lapply(task$points$fields[smooth_by], `[[`, "paths")
   if (!length(fields) || !length(task$of)) {
-    return(data.frame(measure = character(), field = character(), slope = numeric(),
-      slope_unit = character()))
+    return(data.frame(measure = character(), field = character(), derivative = numeric(),
+      derivative_unit = character()))
   }
   found <- sensitivities(tried$point$state, task$of, fields, secants = FALSE)
   table_rows(as.data.frame(unclass(found))[kept], !found$smooth)
 }
 
-optimum_aim <- function(task, tried) {
-  begun <- evaluate_formula(task$aim, formula_point(task$points, task$base, task$words))$value
-  value <- tried$values$aim
-  list(text = task$aim$text, begun = begun, value = value, saving = (begun - value) / abs(begun),
-    error = task_errors(task, tried$point)$aim)
+optimum_objective <- function(task, tried) {
+  begun <- evaluate_formula(task$objective, formula_point(task$points, task$base, task$words))$value
+  value <- tried$values$objective
+  list(text = task$objective$text, begun = begun, value = value,
+    saving = (begun - value) / abs(begun),
+    error = task_errors(task, tried$point)$objective)
 }
 
 optimum_fields <- function(task, tried, at) {
@@ -128,9 +130,10 @@ optimum_history <- function(task) {
   colnames(values) <- field_names(task$points$fields)
   structure(
     data.frame(
-      values, aim = vapply(rows, `[[`, 0, "aim"), worst = vapply(rows, `[[`, 0, "worst"),
+      values, objective = vapply(rows, `[[`, 0, "objective"), worst = vapply(rows, `[[`, 0,
+        "worst"),
       kept = vapply(rows, `[[`, 0, "worst") <= keep_tolerance,
-      settles = vapply(rows, function(row) as.integer(row$settles), 0L), check.names = FALSE
+      n_solves = vapply(rows, function(row) as.integer(row$n_solves), 0L), check.names = FALSE
     ),
     gaps = do.call(rbind, lapply(rows, `[[`, "gap"))
   )
@@ -139,9 +142,9 @@ optimum_history <- function(task) {
 optimum_starts <- function(task, runs) {
   data.frame(
     start = seq_along(runs),
-    aim = vapply(runs, function(run) first_of(run$best$values$aim, NA_real_), 0),
+    objective = vapply(runs, function(run) first_of(run$best$values$objective, NA_real_), 0),
     worst = vapply(runs, function(run) first_of(run$best$values$worst, NA_real_), 0),
-    settles = vapply(runs, function(run) as.integer(run$settles), 0L),
+    n_solves = vapply(runs, function(run) as.integer(run$n_solves), 0L),
     ended = vapply(runs, `[[`, "", "ended")
   )
 }

@@ -1,37 +1,39 @@
-# Optima as text.
-
-# An error beside a number; nothing where none is known.
+# Returns " +- error", or "" if the error is unknown.
 spread_text <- function(error) {
-  if (is.finite(error) && error > 0) paste(" +-", slope_figures(signif(error, 2))) else ""
+  if (is.finite(error) && error > 0) paste(" +-", sensitivity_digits(signif(error, 2))) else ""
 }
+
+#' @rawNamespace S3method(base::"$",codend_optimum)
+`$.codend_optimum` <- result_element
 
 #' @export
 print.codend_optimum <- function(x, ...) {
-  aim <- x$aim
+  objective <- x$objective
   cat("Optimum of \"", x$gear$plan$name, "\"\n", sep = "")
-  cat("  ", aim$text, ": ", slope_figures(aim$begun), " before, ", slope_figures(aim$value),
-    spread_text(aim$error), " now (",
-    with_plain_numbers(sprintf("%+.1f %%", -100 * aim$saving)), ")\n", sep = "")
+  cat("  ", objective$text, ": ", sensitivity_digits(objective$begun), " before, ",
+    sensitivity_digits(objective$value),
+    spread_text(objective$error), " now (",
+    with_plain_numbers(sprintf("%+.1f %%", -100 * objective$saving)), ")\n", sep = "")
   fields <- x$fields
   cat_columns(list(
-    paste0("  ", fields$field), slope_figures(fields$begun), rep("to", nrow(fields)),
-    slope_figures(fields$value), fields$unit,
+    paste0("  ", fields$field), sensitivity_digits(fields$begun), rep("to", nrow(fields)),
+    sensitivity_digits(fields$value), fields$unit,
     ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
   ), left = c(1L, 3L, 5L, 6L))
   for (k in seq_len(nrow(x$keep))) {
     keep <- x$keep[k, ]
-    cat("  ", keep$text, ": ", slope_figures(keep$left), spread_text(keep$error), " and ",
-      slope_figures(keep$right),
-      if (!keep$holds) ", NOT KEPT" else if (keep$active) {
+    cat("  ", keep$text, ": ", sensitivity_digits(keep$left), spread_text(keep$error), " and ",
+      sensitivity_digits(keep$right),
+      if (!keep$holds) ", NOT MET" else if (keep$active) {
         paste0(", at its limit", if (!keep$sure) " within its error", "; ",
-          slope_figures(keep$price), " % of the objective per % of it")
+          sensitivity_digits(keep$price), " % of the objective per % of the limit")
       } else if (!keep$sure) ", within twice its error of the limit", "\n", sep = "")
   }
   cat("  ", if (x$optimal) "a local optimum" else "not optimal", ": ",
-    if (!all(x$keep$holds)) "not all conditions are kept, and ", "first-order optimality ",
-    slope_figures(100 * x$optimality), " % of the objective per range of a field",
-    if (!x$smooth) "; kinks near, see `kinks`", "\n", sep = "")
-  cat("  ", x$settles, " gears settled, the last with ", lattice_words(x$nodes, x$accuracy), "\n",
+    if (!all(x$keep$holds)) "not all conditions are met, and ", "first-order optimality ",
+    sensitivity_digits(100 * x$optimality), " % of the objective per range of a field",
+    if (!x$smooth) "; kinks nearby, see `kinks`", "\n", sep = "")
+  cat("  ", x$n_solves, " gears settled, the last with ", mesh_size_text(x$nodes, x$accuracy), "\n",
     sep = "")
   invisible(x)
 }

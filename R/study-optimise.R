@@ -1,86 +1,103 @@
-#' Find the gear that does best
+#' Optimise a gear
 #'
-#' Changes fields of a plan within their ranges until a measure, or a formula of measures, is as
-#' small as it gets while conditions hold: least drag per swept width, least fuel per catch, the
-#' largest volume of a cage in a current.
+#' `optimise_gear()` changes fields of a plan within their ranges to minimise a measure, or a
+#' formula of measures, under conditions. Examples are the drag per swept width, the fuel per catch,
+#' or minus the volume of a cage in a current.
 #'
-#' Every step settles the gear from the nearest shape that is known and takes its exact
-#' [sensitivities()]; the steps are those of sequential quadratic programming (SLSQP of NLopt, Kraft
-#' 1994, ACM Transactions on Mathematical Software 20:262). It stops on small changes, which is no
-#' sign of an optimum by itself. So what it finds is checked against the conditions of Karush, Kuhn
-#' and Tucker: the sensitivities of the objective must be balanced by those of conditions at their
-#' limit and of fields at the end of their range, with weights of the right sign. What is left,
-#' `optimality`, is how much the objective would still gain, as a share of itself, per whole range
-#' of a field; above 0.002 the search goes on from there. Where it cannot, because the answer has a
-#' kink (netting that goes slack, ropes that come to lie on the sea bed), `smooth` says so.
+#' @details
+#' # Method
+#' - Every step settles the gear ([settle()]) from the nearest known shape and computes its exact
+#'   [sensitivities()].
+#' - The steps are sequential quadratic programming (SLSQP of NLopt; Kraft 1994, ACM Transactions on
+#'   Mathematical Software 20:262).
+#' - The result is a local optimum and never worse than the initial gear. Use `starts` to search
+#'   from other values.
 #'
-#' A coarse model of the gear, with few nodes, is wrong by a few percent, and conditions that hold
-#' on it may fail on a finer one. So the optimum is settled with as many nodes as leave an error of
-#' at most `accuracy`, up to seven times those of the search. The difference between both models, in
-#' measures and in their sensitivities, corrects the coarse one, and the search goes on until both
-#' agree (first-order model management, Alexandrov and Lewis 2001, Optimization and Engineering
-#' 2:413). All results are those of the fine model, also for the gear as it was. The objective and
-#' each condition have an estimated `error`; a condition at its limit holds to within that. To be
-#' sure of it, give the limit plus twice the error.
+#' # Check of the optimum
+#' Small steps do not prove an optimum, so the result is checked against the Karush-Kuhn-Tucker
+#' conditions. The sensitivities of the objective must balance the weighted sensitivities of active
+#' conditions and of fields at an end of their range. `optimality` is the remaining gain of the
+#' objective, as a fraction of the objective, per range of a field. Above 0.002 the search continues
+#' from there, unless there is a kink.
 #'
-#' Whole numbers, such as of floats, are free at first: measures follow their slopes between two
-#' numbers. Then they are rounded, up and down for the most telling two and to the nearest for the
-#' others; the other fields are found again next to each choice, and the best that settles and keeps
-#' the conditions is taken. One optimum of several is found, a local one; `starts` tries from other
-#' places. It is never worse than the gear as it was.
+#' # Kinks
+#' The response of a gear has kinks: netting goes slack, or ropes touch the seabed. If the best
+#' search ends at a kink, a search without derivatives continues over both sides of every field
+#' (COBYLA of NLopt, Powell 1994). `smooth` is `FALSE` if the result still lies at a kink.
+#'
+#' # Discretisation
+#' A coarse mesh has an error of a few percent, so conditions can fail on a finer mesh.
+#'
+#' - The optimum is settled with enough nodes for an error of at most `accuracy`, up to seven times
+#'   the nodes of the search.
+#' - The difference between both meshes, in measures and sensitivities, corrects the coarse mesh.
+#'   The search continues until both meshes agree. This is first-order model management (Alexandrov
+#'   and Lewis 2001, Optimization and Engineering 2:413).
+#' - All results are from the fine mesh, also for the initial gear.
+#' - The objective and each condition have an estimated `error`. An active condition holds within
+#'   this error; to be sure, give the limit plus twice the error.
+#'
+#' # Whole numbers
+#' Whole numbers, such as counts of floats, are continuous at first: measures follow their
+#' derivatives between two numbers. The two most important ones are then rounded up and down, and
+#' the others to the nearest number. The other fields are optimised again for each choice. The best
+#' choice that settles and meets the conditions is returned.
+#'
+#' # Conditions with a probability
+#' `~ lower(net_mouth_height, 0.9) >= "4 m"` is met with a probability of 90 %. `upper()` is the
+#' equivalent for upper limits. The bound is the measure minus (or plus) its standard uncertainty
+#' times Student's t. [uncertainty()] computes this uncertainty once, for the initial gear, and it
+#' is the same fraction of the measure in every design.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
-#' @param minimise The name of a measure, or a formula of [measures()]:
-#'   `~ total_drag / door_spread`. A measure is in the unit that its name ends in, or without that
-#'   unit in its name in SI. Put a
-#'   minus before what is to be large. A field that changes may be there by its path, in SI.
-#' @param keep Conditions, a formula or a list of them: `~ headline_height >= "5 m"`,
-#'   `~ door_spread <= 80 & total_drag_kN <= 40`, with `>=`, `<=` or `==`. A limit is a number, or
-#'   text with a unit next to measures named without theirs, or a variable that holds either.
-#'   `~ lower(net_mouth_height, 0.9) >= "4 m"` keeps what holds with a probability of 90 %, and
-#'   `upper()` likewise: the measure less, or more, its standard uncertainty times Student's t. It
-#'   is found once, by [uncertainty()] of the gear as it is, and taken as the same share of the
-#'   measure in every design.
-#' @param change The fields that may change, by their paths as in [update()][update.codend_gear],
-#'   with the ends of their ranges: `list(warps.length = c("300 m", "600 m"))` or [value_range()]
-#'   them.
-#'   Fields that change together are joined: `"ropes.a.length + ropes.b.length"`. The gear's own
-#'   value lies within.
-#' @param nodes,netting Of the model that the search steps with, as in [settle()].
-#' @param accuracy Discretisation error of the objective and the conditions, as a share of the
-#'   objective and of the limits: where it is larger with `nodes`, the search ends with more nodes.
-#'   `NULL` stays with `nodes` and reports the error.
-#' @param starts From how many places to begin: the gear's own, and others spread over the ranges.
-#'   `NULL` begins from the gear's own and, where that search ends at a kink, from two others. From
-#'   the best end at a kink a search without slopes, over both sides of every field (COBYLA of
-#'   NLopt, Powell 1994), goes on.
-#' @param most Settled gears at most, for each start.
-#' @return An object of class `codend_optimum`, a list of
+#' @param minimise The name of a measure, or a formula of [measures()] and changed fields (by path,
+#'   in SI): `~ total_drag / door_spread`. A measure without a unit in its name is in SI. Put a
+#'   minus sign before a measure to maximise it.
+#' @param keep Conditions: a formula or a list of formulas with `>=`, `<=` or `==`, such as
+#'   `~ door_spread <= 80 & total_drag_kN <= 40`. A limit is a number, text with a unit (for a
+#'   measure named without its unit), or a variable with such a value.
+#' @param change The fields to change: a list of ranges or [value_range()] by path, such as
+#'   `list(warps.length = c("300 m", "600 m"))`. Join fields that change together:
+#'   `"ropes.a.length + ropes.b.length"`. The range must contain the gear's value.
+#' @param nodes,netting Number of nodes and kind of netting elements of the search, as in
+#'   [settle()].
+#' @param accuracy Largest discretisation error of the objective and the conditions, as a fraction
+#'   of the objective and the limits. Default `"1 %"`. `NULL` stays with `nodes` and reports the
+#'   error.
+#' @param starts Number of starts: the gear's own values and others spread over the ranges. `NULL`
+#'   (default) uses the gear's own values, and two more if the search ends at a kink.
+#' @param most Largest number of settled gears for each start. Default 200.
+#' @return An object of class `codend_optimum`, a list:
 #'
-#'   - `gear` and `state`: the best found, [update()][update.codend_gear]d and settled;
-#'   - `aim`: its `text`, its value in the gear as it was (`begun`) and now (`value`), `saving`,
-#'     the share by which it fell, and the discretisation `error` of the value;
-#'   - `fields`: a data frame with `field`, `unit`, `begun`, `value`, `lower`, `upper` and `at`
-#'     (`"lower"`, `"upper"` or empty: the end of the range that it lies at);
-#'   - `keep`: a data frame with each condition's `text`, the two sides' values `left` and `right`
-#'     in SI (or the units of the names), whether it `holds` (to 1e-4 of the limit), whether it is
-#'     `active`, its `price`: by how many percent the objective would fall were the limit 1 %
-#'     looser, the estimated `error` of the difference of both sides, and whether it is `sure`: also
-#'     kept were the measures off by twice their errors;
-#'   - `nodes` of its model, and `accuracy`: the largest of these errors, as a share;
-#'   - `optimality` and whether the optimum is `optimal` (below 0.002) and `smooth`;
-#'   - `kinks`: a data frame of measures in the objective and the conditions whose sensitivities to
-#'     a field differ on its two sides there, or are only known from settled gears;
-#'   - `history`: a data frame of all points, with fields, the objective, `worst`, by which share of
-#'     its limit the worst condition fails, whether all are `kept`, and gears settled until then;
-#'     its attribute `gaps` has the same share of every condition, negative where it is kept;
-#'   - `starts`: a data frame of where each start ended; `settles`, gears settled in all; `ended`,
-#'     why the search from the best start ended.
+#'   - `gear`, `state`: the best gear and its settled state.
+#'   - `objective`: the objective, a list. `text` is its formula, `begun` and `value` are its
+#'     initial and final values. `saving` is the relative decrease, and `error` the discretisation
+#'     error of the value.
+#'   - `fields`: a data frame, one row per field, in the unit `unit` of the plan. Columns: `field`,
+#'     `unit`, `begun`, `value`, `lower`, `upper` and `at`. `at` is `"lower"` or `"upper"` at an end
+#'     of the range, else empty.
+#'   - `keep`: a data frame, one row per condition. `text` is its formula, `left` and `right` are
+#'     the values of both sides (SI or the unit in the name). `holds` is `TRUE` if it is met (within
+#'     1e-4 of the limit), `active` if it is at its limit. `price` is the percentage by which the
+#'     objective would fall with a limit 1 % looser. `error` is the error of the difference between
+#'     both sides. `sure` is `TRUE` if the condition holds with twice this error.
+#'   - `nodes`: number of nodes of its mesh. `accuracy`: the largest error, as a fraction.
+#'   - `optimality`, and `optimal` (`TRUE` if all conditions hold and `optimality` is below 0.002).
+#'   - `smooth`: `TRUE` without kinks. `kinks`: a data frame of measures in the objective and
+#'     conditions whose sensitivities differ on both sides of a field. It includes sensitivities
+#'     that only settled gears can give.
+#'   - `history`: a data frame, one row per tried point: fields, objective (`objective`), `worst`
+#'     (largest violation, as a fraction of the limit), `kept` (`TRUE` if all conditions hold),
+#'     `n_solves`. Its attribute `gaps` has the violation of every condition, negative if it is met.
+#'   - `starts`: a data frame of the end points (`objective`, `worst`, `n_solves`, `ended`), one
+#'     row per start. `n_solves`: total number of settled gears. `ended`: the reason why the best
+#'     search ended.
 #'
-#'   Wrong arguments are an error of class `codend_error_argument`, a wrong field one of class
-#'   `codend_error_plan`. Where no gear that settles keeps the conditions, the nearest is returned
-#'   with a warning of class `codend_warning_conditions_not_kept`.
-#' @seealso [trade_off()] for two objectives, [codend_charts], [sensitivities()].
+#'   Wrong arguments raise an error of class `codend_error_argument`, a wrong field raises
+#'   `codend_error_plan`. If no settled gear meets the conditions, the nearest gear is returned with
+#'   a warning of class `codend_warning_conditions_not_kept`.
+#' @seealso [trade_off()] for two objectives, [sensitivities()], [codend_charts];
+#'   `vignette("optimise-a-trawl", package = "codend")`.
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
 #' # The cable that holds its sphere 450 m deep with the least drag by speed
@@ -110,13 +127,13 @@ optimise_gear <- function(gear, minimise, keep = NULL, change, nodes = 1500, net
   finish_optimum(task, runs, accuracy)
 }
 
-# Starts where nobody gives a number and the first search ends at a kink.
+# Number of starts if `starts` is NULL and the first search ends at a kink.
 kinked_starts <- 3L
-# Gears settled at most to leave one, and how far from it, as a share of the ranges.
-settles_kink <- 40L
+# Limits of the search that leaves a kink: settled gears, and distance as a fraction of the ranges.
+solves_at_kink <- 40L
 kink_reach <- 0.15
 
-# The best of some searches, or NULL.
+# Returns the search with the best point, or NULL.
 best_run <- function(runs) {
   kept <- Filter(function(run) !is.null(run$best), runs)
   if (!length(kept)) return(NULL)
@@ -125,16 +142,16 @@ best_run <- function(runs) {
   best
 }
 
-# Whether the best of some searches is no optimum by its slopes, or lies where measures bend.
+# Returns TRUE if the best point violates the optimality conditions or lies at a kink.
 is_kinked <- function(task, runs) {
   best <- best_run(runs)
   if (is.null(best)) return(FALSE)
   optimality_of(task, best$best)$left > most_optimality || nrow(kinks_at(task, best$best)) > 0L
 }
 
-# Searches on from the best of some searches without slopes, which at a kink are those of one side:
-# by linear models over both sides of every field (COBYLA of NLopt; Powell 1994), and with slopes
-# again from where that leads. Returns the searches with the best one gone on with.
+# Continues the best search without derivatives, which describe only one side of a kink. COBYLA of
+# NLopt (Powell 1994) fits linear models over both sides of every field. A search with derivatives
+# follows. Returns `runs` with the improved search.
 leave_kink <- function(task, runs, most) {
   at_best <- which(vapply(runs, identical, NA, best_run(runs)))[1L]
   from <- runs[[at_best]]$best
@@ -142,7 +159,7 @@ leave_kink <- function(task, runs, most) {
   search$tried <- list(from)
   search$near <- from$point
   search$best <- from
-  begun <- task$points$count$settles
+  begun <- task$points$count$n_solves
   at <- function(x) try_point(task, search, x)
   equal <- vapply(task$keep, `[[`, NA, "equal")
   gaps <- function(which) if (any(which)) function(x) at(x)$gap[which]
@@ -153,20 +170,21 @@ leave_kink <- function(task, runs, most) {
       eval_g_ineq = gaps(!equal), eval_g_eq = gaps(equal),
       opts = list(
         algorithm = "NLOPT_LN_COBYLA", xtol_abs = rep(1e-3, length(from$scaled)), ftol_rel = 1e-5,
-        maxeval = settles_kink
+        maxeval = solves_at_kink
       )
     ),
     codend_error_no_place = function(e) NULL
   )
   run <- find_optimum(task, search$best$scaled, most, from = search$best$point)
   if (is.null(run$best) || is_better(search$best$values, run$best$values)) run$best <- search$best
-  run$settles <- runs[[at_best]]$settles + task$points$count$settles - begun
+  run$n_solves <- runs[[at_best]]$n_solves + task$points$count$n_solves - begun
   if (is_better(run$best$values, from$values)) runs[[at_best]] <- run
   runs
 }
 
-# What is looked for: list(points, words, aim, keep, of (measures needed), base (the gear settled as
-# it is), first (its scaled fields), size (of the aim), limits (sizes of the conditions), history).
+# Returns the task: list(points, words, aim (objective), keep (conditions), base (settled initial
+# gear), of (measures needed), first (scaled initial fields), history, size and limits
+# (magnitudes)).
 new_task <- function(gear, minimise, keep, change, nodes, netting) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
@@ -174,37 +192,39 @@ new_task <- function(gear, minimise, keep, change, nodes, netting) {
   fields <- free_fields(gear, change)
   points <- new_points(gear, fields, nodes, netting)
   base <- settled_state(gear, nodes, netting, NULL)
-  points$count$settles <- 1L
+  points$count$n_solves <- 1L
   base <- list(values = own_values(fields), gear = gear, state = base, measures = measures(base))
-  words <- formula_words(base$measures)
-  if (has_bounds(keep) || has_bounds(minimise)) words <- words_with_bounds(words, base$state)
+  words <- formula_names(base$measures)
+  if (has_bounds(keep) || has_bounds(minimise)) words <- text_with_bounds(words, base$state)
   paths <- vapply(fields, function(field) field$paths[1L], "")
-  aim <- read_formula(minimise, "minimise", words, paths)
+  objective <- read_formula(minimise, "minimise", words, paths)
   conditions <- if (is.null(keep)) list() else read_conditions(keep, words, paths)
   named <- lapply(conditions, function(one) c(one$left$names, one$right$names))
-  named <- c(aim$names, unlist(named))
+  named <- c(objective$names, unlist(named))
   task <- list(
-    points = points, words = words, aim = aim, keep = conditions, base = base,
+    points = points, words = words, objective = objective, keep = conditions, base = base,
     of = unique(words$column[words$name %in% named]),
     first = points_scaled(points, base$values), history = new.env(parent = emptyenv())
   )
   task$history$rows <- list()
   at <- formula_point(points, base, words)
-  value <- evaluate_formula(aim, at)$value
+  value <- evaluate_formula(objective, at)$value
   if (!is.finite(value)) {
-    abort_argument("{.arg minimise} is {.code {aim$text}}, which is {value} in the gear as it is.")
+    abort_argument("{.arg minimise} is {.code {objective$text}}, which is {value} for the initial
+      gear.")
   }
-  if (!length(aim$names)) {
-    abort_argument("{.arg minimise} is {.code {aim$text}}, in which there is nothing that changes.")
+  if (!length(objective$names)) {
+    abort_argument("{.arg minimise} is {.code {objective$text}}, which does not depend on the
+      changed fields.")
   }
   task$size <- max(abs(value), .Machine$double.xmin)
   task$limits <- vapply(conditions, function(one) {
     sides <- c(evaluate_formula(one$left, at)$value, evaluate_formula(one$right, at)$value)
     if (!all(is.finite(sides))) {
-      abort_argument("{.arg keep} has {.code {one$text}}, whose sides are {.val {sides}} in the gear
-        as it is.")
+      abort_argument("{.arg keep} has {.code {one$text}}; its sides are {.val {sides}} for the
+        initial gear but must be finite.")
     }
-    # a limit is the side that changes less: the constant
+    # The limit is the constant side, if there is one.
     fixed <- !c(length(one$left$names), length(one$right$names))
     limit <- if (any(fixed)) abs(sides[fixed]) else 0
     if (limit > 0) limit else max(abs(sides), .Machine$double.xmin)
@@ -212,11 +232,11 @@ new_task <- function(gear, minimise, keep, change, nodes, netting) {
   task
 }
 
-# Aim and conditions at a point, scaled: list(aim, worst, gap (at most 0 where kept; of equal
-# conditions 0), with their slopes where the point has them).
+# Returns the objective and conditions at a point, scaled, with gradients if `slopes` is given.
+# `gap`: at most 0 if the condition is met, 0 for an equality. `worst`: largest violation.
 task_values <- function(task, point, slopes = NULL, exact = point$values) {
   at <- formula_point(task$points, point, task$words, slopes, exact)
-  aim <- evaluate_formula(task$aim, at)
+  objective <- evaluate_formula(task$objective, at)
   sides <- lapply(task$keep, function(one) {
     left <- evaluate_formula(one$left, at)
     right <- evaluate_formula(one$right, at)
@@ -230,26 +250,27 @@ task_values <- function(task, point, slopes = NULL, exact = point$values) {
   equal <- vapply(task$keep, `[[`, NA, "equal")
   rows <- lapply(seq_along(sides), function(k) sides[[k]]$slope / task$limits[k])
   list(
-    aim = aim$value, scaled = aim$value / task$size, aim_slope = aim$slope / task$size, gap = gap,
+    objective = objective$value, scaled = objective$value / task$size,
+      objective_gradient = objective$slope / task$size, gap = gap,
     gap_slope = do.call(rbind, rows), worst = max(0, gap, abs(gap[equal])), equal = equal,
     left = vapply(sides, `[[`, 0, "left"), right = vapply(sides, `[[`, 0, "right")
   )
 }
 
-# By which share of its limit a condition may fail.
+# Permitted violation of a condition, as a fraction of its limit.
 keep_tolerance <- 1e-4
-# Share of the aim, per range of a field, that an optimum leaves.
+# Largest `left` (see `optimality_of()`) at an optimum.
 most_optimality <- 2e-3
-# Searches begun again where one ends short of that.
+# Largest number of searches per start. A search that misses `most_optimality` is restarted.
 most_searches <- 3L
 
-# Searches from a place of scaled fields, no further from it than `reach`. held: fields (by number)
-# that stay. Returns list(best (a tried point: point, values, scaled), ended, settles).
+# Searches from the scaled fields `place`, within `reach`. held: numbers of fixed fields. Returns
+# list(best (list(scaled, point, values), or NULL), ended, settles).
 find_optimum <- function(task, place, most, held = integer(), from = task$base, reach = 1) {
   search <- new.env(parent = emptyenv())
   search$tried <- list()
   search$near <- from
-  begun <- task$points$count$settles
+  begun <- task$points$count$n_solves
   ended <- ""
   search$lower <- pmax(place - reach, 0)
   search$upper <- pmin(place + reach, 1)
@@ -259,20 +280,20 @@ find_optimum <- function(task, place, most, held = integer(), from = task$base, 
     ended <- run_slsqp(task, search, place, held, begun + most)
     if (is.null(search$best)) break
     if (optimality_of(task, search$best, held)$left <= most_optimality) break
-    if (task$points$count$settles >= begun + most) break
+    if (task$points$count$n_solves >= begun + most) break
     if (identical(before$scaled, search$best$scaled)) break
   }
-  list(best = search$best, ended = ended, settles = task$points$count$settles - begun)
+  list(best = search$best, ended = ended, n_solves = task$points$count$n_solves - begun)
 }
 
 run_slsqp <- function(task, search, place, held, most) {
   dimensions <- length(task$points$fields)
   free <- setdiff(seq_len(dimensions), held)
   try_point(task, search, place)
-  if (!length(free)) return("all fields are held")
+  if (!length(free)) return("all fields are fixed")
   at <- function(x) {
-    # where conditions cannot be kept a newer NLopt goes on to no place at all
-    if (anyNA(x)) abort_as("no_place", "There is no place to try.", envir = environment())
+    # If the conditions cannot be met, newer versions of NLopt try NaN.
+    if (anyNA(x)) abort_as("no_place", "There is no point to try.", envir = environment())
     try_point(task, search, replace(place, free, x))
   }
   equal <- vapply(task$keep, `[[`, NA, "equal")
@@ -288,13 +309,13 @@ run_slsqp <- function(task, search, place, held, most) {
     place[free],
     function(x) {
       found <- at(x)
-      list(objective = found$scaled, gradient = found$aim_slope[free])
+      list(objective = found$scaled, gradient = found$objective_gradient[free])
     },
     lb = search$lower[free], ub = search$upper[free],
     eval_g_ineq = conditions(!equal), eval_g_eq = conditions(equal),
     opts = list(
       algorithm = "NLOPT_LD_SLSQP", ftol_rel = 1e-6, xtol_abs = rep(1e-4, length(free)),
-      maxeval = max(1, floor((most - task$points$count$settles) / each)),
+      maxeval = max(1, floor((most - task$points$count$n_solves) / each)),
       tol_constraints_ineq = rep(keep_tolerance / 2, sum(!equal)),
       tol_constraints_eq = rep(keep_tolerance / 2, sum(equal))
     )
@@ -303,8 +324,7 @@ run_slsqp <- function(task, search, place, held, most) {
   tolower(sub("^NLOPT_([A-Z_]+):.*", "\\1", message))
 }
 
-# The values and slopes at scaled fields, settled where they are not known yet: what task_values()
-# returns. Where the gear does not settle the aim is infinite, which shortens the step.
+# Returns `task_values()` at scaled fields. An infinite objective (not settled) shortens the step.
 try_point <- function(task, search, scaled) {
   for (one in search$tried) {
     if (max(abs(one$scaled - scaled)) <= same_place) return(one$values)
@@ -314,13 +334,13 @@ try_point <- function(task, search, scaled) {
   point <- settle_point(task$points, exact, near$state)
   if (is.null(point)) {
     failed <- first_of(search$last, list(
-      aim_slope = numeric(length(scaled)), gap = rep(1, length(task$keep)),
+      objective_gradient = numeric(length(scaled)), gap = rep(1, length(task$keep)),
       gap_slope = matrix(0, length(task$keep), length(scaled))
     ))
     failed$scaled <- Inf
     return(failed)
   }
-  slopes <- corrected_slopes(task$points, known_slopes(task$points, point, task$of))
+  slopes <- corrected_derivatives(task$points, known_derivatives(task$points, point, task$of))
   values <- task_values(task, point, slopes, exact)
   tried <- list(scaled = scaled, point = point, values = values)
   search$tried <- c(search$tried, list(tried))
@@ -331,12 +351,10 @@ try_point <- function(task, search, scaled) {
   values
 }
 
-# Scaled fields nearer to one another than this are one place: the optimiser comes back to it with
-# other rounding.
+# Points within this distance (scaled fields) are identical: the optimiser rounds.
 same_place <- 1e-9
 
-# Whether values are better: kept conditions first, then the aim with what it gains by the little
-# that conditions may fail taken back.
+# Met conditions come first, then the objective with a penalty for permitted violations.
 is_better <- function(one, than) {
   kept <- one$worst <= keep_tolerance
   if (kept != (than$worst <= keep_tolerance)) return(kept)
@@ -344,13 +362,13 @@ is_better <- function(one, than) {
   one$scaled + most_price * one$worst < than$scaled + most_price * than$worst
 }
 
-# The largest price of a condition, percent of the aim per percent of its limit, that is seen to.
+# Penalty of a violation: percent of the objective per percent of the limit.
 most_price <- 20
 
 add_history <- function(task, tried) {
   row <- list(
-    values = tried$point$values, aim = tried$values$aim, worst = tried$values$worst,
-    gap = tried$values$gap, settles = task$points$count$settles
+    values = tried$point$values, objective = tried$values$objective, worst = tried$values$worst,
+    gap = tried$values$gap, n_solves = task$points$count$n_solves
   )
   task$history$rows <- c(task$history$rows, list(row))
 }

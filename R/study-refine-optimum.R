@@ -1,9 +1,8 @@
-# An optimum that is found with a coarse lattice, led to that of a fine one (study-refine.R).
+# Optima: searched on a coarse mesh, corrected to a fine one (study-refine.R).
 
-# An optimum of the coarse lattice on one that leaves `accuracy` (a share of the aim and of limits;
-# NULL: none is asked for) in it. run: as find_optimum() gives it; held: fields that stay. Returns
-# list(task (with points of the lattice that `run$best` is on and the gear as it was there), run,
-# coarse (the task whose coarse lattice is corrected)).
+# Moves an optimum to a mesh with an error of at most `accuracy`, a fraction of the objective and
+# limits; NULL keeps the mesh. `run`: from `find_optimum()`. `held`: numbers of fixed fields.
+# Returns list(task (on the mesh of `run$best`), run, coarse (task on the coarse mesh)).
 refine_optimum <- function(task, run, accuracy, held = integer()) {
   run$best$point <- with_own_errors(task$points, run$best$point)
   same <- list(task = task, run = run, coarse = task)
@@ -12,16 +11,16 @@ refine_optimum <- function(task, run, accuracy, held = integer()) {
   if (is.null(fine)) {
     error <- task_error(task, run$best)
     if (!is.finite(error) || is_reached(error, accuracy)) return(same)
-    nodes <- run$best$point$state$lattice$nodes
+    nodes <- run$best$point$state$mesh$nodes
     fine <- finer_task(task, finishing_nodes(nodes, error, accuracy))
-    # a plan may divide itself
-    if (is.null(fine) || fine$base$state$lattice$nodes < least_ratio * nodes) return(same)
+    # A plan can fix its mesh, so that more nodes have no effect.
+    if (is.null(fine) || fine$base$state$mesh$nodes < least_ratio * nodes) return(same)
   }
-  refined <- compare_lattices(task, fine, run, held)
+  refined <- compare_meshes(task, fine, run, held)
   if (is.null(refined$run)) same else refined
 }
 
-# A task on a lattice of more nodes, with the gear as it was; NULL where that does not settle.
+# Returns the task on a mesh with more nodes, or NULL if the initial gear does not settle there.
 finer_task <- function(task, nodes) {
   fine <- task
   fine$points <- points_on(task$points, nodes)
@@ -29,7 +28,7 @@ finer_task <- function(task, nodes) {
   if (!is.null(fine$base)) fine
 }
 
-compare_lattices <- function(task, fine, run, held) {
+compare_meshes <- function(task, fine, run, held) {
   coarse <- run$best
   from <- fine$base$state
   best <- NULL
@@ -38,7 +37,7 @@ compare_lattices <- function(task, fine, run, held) {
     point <- settle_point(fine$points, exact, from)
     if (is.null(point)) break
     from <- point$state
-    slopes <- known_slopes(fine$points, point, task$of)
+    slopes <- known_derivatives(fine$points, point, task$of)
     values <- task_values(fine, point, slopes, exact)
     tried <- list(scaled = coarse$scaled, point = point, values = values)
     add_history(fine, tried)
@@ -46,9 +45,9 @@ compare_lattices <- function(task, fine, run, held) {
     if (values$worst <= keep_tolerance &&
       optimality_of(fine, tried, held)$left <= most_optimality) break
     task$points$correction <- NULL
-    task$points$correction <- lattice_correction(task$points, coarse$point, point,
-      known_slopes(task$points, coarse$point, task$of), slopes, task$of)
-    found <- find_optimum(task, coarse$scaled, settles_refinement, held, coarse$point,
+    task$points$correction <- mesh_correction(task$points, coarse$point, point,
+      known_derivatives(task$points, coarse$point, task$of), slopes, task$of)
+    found <- find_optimum(task, coarse$scaled, solves_for_refinement, held, coarse$point,
       refinement_reach)
     if (is.null(found$best) || max(abs(found$best$scaled - coarse$scaled)) <= same_refined) break
     coarse <- found$best
@@ -60,20 +59,19 @@ compare_lattices <- function(task, fine, run, held) {
   list(task = fine, run = run, coarse = task)
 }
 
-# The largest error that the lattice leaves in the aim and the conditions at a tried point, as a
-# share of the aim and of the limits. NA where none is known.
+# Returns the largest error, as a fraction of the objective and the limits. NA if all are unknown.
 task_error <- function(task, tried) {
   errors <- task_errors(task, tried$point)
-  share <- c(errors$aim / max(abs(tried$values$aim), .Machine$double.xmin),
+  share <- c(errors$objective / max(abs(tried$values$objective), .Machine$double.xmin),
     errors$keep / task$limits)
   share <- share[is.finite(share)]
   if (length(share)) max(share) else NA_real_
 }
 
-# The same by aim and condition, in their units.
+# Returns the discretisation errors of the objective and conditions, in their units.
 task_errors <- function(task, point) {
   of <- function(formulas) formula_errors(task$points, point, task$words, formulas)
   left <- of(lapply(task$keep, `[[`, "left"))
   right <- of(lapply(task$keep, `[[`, "right"))
-  list(aim = of(list(task$aim)), keep = sqrt(left^2 + right^2))
+  list(objective = of(list(task$objective)), keep = sqrt(left^2 + right^2))
 }

@@ -1,21 +1,20 @@
-# Studies step on a coarse lattice and answer for a fine one.
+# Studies search on a coarse mesh and report results of a fine mesh.
 #
-# What the fine lattice says otherwise at a point, of measures and of their slopes, is added to what
-# the coarse one says near it; the search goes on with that, and both are compared again where it
-# leads. Where it stays, value and slopes are the fine lattice's (N. M. Alexandrov and R. M. Lewis,
+# The difference between both meshes, in measures and their derivatives, corrects the coarse mesh
+# near a point. The search continues with this correction, and its end point is compared again. At
+# convergence, values and derivatives equal the fine mesh. Source: N. M. Alexandrov and R. M. Lewis,
 # An overview of first-order model management for engineering optimization, Optimization and
-# Engineering 2, 2001). Lattices differ by little that varies slowly, so few fine ones are settled.
+# Engineering 2, 2001. The difference varies slowly, so few fine solutions are needed.
 
-# Points of a study on a lattice of so many nodes, without a correction.
+# Returns the points with another number of nodes and without a correction.
 points_on <- function(points, nodes) {
   points$nodes <- nodes
   points$correction <- NULL
   points
 }
 
-# What a fine lattice's measures `of` differ by from a coarse one's, at two points of the same
-# fields: list(at (scaled fields), value, slope (by scaled field)).
-lattice_correction <- function(points, coarse, fine, coarse_slopes, fine_slopes, of) {
+# Returns the correction of measures: list(at (scaled fields), value, slope (by scaled field)).
+mesh_correction <- function(points, coarse, fine, coarse_slopes, fine_slopes, of) {
   slope <- fine_slopes - coarse_slopes
   slope[!is.finite(slope)] <- 0
   list(
@@ -24,13 +23,11 @@ lattice_correction <- function(points, coarse, fine, coarse_slopes, fine_slopes,
   )
 }
 
-# Slopes of a point as those of corrected measures.
-corrected_slopes <- function(points, slopes) {
+corrected_derivatives <- function(points, slopes) {
   if (is.null(points$correction)) slopes else slopes + points$correction$slope[rownames(slopes), ]
 }
 
-# Errors that the lattice leaves in formulas at a point, in their units: of independent errors of
-# the measures in them. NA where a measure's is not known.
+# Returns the error of each formula, in its unit. Errors of measures are treated as independent.
 formula_errors <- function(points, point, words, formulas) {
   at <- formula_point(points, point, words)
   error <- attr(point$measures, "error")[words$column] * words$factor
@@ -44,42 +41,38 @@ formula_errors <- function(points, point, words, formulas) {
   }, 0)
 }
 
-# A point whose measures have errors of its own design, where a search hands on those of the gear
-# that it began from: by one more lattice of it.
+# Points of a search scale the errors of the initial gear. One more mesh gives errors of their own.
 with_own_errors <- function(points, point) {
   point$state$levels <- new_levels(netting = points$netting)
   point$measures <- measures(point$state)
   point
 }
 
-# Nodes of the lattice on which a study ends: so many times more as the error (a share) of one of
-# `nodes` asks for, within what settle() goes on by.
+# Returns the nodes that reduce `error` to `accuracy` (fractions), within the limits of `settle()`.
 finishing_nodes <- function(nodes, error, accuracy) {
   growth <- min(max(nodes_for(1, error, accuracy), least_growth), most_growth)
   min(nodes * growth, most_accurate_nodes)
 }
 
-# Lattices on which an optimum is compared at most, and how far it goes in between, as a share of
-# the ranges.
+# Largest number of mesh comparisons, and the distance between them as a fraction of the ranges.
 most_refinements <- 6L
 
 refinement_reach <- 0.25
 
-# Settled coarse gears at most for each.
-settles_refinement <- 40L
+# Largest number of settled coarse gears per comparison.
+solves_for_refinement <- 40L
 
-# Scaled fields nearer to one another than this are one optimum.
+# Optima within this distance (scaled fields) are identical.
 same_refined <- 1e-5
 
-known_slopes <- function(points, point, of) {
-  slopes <- point_slopes(points, point, of)
+known_derivatives <- function(points, point, of) {
+  slopes <- point_derivatives(points, point, of)
   slopes[is.na(slopes)] <- 0
   slopes
 }
 
-# A lattice of so many nodes and the error (a share) that it leaves, in words.
-lattice_words <- function(nodes, error) {
+mesh_size_text <- function(nodes, error) {
   paste0(nodes, " nodes", if (is.finite(error)) {
-    paste0(", which leave an error of ", percent_text(error))
+    paste0(", with an error of ", percent_text(error))
   })
 }

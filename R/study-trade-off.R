@@ -1,23 +1,26 @@
-#' The trade-off of two objectives
+#' Compute the trade-off between two objectives
 #'
-#' What one objective costs in another: the curve of gears of which none is better in both, such as
-#' drag against headline height. Each end is the best for one objective alone, and of gears as good
-#' in that to 0.1 % the best for the other. Between them the first objective is made as small as it
-#' gets while the second is held at values evenly between its ends (the epsilon constraint method,
-#' Haimes, Lasdon and Wismer 1971, IEEE Transactions on Systems, Man and Cybernetics 1:296), each
-#' found from the one before.
+#' `trade_off()` computes the Pareto front of two objectives, such as drag and headline height. No
+#' other gear is better in both objectives than a gear on the front.
+#'
+#' @details
+#' - Each end of the front is the best gear for a single objective. Among gears within 0.1 % of the
+#'   best, it is the best for the other objective.
+#' - Between the ends, the first objective is minimised while the second is limited to evenly spaced
+#'   values. This is the epsilon constraint method (Haimes, Lasdon and Wismer 1971, IEEE
+#'   Transactions on Systems, Man and Cybernetics 1:296). Each search starts from the previous gear.
 #'
 #' @inheritParams optimise_gear
-#' @param minimise A list of the two objectives, each as `minimise` of [optimise_gear()], by the
-#'   names that they are to have: `list(drag = ~ total_drag_kN, height = ~ -headline_height_m)`.
-#' @param points How many gears, 3 or more, the ends among them.
-#' @param most Settled gears at most, for each point.
-#' @return A data frame of class `codend_trade_off` with a row per gear, from the best for the first
-#'   objective to the best for the second: the two objectives under their names, a column per field
-#'   that changes, whether conditions are `kept` and whether it is `optimal`, as [optimise_gear()]
-#'   reports. The attribute `optima` has what [optimise_gear()] returns for each. Wrong arguments
-#'   are an error of class `codend_error_argument`.
-#' @seealso [codend_charts]
+#' @param minimise A named list of two objectives, each like `minimise` of [optimise_gear()]:
+#'   `list(drag = ~ total_drag_kN, height = ~ -headline_height_m)`.
+#' @param points Number of gears on the front, including both ends, at least 3. Default 7.
+#' @param most Largest number of settled gears for each point. Default 100.
+#' @return A data frame of class `codend_trade_off`: one row per gear, from the best for the first
+#'   objective to the best for the second. Columns: both objectives under their names, each changed
+#'   field with its unit, `kept` (`TRUE` if the conditions hold) and `optimal`. The attribute
+#'   `optima` is a list with the result of [optimise_gear()] for each row. Wrong arguments raise an
+#'   error of class `codend_error_argument`.
+#' @seealso [optimise_gear()], [codend_charts].
 #' @export
 #' @examplesIf requireNamespace("nloptr", quietly = TRUE)
 #' found <- trade_off("towed_cable",
@@ -37,21 +40,20 @@ trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = 1
   check_count("points", points)
   if (points < 3) abort_argument("{.arg points} is {.val {points}}; it must be 3 or more.")
   check_count("most", most)
-  tasks <- lapply(minimise, function(aim) {
-    new_task(gear, aim, keep, change, nodes, netting)
+  tasks <- lapply(minimise, function(objective) {
+    new_task(gear, objective, keep, change, nodes, netting)
   })
   ends <- lapply(1:2, function(k) {
     alone <- finish_optimum(tasks[[k]], list(find_optimum(tasks[[k]], tasks[[k]]$first, most)))
-    # of gears that are as good in this aim, the best in the other
-    limit <- aim_of(tasks[[k]], alone) + end_share * tasks[[k]]$size
-    optimum_within(tasks[[3L - k]], tasks[[k]]$aim, limit, alone, most)
+    # Among gears that are equally good in this objective, select the best in the other.
+    limit <- objective_of(tasks[[k]], alone) + end_share * tasks[[k]]$size
+    optimum_within(tasks[[3L - k]], tasks[[k]]$objective, limit, alone, most)
   })
-  # the second aim at both ends
-  second <- vapply(ends, function(end) aim_of(tasks[[2L]], end), 0)
+  second <- vapply(ends, function(end) objective_of(tasks[[2L]], end), 0)
   limits <- seq(second[1L], second[2L], length.out = points)[-c(1L, points)]
   near <- ends[[1L]]
   between <- lapply(limits, function(limit) {
-    near <<- optimum_within(tasks[[1L]], tasks[[2L]]$aim, limit, near, most)
+    near <<- optimum_within(tasks[[1L]], tasks[[2L]]$objective, limit, near, most)
     near
   })
   optima <- c(ends[1L], between, ends[2L])
@@ -59,40 +61,42 @@ trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = 1
   colnames(fields) <- with_unit(near$fields$field,
     vapply(near$fields$unit, plain_unit, "", USE.NAMES = FALSE))
   aims <- lapply(tasks, function(task) {
-    vapply(optima, function(one) aim_of(task, one), 0, USE.NAMES = FALSE)
+    vapply(optima, function(one) objective_of(task, one), 0, USE.NAMES = FALSE)
   })
   table <- data.frame(
     aims, fields, kept = vapply(optima, function(one) all(one$keep$holds), NA),
     optimal = vapply(optima, `[[`, NA, "optimal"), row.names = NULL, check.names = FALSE
   )
   structure(table, class = c("codend_trade_off", "data.frame"), optima = unname(optima),
-    aims = vapply(tasks, function(task) task$aim$text, ""), gear_name = near$gear$plan$name)
+    objectives = vapply(tasks, function(task) task$objective$text, ""),
+      gear_name = near$gear$plan$name)
 }
 
-# By which share of an aim the ends of a trade-off may miss its least value.
+# Permitted loss of an objective at the ends, as a fraction of its initial value.
 end_share <- 1e-3
 
-# The optimum of a task with another aim at most at a limit, from an optimum near it.
-optimum_within <- function(task, aim, limit, near, most) {
-  task <- with_limit(task, aim, limit)
+# Optimises a task with another objective limited to `limit`, from the optimum `near`.
+optimum_within <- function(task, objective, limit, near, most) {
+  task <- with_limit(task, objective, limit)
   base <- list(values = near$fields$value, gear = near$gear, state = near$state)
   place <- points_scaled(task$points, near$fields$value)
   finish_optimum(task, list(find_optimum(task, place, most, from = base)))
 }
 
-aim_of <- function(task, optimum) {
+objective_of <- function(task, optimum) {
   point <- list(values = optimum$fields$value, measures = measures(optimum$state))
-  evaluate_formula(task$aim, formula_point(task$points, point, task$words))$value
+  evaluate_formula(task$objective, formula_point(task$points, point, task$words))$value
 }
 
-# A task with one more condition: that another aim is at most a limit.
-with_limit <- function(task, aim, limit) {
+# Adds the condition that another objective is at most `limit`.
+with_limit <- function(task, objective, limit) {
   constant <- list(text = format(limit), call = limit, names = character(), slopes = list())
-  condition <- list(text = paste(aim$text, "<=", four_figures(limit)), left = aim, right = constant,
+  condition <- list(text = paste(objective$text, "<=", four_figures(limit)), left = objective,
+    right = constant,
     way = 1, equal = FALSE)
   task$keep <- c(task$keep, list(condition))
   task$limits <- c(task$limits, max(abs(limit), .Machine$double.xmin))
-  task$of <- unique(c(task$of, task$words$column[task$words$name %in% aim$names]))
+  task$of <- unique(c(task$of, task$words$column[task$words$name %in% objective$names]))
   task$history <- new.env(parent = emptyenv())
   task$history$rows <- list()
   task
@@ -101,8 +105,9 @@ with_limit <- function(task, aim, limit) {
 #' @export
 print.codend_trade_off <- function(x, ...) {
   shown <- as.data.frame(unclass(x), check.names = FALSE)
-  attributes(shown)[c("optima", "aims", "gear_name")] <- NULL
-  cat("Trade-off of \"", attr(x, "gear_name"), "\": ", paste(attr(x, "aims"), collapse = " and "),
+  attributes(shown)[c("optima", "objectives", "gear_name")] <- NULL
+  cat("Trade-off of \"", attr(x, "gear_name"), "\": ", paste(attr(x, "objectives"),
+    collapse = " and "),
     "\n", sep = "")
   numbers <- vapply(shown, is.double, NA)
   shown[numbers] <- lapply(shown[numbers], signif, 5)
@@ -110,7 +115,7 @@ print.codend_trade_off <- function(x, ...) {
   invisible(x)
 }
 
-# Numbers to four figures, each by itself.
+# Formats each number with four digits.
 four_figures <- function(x) {
   with_plain_numbers(vapply(x, function(one) format(signif(one, 4), digits = 6), ""))
 }
