@@ -1,21 +1,20 @@
-# What is known before hauls are looked at, as priors of calibrate(), and what they leave, as
-# sources of uncertainty() of a calibrated gear.
+# Priors of `calibrate()`, and sources of `uncertainty()` from a calibration.
 
-# Ranges of fields that are named alone: normal priors as uncertainty() has them.
+# Returns normal priors for fields without a range.
 known_priors <- function(gear, paths) {
   if (is.character(gear)) gear <- read_gear(gear)
   sources <- uncertainty_sources(gear)
   lapply(setNames(paths, paths), function(path) {
     source <- Find(function(source) path %in% source$paths, sources)
     if (is.null(source)) {
-      abort_argument("{.arg change} names {.field {path}} without a range, whose uncertainty is not
-        known. Give a range, or say in the plan how well it is known.")
+      abort_argument("{.arg change} has {.field {path}} without a range, and its uncertainty is not
+        known. Give a range, or add an `uncertainty` to the plan.")
     }
     number <- field_number(gear$plan, path)
     own <- number$value
     mean <- own * (1 + source$off)
     sd <- whole_of(own) * source$share
-    # a force keeps its direction
+    # A multiplier stays positive, so that the force keeps its direction.
     ends <- c(max(mean - normal_reach * sd, if (!is.null(source$multiplier)) 0.05 * own), mean +
       normal_reach * sd)
     ends <- range(ends, own + c(-0.01, 0.01) * abs(own))
@@ -28,7 +27,7 @@ known_priors <- function(gear, paths) {
   })
 }
 
-# `change` with its character vectors of paths, alone or among ranges, as priors.
+# Replaces paths without a range in `change` by priors.
 change_with_priors <- function(gear, change) {
   if (is.character(change) && is.null(names(change))) return(known_priors(gear, change))
   if (!is.list(change)) return(change)
@@ -37,12 +36,12 @@ change_with_priors <- function(gear, change) {
   c(known_priors(gear, unlist(change[alone])), change[!alone])
 }
 
-# Sources of a calibrated gear: what was calibrated has the covariance that was found.
+# Returns the sources of a calibrated gear: calibrated fields have the errors of the fit.
 calibrated_sources <- function(sources, fit) {
   fields <- fit$fields
   paths <- lapply(fields$field, paths_of)
   taken <- unlist(paths)
-  # what is calibrated apart no longer errs with others of its kind
+  # A calibrated field no longer has the same error as others of its kind.
   sources <- lapply(sources, function(source) {
     source$paths <- setdiff(source$paths, taken)
     source
@@ -54,7 +53,7 @@ calibrated_sources <- function(sources, fit) {
     is_multiplier <- multiplier != path[1L]
     error <- fields$error[k]
     source <- list(
-      name = if (is_multiplier) force_multipliers[[multiplier]] else path_words_of(path),
+      name = if (is_multiplier) force_multipliers[[multiplier]] else path_labels(path),
       group = if (is_multiplier) "coefficients" else "plan", paths = path,
       share = if (is.finite(error)) error / whole_of(fields$value[k]) else 0, off = 0,
       calibrated = fields$field[k]

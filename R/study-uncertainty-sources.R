@@ -1,6 +1,6 @@
-# What of a gear is uncertain, and by how much: from the plan where it says so, else from a table by
-# kind of number (inst/extdata/uncertainty.csv), and of components of force from what validation has
-# found (uncertainty_multipliers.csv).
+# Sources of uncertainty of a gear. Uncertainties in the plan come first, then a table by kind of
+# number (inst/extdata/uncertainty.csv). Force components use the results of the validation
+# (uncertainty_multipliers.csv).
 
 package_table <- function(name) {
   file <- system.file("extdata", name, package = "codend")
@@ -10,7 +10,7 @@ package_table <- function(name) {
 
 uncertainty_table <- function() package_table("uncertainty.csv")
 
-# Standard uncertainty of an amount in the table as a share of a value (SI).
+# Returns a standard uncertainty of the table as a fraction of a value (SI).
 table_share <- function(text, value = 1) {
   parts <- split_quantity(text)
   if (identical(parts[2L], "%")) return(as.double(parts[1L]) / 100)
@@ -18,9 +18,9 @@ table_share <- function(text, value = 1) {
   quantity_si(text, if (is.na(dimension)) "number" else dimension) / abs(value)
 }
 
-# The sources of uncertainty of a gear: a list of list(name, group, share (standard uncertainty, of
-# the value, or of 1 where it is 0),
-# paths or multiplier, off: by how much its mean is off, as a share).
+# Returns a list per source: name, group, share, paths, off, multiplier (of force components).
+# `share`: standard uncertainty as a fraction of the value, or of 1 if the value is 0. `off`: known
+# bias of the mean, as a fraction.
 uncertainty_sources <- function(gear) {
   c(multiplier_sources(gear), field_sources(gear))
 }
@@ -48,7 +48,7 @@ multiplier_sources <- function(gear) {
   })
 }
 
-# Means and covariance of multipliers as validation has them; none where nothing is known.
+# Returns list(mean, covariance) of multipliers in the validation; empty without the file.
 multiplier_knowledge <- function() {
   table <- package_table("uncertainty_multipliers.csv")
   if (is.null(table)) return(list(mean = numeric(), covariance = matrix(0, 0L, 0L)))
@@ -60,7 +60,7 @@ multiplier_knowledge <- function() {
   )
 }
 
-# Both sides of a gear are one.
+# Removes the side from a path, because both sides of a gear have one error.
 without_side <- function(path) gsub("_?(port|starboard|left|right)", "", path)
 
 field_sources <- function(gear) {
@@ -74,7 +74,7 @@ field_sources <- function(gear) {
   numbers <- Filter(function(one) is.list(one) && !one$whole && one$value != 0, numbers)
   row <- vapply(names(numbers), function(path) {
     fits <- vapply(table$field, grepl, NA, x = path, perl = TRUE)
-    # the first that fits; what coefficients cover is theirs
+    # The first matching row applies. Multipliers cover the coefficients.
     if (any(fits) && !grepl("coefficient", path)) which(fits)[1L] else NA_integer_
   }, 0L)
   numbers <- numbers[!is.na(row)]
@@ -86,12 +86,13 @@ field_sources <- function(gear) {
     at <- which(key == one)
     si <- table[row[at[1L]], ]
     list(
-      name = if (together[at[1L]]) si$words else path_words_of(names(numbers)[at]),
+      name = if (together[at[1L]]) si$words else path_labels(names(numbers)[at]),
       group = si$group, paths = names(numbers)[at],
       share = table_share(si$uncertainty, abs(numbers[[at[1L]]]$value)), off = 0
     )
   })
-  # of one kind, value and uncertainty, what errs together does so here too
+  # Numbers of one kind, value and uncertainty have one error if the table marks the kind as
+  # `together`.
   first_row <- function(path) which(vapply(table$field, grepl, NA, x = path, perl = TRUE))[1L]
   alike <- vapply(names(own), function(path) {
     row <- first_row(path)
@@ -101,7 +102,7 @@ field_sources <- function(gear) {
   said <- lapply(split(names(own), factor(alike, unique(alike))), function(paths) {
       fits <- first_row(paths[1L])
       list(
-        name = path_words_of(paths), paths = paths,
+        name = path_labels(paths), paths = paths,
         group = if (is.na(fits)) "plan" else table$group[fits],
         share = max(own[paths]), off = 0
       )
@@ -109,11 +110,11 @@ field_sources <- function(gear) {
   c(unname(said), given)
 }
 
-path_words_of <- function(paths) {
+path_labels <- function(paths) {
   gsub("[._]", " ", without_side(paths[1L]))
 }
 
-# Fields that change by the same share, as field_slopes() takes them.
+# Returns a field for `field_sensitivities()` whose paths change by the same fraction.
 common_field <- function(plan, paths) {
   list(
     name = paste(paths, collapse = " + "), paths = paths, value = 1, unit = "", whole = FALSE,

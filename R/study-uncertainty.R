@@ -1,71 +1,85 @@
-#' How far measures may be from the truth
+#' Estimate the uncertainty of measures
 #'
-#' The standard uncertainty of every measure of a settled gear, an interval that holds the truth
-#' nine times out of ten, where it comes from, and what to measure next. `measures()` reports the
-#' discretisation error alone; this adds what is not known of coefficients, of the plan and of the
-#' conditions, and what no parameter covers.
+#' `uncertainty()` estimates the standard uncertainty of every measure of a settled gear, with a 90
+#' % interval, its sources, and the best next measurement. It combines the uncertainties of
+#' coefficients, plan, conditions and model with the discretisation error of [measures()].
 #'
 #' @details
-#' # What is uncertain
-#' - coefficients: the plan's `multipliers` of components of force, with the standard deviations and
-#'   correlations that the validation book leaves (`validation/conditioning.md`); those of boards,
-#'   friction and ground gear, of which another gear says nothing, with the spread of published
-#'   values. Netting that lies along the flow has friction, of which laws of whole sheets
-#'   (`blended`, `kristiansen_faltinsen`) have none. `multipliers.screen_friction` adds it, as a
-#'   drag coefficient on the twine's area: 0 by default, with a standard uncertainty of 0.02, upward
-#'   alone: Hoerner's friction of twine along the flow, of 0 to 0.1 that laws of twines have. Nets
-#'   of farms had more (0.3 of the drag across the flow, Nino et al. 2020), but without any friction
-#'   the intervals of 90 % hold \resultIntervalsCovered{} of the measured values
-#'   (`validation/conditioning.md`);
-#' - plan: numbers with an uncertainty of their own, `{value: 4 mm, uncertainty: 10 %}` or
-#'   `{range: [3.8 mm, 4.2 mm]}`, which is evenly distributed; others have that of their kind, from
-#'   a table with sources (`system.file("extdata", "uncertainty.csv", package = "codend")`). What
-#'   one maker makes, such as the twine of all panels, errs together, by the same share;
-#' - conditions: speed, current, depth and warp, likewise;
-#' - discretisation (`lattice`): the estimated discretisation error of [measures()];
-#' - model: what no parameter covers (stiff twine, an uneven bed), as the standard deviation that is
-#'   left in the validation book of measures of that kind, with its degrees of freedom.
+#' # Sources of uncertainty
+#' - **Coefficients**: the `multipliers` of force components in the plan. Their standard deviations
+#'   and correlations come from the validation book (`validation/conditioning.md`). Boards, friction
+#'   and ground gear have the spread of published values, because other gears give no information on
+#'   them.
+#' - **Skin friction of netting**: screen drag models (`blended`, `kristiansen_faltinsen`) have no
+#'   friction of netting parallel to the flow. `multipliers.screen_friction` adds it, as a drag
+#'   coefficient on the area of the twine. It is 0 by default, with a standard uncertainty of 0.02,
+#'   upward only.
+#' - **Plan**: numbers with their own uncertainty, `{value: 4 mm, uncertainty: 10 %}` or the uniform
+#'   distribution `{range: [3.8 mm, 4.2 mm]}`. Other numbers have the uncertainty of their kind. The
+#'   table with sources is `system.file("extdata", "uncertainty.csv", package = "codend")`. Products
+#'   of one maker, such as the twine of all panels, have the same relative error.
+#' - **Conditions**: speed, current, depth and warp length, in the same manner.
+#' - **Discretisation** (`mesh`): the estimated discretisation error of [measures()].
+#' - **Model**: effects that no parameter covers, such as stiff twine or an uneven bed. They have
+#'   the standard deviation and degrees of freedom of this kind of measure in the validation book.
 #'
-#' # How it is found
-#' As JCGM 100:2008 (GUM) has it: contributions are sensitivities times standard uncertainties,
-#' added in quadrature with their correlations; a coefficient whose mean is known to be off counts
-#' with that as well (F.2.4.5). Sensitivities are those of [sensitivities()], to both sides and a
-#' few figures, with one factorised matrix. What counts parts of the gear, slack netting and rope
-#' on the bed, grows by the lines and contacts that one standard uncertainty takes to zero force.
-#' The interval is the measure plus and minus the combined standard uncertainty times Student's t
-#' of the effective degrees of freedom (G.4). Of the three largest sources, and of those whose
-#' slopes on both sides of the state are not the same, the gear is settled one standard uncertainty
-#' to both sides (half of the value at most; to one side where the other does not settle in a few
-#' steps). Half of that difference counts: of the three largest where it is more than a fifth off
-#' the slope's, of the others throughout. Where the two sides differ by more than half the measure
-#' is `smooth = FALSE`: `method = "samples"` then follows the gear through draws of all sources (by
-#' [vary()], on as many cores as [future::plan()] says).
+#' # Why skin friction is 0.02
+#' This is Hoerner's friction of twine along the flow; Morison-type models use 0 to 0.1. Nets of
+#' fish farms had more: 0.3 of the drag across the flow (Nino et al. 2020). Without any friction,
+#' the 90 % intervals still contain \resultIntervalsCovered{} of the measured values
+#' (`validation/conditioning.md`).
 #'
-#' @param state A settled state, from [settle()], or a gear calibrated by [calibrate()].
-#' @param of Names of measures; all when `NULL`.
-#' @param level Probability that the interval holds the truth.
-#' @param method `"linear"`, or `"samples"`.
-#' @param samples Draws of `"samples"`. They are spread evenly, the same every time.
-#' @return An object of class `codend_uncertainty`, a list of
+#' # Method
+#' The method is JCGM 100:2008 (GUM).
 #'
-#'   - `measures`: a data frame with a row per measure: `measure`, `value`, `unit`, `uncertainty`
-#'     (combined standard uncertainty), `low` and `high` (the interval), the standard uncertainties
-#'     from `coefficients`, `plan`, `conditions`, `lattice` and `model`, the effective degrees of
-#'     `freedom`, and `smooth`;
-#'   - `sources`: a data frame with a row per measure and source, the largest first: `measure`,
-#'     `source`, `group`, `share` (standard uncertainty of the source, as a share of its value, or
-#'     of 1 where that is 0), `contribution`
-#'     (to the measure, in its unit, with its sign) and `percent` of the measure's variance;
-#'   - `narrow`: a data frame with a row per measure: the single measurement (`by`) that would
-#'     narrow it most and the standard uncertainty `left` with it, and the next two;
-#'   - `level`, `method`, `gear_name`, `conditions`, and `cost` (factorisations and gears settled).
+#' - A contribution is a sensitivity times a standard uncertainty. Contributions are added in
+#'   quadrature, with their correlations. A known bias of a coefficient is included (F.2.4.5).
+#' - [sensitivities()] describes the derivatives. Here they have few digits, cover both sides, and
+#'   use a single factorised matrix.
+#' - Counts of parts, such as slack netting or rope on the seabed, change in steps. Their derivative
+#'   counts the lines and contacts that reach zero force within one standard uncertainty.
+#' - The interval is the measure plus and minus the combined standard uncertainty times Student's t
+#'   of the effective degrees of freedom (G.4).
 #'
-#'   Wrong arguments are an error of class `codend_error_argument`.
+#' # Nonlinear sources
+#' - The gear is settled one standard uncertainty to both sides for the three largest sources, and
+#'   for sources with different derivatives on both sides. The step is at most half of the value. If
+#'   a side does not settle, the step is a quarter; if it fails again, the other side alone is used.
+#' - Half of the difference between both sides replaces the linear contribution. For the three
+#'   largest sources this requires a difference of more than 20 % from the linear value.
+#' - A measure has `smooth = FALSE` if both sides differ by more than half for sources with more
+#'   than 5 % of its variance. `method = "samples"` then settles draws of all sources with [vary()],
+#'   on the cores of [future::plan()].
+#'
+#' @param state A settled state, from [settle()], or a calibration, from [calibrate()].
+#' @param of Names of measures. Default `NULL`: all.
+#' @param level Probability that the interval contains the true value. Default 0.9.
+#' @param method `"linear"` (default) or `"samples"`.
+#' @param samples Number of draws for `"samples"`. Default 100. The draws are evenly spread and the
+#'   same every time.
+#' @return An object of class `codend_uncertainty`, a list:
+#'
+#'   - `measures`: a data frame, one row per `measure`, in its `unit`. `value` is the measure,
+#'     `uncertainty` the combined standard uncertainty, and `low` and `high` are the interval.
+#'     `coefficients`, `plan`, `conditions`, `mesh` and `model` are the parts of the standard
+#'     uncertainty. `freedom` is the effective number of degrees of freedom, and `smooth` is
+#'     explained in the section on nonlinear sources.
+#'   - `sources`: a data frame, one row per measure and source, the largest first. `source` and
+#'     `group` name the source. `share` is its standard uncertainty as a fraction of its value, or
+#'     of 1 if the value is 0. `contribution` is its effect on the measure (in its unit, with a
+#'     sign), and `percent` its percentage of the variance.
+#'   - `next_measurement`: a data frame of the three best measurements for each measure.
+#'     `measurement` is the measurement, and `remaining_sd` the standard uncertainty that remains
+#'     with it.
+#'   - `level`, `method`, `gear_name`, `conditions`: settings and labels.
+#'   - `cost`: a list of the numbers of `factorisations` and settled gears (`n_solves`).
+#'
+#'   Wrong arguments raise an error of class `codend_error_argument`.
 #' @references JCGM 100:2008, Evaluation of measurement data: guide to the expression of uncertainty
-#' in
-#'   measurement.
-#' @seealso [codend_charts]; [optimise_gear()] for limits that hold with a given
-#' probability.
+#'   in measurement.
+#' @seealso [measures()] for discretisation errors, [calibrate()], [codend_charts];
+#'   [optimise_gear()] for limits that hold with a given probability;
+#'   `vignette("how-sure", package = "codend")`.
 #' @export
 #' @examples
 #' found <- uncertainty(settle("towed_cable"))
@@ -76,7 +90,7 @@ uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "sam
   check_given("state")
   fit <- if (inherits(state, "codend_calibration")) state
   if (!is.null(fit)) {
-    # in the conditions of its plan
+    # The calibrated gear is settled in the conditions of its plan.
     state <- settled_state(fit$gear, fit$task$points$nodes, fit$task$points$netting, NULL)
   }
   check_is_settled(state)
@@ -100,27 +114,28 @@ uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "sam
       level = level, method = method, gear_name = state$gear$plan$name,
       conditions = state_conditions(state),
       cost = list(
-        factorisations = spread$factorisations, settles = if (is.null(draws)) 0 else samples
+        factorisations = spread$factorisations, n_solves = if (is.null(draws)) 0 else samples
       )
     )),
     class = "codend_uncertainty"
   )
 }
 
-# Of the largest sources, and of those whose slopes to both sides differ by more than this, the gear
-# is settled one standard uncertainty to both sides, or this share.
+# The gear is settled on both sides for the largest sources, and for those with one-sided
+# derivatives that differ by more than `most_turn`. `most_followed` limits the relative step.
 followed_sources <- 3L
 most_turn <- 0.2
 most_followed <- 0.5
-# Contributions by slopes that are off by more than this count as they are followed, and sides that
-# differ by more than this are not smooth.
+# Contributions from derivatives are replaced if they are wrong by more than `most_off_slope`. A
+# measure is not smooth if its sides differ by more than `most_uneven`.
 most_off_slope <- 0.2
 most_uneven <- 0.5
-# Of a measure, what differences of its contributions are told as a share of, at least.
+# Smallest scale for differences of contributions, as a fraction of the measure.
 least_contribution <- 0.01
 
-# A measure's change for one standard uncertainty of every source: list(spread and off (what a known
-# bias of the source makes), rough: measures x sources; correlation of the sources; factorisations).
+# Returns list(spread, off, rough, correlation, factorisations); the first three are measures x
+# sources. `spread`: change of the measure for one standard uncertainty. `off`: change due to a
+# known bias. `rough`: TRUE if not smooth.
 source_contributions <- function(state, sources, fit = NULL, follow = followed_sources) {
   work <- tangent_work(state)
   n <- length(sources)
@@ -130,18 +145,18 @@ source_contributions <- function(state, sources, fit = NULL, follow = followed_s
   followed <- logical(n)
   for (k in seq_len(n)) {
     share <- sources[[k]]$share
-    found <- quick_slopes(work, fields[[k]], share)
-    if (is.null(found)) found <- followed_slopes(work, fields[[k]], share)
+    found <- quick_derivatives(work, fields[[k]], share)
+    if (is.null(found)) found <- followed_derivatives(work, fields[[k]], share)
     followed[k] <- !is.null(found$smooth)
-    spread[, k] <- known_slope(found) * share
-    off[, k] <- known_slope(found) * sources[[k]]$off
+    spread[, k] <- known_derivative(found) * share
+    off[, k] <- known_derivative(found) * sources[[k]]$off
     if (followed[k]) rough[, k] <- !found$smooth
   }
   size <- colMeans(abs(spread) / pmax(abs(work$values), 1e-300), na.rm = TRUE)
   for (k in utils::head(order(-size), follow)) {
     if (followed[k] || !is.finite(size[k]) || size[k] == 0) next
-    found <- followed_slopes(work, fields[[k]], sources[[k]]$share)
-    half <- known_slope(found) * sources[[k]]$share
+    found <- followed_derivatives(work, fields[[k]], sources[[k]]$share)
+    half <- known_derivative(found) * sources[[k]]$share
     scale <- contribution_scale(work, spread[, k])
     wrong <- is.finite(found$slope) & abs(half - spread[, k]) > most_off_slope * scale
     spread[wrong, k] <- half[wrong]
@@ -153,33 +168,32 @@ source_contributions <- function(state, sources, fit = NULL, follow = followed_s
   )
 }
 
-known_slope <- function(found) ifelse(is.finite(found$slope), found$slope, 0)
+known_derivative <- function(found) ifelse(is.finite(found$slope), found$slope, 0)
 
 contribution_scale <- function(work, spread) {
   pmax(abs(spread), least_contribution * abs(work$values), .Machine$double.xmin)
 }
 
-# A source's slopes by its share, list(slope); NULL where there is no tangent, or where the slopes
-# to both sides differ.
-quick_slopes <- function(work, field, share) {
-  found <- tangent_slopes(work, field, c(quick_tangent, reach = share))
+# Returns list(slope) from the tangent; NULL without a tangent or if its two sides differ.
+quick_derivatives <- function(work, field, share) {
+  found <- tangent_derivatives(work, field, c(quick_tangent, reach = share))
   if (is.null(found)) return(NULL)
   scale <- contribution_scale(work, found$slope * share)
   if (all(found$turn * share <= most_turn * scale, na.rm = TRUE)) found["slope"]
 }
 
-# The same by gears settled so far to both sides as the source is uncertain, or a quarter of that
-# where one of them does not settle: list(slope, smooth).
-followed_slopes <- function(work, field, share) {
+# Returns list(slope, smooth) from gears settled one standard uncertainty to both sides. If a side
+# does not settle, the step is four times smaller.
+followed_derivatives <- function(work, field, share) {
   step <- min(share, most_followed)
-  sides <- secant_slopes(work, field, step, both = TRUE)
+  sides <- secant_derivatives(work, field, step, both = TRUE)
   if (anyNA(sides$below) || anyNA(sides$above)) {
     step <- step / 4
-    sides <- secant_slopes(work, field, step)
+    sides <- secant_derivatives(work, field, step)
   }
-  found <- slopes_of_secants(work, sides, 0)
+  found <- derivatives_of_secants(work, sides, 0)
   uneven <- abs(sides$above - sides$below) * step
-  # of one side alone nothing is known against it
+  # With one side only, the difference is unknown.
   uneven[is.na(uneven)] <- 0
   found$smooth <- !is.na(found$slope) &
     uneven <= 2 * most_uneven * contribution_scale(work, found$slope * step)
@@ -200,7 +214,7 @@ source_correlation <- function(sources, fit = NULL) {
     names <- vapply(sources[some], `[[`, "", "multiplier")
     correlation[some, some] <- stats::cov2cor(known[names, names, drop = FALSE])
   }
-  # what a calibration found
+  # Calibrated fields have the correlation of the fit.
   fitted <- which(vapply(sources, function(source) !is.null(source$calibrated), NA))
   if (length(fitted) > 1L) {
     names <- vapply(sources[fitted], `[[`, "", "calibrated")
@@ -214,16 +228,15 @@ source_correlation <- function(sources, fit = NULL) {
 
 # ---- budget --------------------------------------------------------------------------------------
 
-uncertainty_groups <- c("coefficients", "plan", "conditions", "lattice", "model")
+uncertainty_groups <- c("coefficients", "plan", "conditions", "mesh", "model")
 
-# From contributions to the tables; draws: measures of samples of all sources, or NULL.
+# draws: measures of the samples, or NULL.
 budget_of <- function(found, level, draws = NULL) {
   base <- found$base
   value <- plain_measures(base)
   group <- vapply(found$sources, `[[`, "", "group")
   covariance_of <- function(rows) {
     s <- found$spread[, rows, drop = FALSE]
-    # what known biases make together
     off <- rowSums(found$off[, rows, drop = FALSE])
     s %*% found$correlation[rows, rows, drop = FALSE] %*% t(s) + tcrossprod(off)
   }
@@ -232,12 +245,12 @@ budget_of <- function(found, level, draws = NULL) {
   }, numeric(length(value)))
   by_group <- matrix(by_group, length(value),
     dimnames = list(names(value), uncertainty_groups[1:3]))
-  lattice <- plain(attr(base, "error"))
-  lattice[is.na(lattice)] <- 0
+  mesh <- plain(attr(base, "error"))
+  mesh[is.na(mesh)] <- 0
   residual <- measure_residuals(base)
   model <- residual$sd * abs(value)
   covariance <- covariance_of(seq_along(group))
-  own <- lattice^2 + model^2
+  own <- mesh^2 + model^2
   combined <- sqrt(diag(covariance) + own)
   freedom <- ifelse(model > 0, residual$freedom * (combined / model)^4, Inf)
   reach <- stats::qt((1 + level) / 2, pmax(freedom, 1))
@@ -249,18 +262,17 @@ budget_of <- function(found, level, draws = NULL) {
     low <- ends$low
     high <- ends$high
   }
-  # what cannot be less than nothing
   bounded <- value > 0 & uncertainty_kind(base) != "angle"
   low[bounded] <- pmax(low[bounded], 0)
   rough <- rowSums((found$spread * found$rough)^2) > 0.05 * combined^2
   table <- data.frame(
     measure = names(value), value = unname(value), unit = unname(attr(base, "unit")),
-    uncertainty = combined, low = low, high = high, by_group, lattice = lattice, model = model,
+    uncertainty = combined, low = low, high = high, by_group, mesh = mesh, model = model,
     freedom = freedom, smooth = !rough, row.names = NULL
   )
   list(
     measures = table, sources = source_table(found, value, combined),
-    narrow = narrowing(found, base, covariance, own)
+    next_measurement = best_measurements(found, base, covariance, own)
   )
 }
 
@@ -282,7 +294,7 @@ source_table <- function(found, value, combined) {
   table_rows(do.call(rbind, rows))
 }
 
-# The kind of a measure as residuals and sensors have it.
+# Returns the kind of each measure in the tables of residuals and sensors.
 uncertainty_kind <- function(base) {
   kind <- unname(attr(base, "kind"))
   unit <- unname(attr(base, "unit"))
@@ -293,12 +305,12 @@ uncertainty_kind <- function(base) {
   out[kind %in% c("area", "mouth_blockage", "filtered_volume")] <- "area"
   out[unit == "deg"] <- "angle"
   out[grepl("depth", kind)] <- "depth"
-  out[kind %in% c("volume", "volume_share", "enclosed_volume")] <- "volume"
+  out[kind %in% c("volume", "volume_fraction", "enclosed_volume")] <- "volume"
   out
 }
 
-# What no parameter covers: of every measure the standard deviation, as a share, that validation
-# leaves in its kind, and its degrees of freedom.
+# Returns list(sd, freedom) of the model error of each measure. `sd`: standard deviation in the
+# validation of the same kind, as a fraction. `freedom`: its degrees of freedom.
 measure_residuals <- function(base) {
   table <- package_table("uncertainty_residuals.csv")
   kind <- uncertainty_kind(base)
@@ -307,7 +319,7 @@ measure_residuals <- function(base) {
   list(sd = ifelse(is.na(at), 0, table$sd[at]), freedom = ifelse(is.na(at), Inf, table$freedom[at]))
 }
 
-# Standard uncertainties of sensors of measures, in their units; NA where nobody measures such.
+# Returns the standard uncertainty of a sensor per measure, in its unit; NA without a sensor.
 sensor_uncertainty <- function(base) {
   table <- uncertainty_table()
   table <- table[table$group == "sensor", ]
@@ -324,9 +336,9 @@ sensor_uncertainty <- function(base) {
   }, 0)
 }
 
-# Of every measure the three measurements that would narrow it most: of another measure, which says
-# something of the sources that both have, or of a number of the plan.
-narrowing <- function(found, base, covariance, own) {
+# Returns for each measure the three measurements that would reduce its uncertainty most. A
+# measurement is another measure with common sources, or a number of the plan.
+best_measurements <- function(found, base, covariance, own) {
   value <- plain_measures(base)
   sensor <- sensor_uncertainty(base)
   total <- diag(covariance) + own
@@ -334,21 +346,21 @@ narrowing <- function(found, base, covariance, own) {
   group <- vapply(found$sources, `[[`, "", "group")
   rows <- lapply(seq_along(value), function(m) {
     by_measure <- covariance[m, ]^2 / (diag(covariance) + own + sensor^2)
-    # measured itself, it is known as well as the sensor
+    # A direct measurement leaves the uncertainty of the sensor.
     by_measure[m] <- if (is.na(sensor[m])) NA else max(0, total[m] - sensor[m]^2)
     by_field <- ifelse(group == "coefficients", NA, found$spread[m, ]^2)
     fall <- c(by_measure, by_field)
     what <- c(names(value), names)
     order <- utils::head(order(-fall, na.last = NA), 3L)
-    data.frame(measure = rep(names(value)[m], length(order)), by = what[order],
-      left = sqrt(pmax(0, total[m] - fall[order])))
+    data.frame(measure = rep(names(value)[m], length(order)), measurement = what[order],
+      remaining_sd = sqrt(pmax(0, total[m] - fall[order])))
   })
   table_rows(do.call(rbind, rows))
 }
 
 # ---- samples -------------------------------------------------------------------------------------
 
-# Measures of gears with all sources drawn: a matrix with a row per draw that settled.
+# Settles gears with draws of all sources. Returns a matrix of measures: one row per settled draw.
 sample_measures <- function(state, sources, correlation, samples, of) {
   use <- which(vapply(sources, `[[`, 0, "share") > 0)
   z <- stats::qnorm(spread_points(samples, length(use)))
@@ -359,7 +371,7 @@ sample_measures <- function(state, sources, correlation, samples, of) {
     source <- sources[[use[k]]]
     field <- common_field(state$gear$plan, source$paths)
     share <- pmax(z[, k] * source$share + source$off, -0.9)
-    # what is 0 is never less
+    # A value of 0 can only increase.
     if (any(vapply(field$parts, `[[`, 0, "value") == 0)) share <- abs(share)
     for (p in seq_along(source$paths)) {
       columns[[source$paths[p]]] <- vapply(share, function(one) {
@@ -372,12 +384,12 @@ sample_measures <- function(state, sources, correlation, samples, of) {
     }
   }
   designs <- structure(columns, class = "data.frame", row.names = seq_len(samples))
-  found <- vary(state$gear, designs, nodes = state$lattice$counts$asked$nodes)
+  found <- vary(state$gear, designs, nodes = state$mesh$counts$asked$nodes)
   as.matrix(as.data.frame(found)[found$settled, of, drop = FALSE])
 }
 
-# Ends of intervals of draws with an independent normal part of standard deviation `own`: quantiles
-# of all draws, each spread over evenly placed points of that part.
+# Returns list(sd (of the draws), low, high). The interval includes an independent normal error with
+# standard deviation `own`, sampled at 21 probabilities for every draw.
 sampled_ends <- function(draws, own, level) {
   points <- stats::qnorm((seq_len(21L) - 0.5) / 21)
   ends <- vapply(seq_len(ncol(draws)), function(m) {
@@ -391,9 +403,8 @@ sampled_ends <- function(draws, own, level) {
 
 # ---- bounds --------------------------------------------------------------------------------------
 
-# Words of formulas with the relative standard uncertainty and degrees of freedom of each measure,
-# as they are in a state.
-words_with_bounds <- function(words, state) {
+# Adds `share` (relative standard uncertainty) and `freedom` of each measure in a state.
+text_with_bounds <- function(words, state) {
   found <- uncertainty(state, unique(words$column))$measures
   at <- match(words$column, found$measure)
   size <- abs(found$value[at])
