@@ -1,16 +1,20 @@
-#' Ranges and distributions of fields
+#' Define ranges and distributions of fields
 #'
-#' What a field of a plan may be in a study, in the plan's words and units, for [designs()].
+#' `value_range()` and `normal_value()` describe the values of a plan field in a study, for
+#' [designs()], [calibrate()] and [optimise_gear()].
 #'
-#' @param low,high Ends of the range: texts with a unit, such as `"3 knot"`, objects of the
-#'   package units, or numbers in SI. Of
-#'   `normal_value()`: what is cut off, so that all of the distribution lies between them.
-#' @param mean,sd Mean and standard deviation of a normal distribution (of what it is cut from), in
-#'   units of one dimension.
-#' @param log Whether equal ratios are equally likely, not equal differences.
-#' @param whole Whether values are whole numbers, as of meshes and floats.
-#' @return A distribution, of class `codend_distribution`. Wrong arguments are an error of class
+#' @param low,high Ends of the range: text with a unit such as `"3 knot"`, objects of the package
+#'   units, or numbers in SI. In `normal_value()` they truncate the distribution (default: not
+#'   truncated).
+#' @param mean,sd Mean and standard deviation of the normal distribution before truncation, in units
+#'   of one dimension.
+#' @param log `TRUE` if equal ratios are equally likely. Default `FALSE`: equal differences are
+#'   equally likely.
+#' @param whole `TRUE` if values are whole numbers, such as counts of meshes and floats. Default
+#'   `FALSE`.
+#' @return An object of class `codend_distribution`. Wrong arguments raise an error of class
 #'   `codend_error_argument`.
+#' @seealso [designs()], [vary()], [calibrate()].
 #' @name codend_distributions
 #' @examples
 #' value_range("3 knot", "5 knot")
@@ -22,10 +26,10 @@ NULL
 #' @export
 value_range <- function(low, high, log = FALSE, whole = FALSE) {
   check_given("low", "high")
-  ends <- alike_numbers(list(low = low, high = high))
+  ends <- numbers_in_one_unit(list(low = low, high = high))
   if (ends$value[1L] >= ends$value[2L]) {
-    abort_argument("{.arg low} is {.val {low}} and {.arg high} is {.val {high}}; the first must be
-      the smaller.")
+    abort_argument("{.arg low} is {.val {low}} and {.arg high} is {.val {high}}; {.arg low} must be
+      smaller.")
   }
   check_truth(log, "log")
   check_truth(whole, "whole")
@@ -40,7 +44,7 @@ value_range <- function(low, high, log = FALSE, whole = FALSE) {
 normal_value <- function(mean, sd, low = NULL, high = NULL, whole = FALSE) {
   check_given("mean", "sd")
   given <- Filter(Negate(is.null), list(mean = mean, sd = sd, low = low, high = high))
-  numbers <- alike_numbers(given)
+  numbers <- numbers_in_one_unit(given)
   value <- setNames(numbers$value, names(given))
   check_truth(whole, "whole")
   if (value[["sd"]] <= 0) abort_argument("{.arg sd} is {.val {sd}}; it must be above 0.")
@@ -49,8 +53,8 @@ normal_value <- function(mean, sd, low = NULL, high = NULL, whole = FALSE) {
   if (!is.null(high)) ends[2L] <- value[["high"]]
   shares <- stats::pnorm(ends, value[["mean"]], value[["sd"]])
   if (diff(shares) < 1e-6) {
-    abort_argument("Less than a millionth of the normal distribution lies between {.arg low} and
-      {.arg high}.")
+    abort_argument("{.arg low} and {.arg high} contain less than a millionth of the normal
+      distribution; widen them.")
   }
   new_distribution("normal", unname(value[c("mean", "sd")]), numbers$unit, ends, whole)
 }
@@ -68,14 +72,14 @@ check_truth <- function(value, name) {
   if (!isTRUE(value) && !isFALSE(value)) abort_argument("{.arg {name}} must be TRUE or FALSE.")
 }
 
-# Quantities of one dimension in the unit of the first: list(value, unit ("" for bare numbers)).
-alike_numbers <- function(given) {
+# Returns list(value, unit ("" for bare numbers)) in the unit of the first quantity.
+numbers_in_one_unit <- function(given) {
   split <- lapply(names(given), function(name) {
     value <- given_value(given[[name]], name)
     number <- is.numeric(value) && length(value) == 1L && is.finite(value)
     parts <- if (number) c(value, "") else if (is_text(value)) split_quantity(value)
     if (is.null(parts)) {
-      abort_argument("{.arg {name}} is {.val {value}}; it must be one number, or a text such as
+      abort_argument("{.arg {name}} is {.val {value}}; it must be one number, or a string such as
         {.val 3 knot}.")
     }
     unit <- plain_unit(parts[2L])
@@ -89,8 +93,8 @@ alike_numbers <- function(given) {
   if (length(unique(dimension)) > 1L) {
     odd <- names(given)[dimension != dimension[1L]][1L]
     first <- names(given)[1L]
-    abort_argument("{.arg {odd}} is {.val {given[[odd]]}} and {.arg {first}} {.val {given[[1]]}};
-      they must be quantities of one kind, both with units or both without.")
+    abort_argument("{.arg {odd}} is {.val {given[[odd]]}}, but {.arg {first}} is
+      {.val {given[[1]]}}; they must have the same dimension, both with units or both without.")
   }
   unit <- split[[1L]]$unit
   factor <- function(one) if (nzchar(unit)) plan_units[[dimension[1L]]][[one$unit]] else 1
@@ -100,7 +104,7 @@ alike_numbers <- function(given) {
   list(value = value, unit = unit)
 }
 
-# Values of a distribution at shares of it, between 0 and 1, in the plan's words; NA stays NA.
+# Returns quantiles at probabilities `share`: plan text with a unit, or numbers. NA stays NA.
 quantile_values <- function(of, share) {
   value <- quantile_numbers(of, share)
   if (!nzchar(of$unit)) return(value)
@@ -112,7 +116,7 @@ quantile_numbers <- function(of, share) {
   if (of$whole) {
     ends <- c(ceiling(of$ends[1L]), floor(of$ends[2L]))
     if (of$kind == "between") {
-      # every whole number has its share
+      # Half a unit at both ends makes the first and last number as likely as the others.
       wide <- if (of$log) log(ends + c(-0.5, 0.5)) else ends + c(-0.5, 0.5)
       value <- wide[1L] + share * diff(wide)
       value <- round(if (of$log) exp(value) else value)
@@ -131,7 +135,7 @@ quantile_numbers <- function(of, share) {
   pmin(pmax(signif(value, 6), of$ends[1L]), of$ends[2L])
 }
 
-# The outermost millionths of a normal distribution are its ends.
+# Probabilities are limited to 1e-6 and 1 - 1e-6, so that all values are finite.
 normal_quantile <- function(of, share) {
   shares <- stats::pnorm(of$ends, of$numbers[1L], of$numbers[2L])
   share <- pmin(pmax(shares[1L] + share * diff(shares), 1e-6), 1 - 1e-6)

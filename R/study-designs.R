@@ -1,48 +1,50 @@
-#' Designs of a study
+#' Create the designs of a study
 #'
-#' A table of designs that [vary()] settles: every combination of values, a sample of ranges and
-#' distributions, one field at a time, or a table of one's own. The same `seed` gives the same
-#' table, and the session's own random numbers stay as they are.
+#' `designs()` creates a table of designs for [vary()]: a grid, a sample of ranges and
+#' distributions, one field at a time, or a table of your own. Equal seeds give equal tables, and
+#' the random numbers of the session stay unchanged.
 #'
 #' @details
-#' What `how` may be:
+#' Values of `how`:
 #'
-#' - `"grid"`: every combination, the first field changing fastest. Ranges have `number` values (5),
-#'   evenly spaced and the ends among them; normal distributions the middles of as many equal
-#'   shares.
-#' - `"random"`: `number` draws.
-#' - `"latin"`: a Latin hypercube, in which each field is once in every `1/number` of its
-#'   distribution. Takes the package lhs.
-#' - `"sobol"`: a Sobol' sequence, scrambled after Owen: spread evenly in all fields together, best
-#'   where `number` is a power of 2. Takes the package spacefillr, as does the next.
-#' - `"indices"`: for Sobol' indices: two samples of `number` designs, and the first again with each
-#'   field from the second; `number` times fields plus 2 in all.
-#' - `"one_at_a_time"`: the plan as it is, then each field alone at its values; ranges as in a grid.
+#' - `"grid"`: every combination; the first field changes fastest. A range has `number` (default 5)
+#'   evenly spaced values, including both ends. A normal distribution has the medians of `number`
+#'   equally likely parts.
+#' - `"random"`: `number` random draws.
+#' - `"latin"`: a Latin hypercube with one value of each field in every `1/number` of its
+#'   distribution. It needs the package lhs.
+#' - `"sobol"`: a Sobol' sequence with Owen's scrambling. It covers all fields jointly and evenly,
+#'   best if `number` is a power of 2. It needs the package spacefillr, and so does `"indices"`.
+#' - `"indices"`: samples for Sobol' indices. There are two samples of `number` designs, and copies
+#'   of the first with each field from the second. The total is `number` times (fields plus 2).
+#' - `"one_at_a_time"`: the plan as it is, then each field alone at its values. Ranges are treated
+#'   as in a grid.
 #' - `"table"`: the rows of a data frame.
 #'
-#' A field that is not to change in a design is missing there (`NA`): it stays as in the plan.
-#' A name may hold several paths, `"ropes.port.length + ropes.starboard.length"`: these fields have
-#' one value.
+#' More rules:
 #'
-#' Drawn values are rounded to six figures.
+#' - A missing value (`NA`) keeps the value of the plan.
+#' - A name with several paths gives these fields one value:
+#'   `"ropes.port.length + ropes.starboard.length"`.
+#' - Drawn values are rounded to six digits.
+#' - Given values, such as `c("500 m", "600 m")`, are equally likely in a sample.
 #'
-#' @param ... Fields by their path in the plan, with values as in [update()][update.codend_gear],
-#'   such as `c("500 m", "600 m")`, which are equally likely where they are drawn, or a
-#'   distribution, such as [value_range()]`("3 knot", "5 knot")`. Columns of a data frame without a
-#'   name change together. A table of one's own is one such data frame, or the path of a CSV file.
-#' @param how How designs are chosen, see below. `NULL` is `"table"` for one data frame or file,
-#'   `"grid"` where all is values and `"sobol"` where there is a distribution.
-#' @param number How many designs are drawn, or how many values each range has.
-#' @param seed A whole number.
-#' @return A data frame of class `codend_designs` with a row per design and a column per field, in
-#'   the words of the plan. Wrong arguments are an error of class `codend_error_argument`; a package
-#'   that is not installed is one of class `codend_error_package`. Fields and values are checked by
-#'   [vary()], which knows the gear.
+#' @param ... Fields by path: values as in [update()][update.codend_gear], a distribution such as
+#'   [value_range()]`("3 knot", "5 knot")`, or unnamed data frames of fields that change together.
+#'   Your own table is a single data frame or the path of a CSV file.
+#' @param how The method, see details. `NULL` (default) selects `"table"` for a single data frame or
+#'   file, `"sobol"` if there is a distribution, else `"grid"`.
+#' @param number Number of draws (required), or of values per range (default 5).
+#' @param seed A whole number. Default 1.
+#' @return A data frame of class `codend_designs`: one row per design, one column per field, with
+#'   values as in a plan. Wrong arguments raise an error of class `codend_error_argument`. A missing
+#'   package raises `codend_error_package`. [vary()] checks fields and values, because it knows the
+#'   gear.
 #' @references I. M. Sobol' (1967), USSR Computational Mathematics and Mathematical Physics 7:86.
 #'   A. B. Owen (1995), in Monte Carlo and Quasi-Monte Carlo Methods in Scientific Computing, 299.
 #'   M. D. McKay, R. J. Beckman, W. J. Conover (1979), Technometrics 21:239. A. Saltelli et al.
 #'   (2010), Computer Physics Communications 181:259.
-#' @seealso [vary()], [value_range()] and [normal_value()].
+#' @seealso [vary()], [value_range()], [normal_value()].
 #' @export
 #' @examples
 #' designs(towing.speed = c("3 knot", "4 knot"), ropes.cable.length = c("500 m", "700 m"))
@@ -64,7 +66,7 @@ designs <- function(..., how = NULL, number = NULL, seed = 1) {
   check_count("seed", seed, -2^31 + 1)
   number <- designs_number(how, number, any(drawn))
   if (how == "table" && !(alone && is.data.frame(given[[1L]]))) {
-    abort_argument("{.arg how} is {.val table}, which takes one data frame or CSV file.")
+    abort_argument("{.arg how} is {.val table}, which needs one data frame or CSV file.")
   }
   shares <- switch(how,
     table = cbind(seq_len(nrow(axes[[1L]]))),
@@ -106,13 +108,15 @@ designs_number <- function(how, number, drawn) {
     number <- first_of(number, 5)
     check_count("number", number, 2)
   } else {
-    if (is.null(number)) abort_argument("{.arg number} must say how many designs are drawn.")
+    if (is.null(number)) {
+      abort_argument("{.arg number} is missing; it must be the number of designs.")
+    }
     check_count("number", number, 1)
   }
   number
 }
 
-# A table from a CSV file; what is empty stays as in the plan.
+# Reads designs from a CSV file. An empty cell keeps the value of the plan.
 read_designs <- function(file) {
   check_file_exists(file)
   table <- tryCatch(
@@ -122,7 +126,7 @@ read_designs <- function(file) {
       abort_file(file, "could not be read as CSV: {why}", why = conditionMessage(e))
     }
   )
-  # as write_csv() writes what a spreadsheet would run
+  # `write_csv()` puts an apostrophe before text that a spreadsheet would run as a formula.
   table[] <- lapply(table, function(values) {
     if (is.character(values)) sub("^'(?=[=+@-])", "", values, perl = TRUE) else values
   })
@@ -131,8 +135,8 @@ read_designs <- function(file) {
 
 # ---- axes ----------------------------------------------------------------------------------------
 
-# What changes independently: data frames whose columns are fields that change together, or lists of
-# one distribution by its field.
+# Returns the independent axes: data frames of fields that change together, or lists with one
+# distribution.
 design_axes <- function(given) {
   if (!length(given)) abort_argument("Give at least one field with its values.")
   paths <- names(given)
@@ -149,20 +153,21 @@ design_axes <- function(given) {
 design_axis <- function(values, path) {
   if (is.data.frame(values)) {
     if (nzchar(path)) {
-      abort_argument("A data frame of fields that change together has no name, not {.arg {path}}.")
+      abort_argument("A data frame of fields that change together must have no name; remove
+        {.arg {path}}.")
     }
     values <- as.data.frame(
       given_value(unclass(values), path), check.names = FALSE, stringsAsFactors = FALSE
     )
   } else {
     if (!nzchar(path)) {
-      abort_argument("Every field must be named by its path, such as {.code towing.speed = 1:3}.")
+      abort_argument("Every field needs its path as a name, such as {.code towing.speed = 1:3}.")
     }
     if (is_distribution(values)) return(setNames(list(values), path))
     values <- given_value(values, path)
     if (is.null(values) || !is.atomic(values)) {
-      abort_argument("{.arg {path}} must be a vector of numbers or texts, or a distribution such as
-        {.code value_range(\"3 knot\", \"5 knot\")}.")
+      abort_argument("{.arg {path}} must be a vector of numbers or strings, or a distribution such
+        as {.code value_range(\"3 knot\", \"5 knot\")}.")
     }
     values <- setNames(data.frame(values), path)
     if (anyNA(values)) values <- values[0L, , drop = FALSE]
@@ -170,26 +175,26 @@ design_axis <- function(values, path) {
   values[] <- lapply(values, plain_column)
   if (!nrow(values) || !length(values)) {
     name <- if (length(values)) names(values)[1L] else "designs"
-    abort_argument("{.arg {name}} must have at least one value and none missing.")
+    abort_argument("{.arg {name}} must have at least one value and no missing values.")
   }
   wrong <- names(values)[!nzchar(names(values)) | vapply(values, is.list, NA)]
   if (length(wrong)) {
-    abort_argument("{.arg {wrong[1]}} must be a column of numbers or texts, named by its path.")
+    abort_argument("{.arg {wrong[1]}} must be a column of numbers or strings with a path as its
+      name.")
   }
   values
 }
 
-# Values as a plan has them: texts or doubles, the same from R and from a file.
+# Returns text or doubles, so that designs from R and from a file are identical.
 plain_column <- function(column) {
   if (is.list(column)) return(column)
   if (is.logical(column)) return(c("no", "yes")[column + 1L])
   if (is.numeric(column)) as.double(column) else as.character(column)
 }
 
-# The paths of a column: several are joined by " + ".
 paths_of <- function(name) trimws(strsplit(name, "+", fixed = TRUE)[[1L]])
 
-# The fields of one row of designs, by their paths; what is missing stays as in the plan.
+# Returns the values of one design by path. A missing value keeps the value of the plan.
 design_fields <- function(designs, row) {
   values <- lapply(designs, `[[`, row)
   values <- values[!vapply(values, is.na, NA)]
@@ -199,7 +204,7 @@ design_fields <- function(designs, row) {
   }))
 }
 
-# Places of an axis in a grid: rows of values, or shares of a distribution.
+# Returns grid positions on an axis: row numbers of values, or probabilities.
 axis_levels <- function(axis, number) {
   one <- axis[[1L]]
   if (!is_distribution(one)) return(seq_len(nrow(axis)))
@@ -208,11 +213,11 @@ axis_levels <- function(axis, number) {
   } else {
     (seq_len(number) - 0.5) / number
   }
-  # whole numbers may come twice
+  # Rounding to whole numbers can repeat a value.
   shares[!duplicated(quantile_numbers(one, shares))]
 }
 
-# The values of an axis at rows, or at shares of its distribution, as a data frame.
+# Returns a data frame of the values of an axis. place: row numbers or probabilities.
 axis_values <- function(axis, place) {
   if (is_distribution(axis[[1L]])) {
     return(setNames(data.frame(quantile_values(axis[[1L]], place)), names(axis)))
@@ -220,16 +225,16 @@ axis_values <- function(axis, place) {
   axis[place, , drop = FALSE]
 }
 
-# ---- ways to choose ------------------------------------------------------------------------------
+# ---- sampling ------------------------------------------------------------------------------------
 
-# A row per design: which level of every axis, the first changing fastest.
+# Returns a matrix of levels, designs x axes. The first axis changes fastest.
 grid_of <- function(levels) {
   size <- prod(lengths(levels))
-  if (size > 1e6) abort_argument("The grid has {size} designs; a million is the most.")
+  if (size > 1e6) abort_argument("The grid has {size} designs; it must have at most a million.")
   as.matrix(do.call(expand.grid, lapply(levels, seq_along)))
 }
 
-# NA: as in the plan.
+# Returns a matrix like `grid_of()`. NA keeps the value of the plan.
 one_at_a_time <- function(levels) {
   rows <- matrix(NA_integer_, 1L + sum(lengths(levels)), length(levels))
   row <- 1L
@@ -241,7 +246,6 @@ one_at_a_time <- function(levels) {
   rows
 }
 
-# Points in the unit cube, a row each.
 design_points <- function(how, number, width, seed) {
   switch(how,
     random = with_seed(seed, matrix(stats::runif(number * width), number)),
@@ -259,7 +263,7 @@ sobol_points <- function(number, width, seed) {
   pmin(pmax(points, 0), 1 - 2^-24)
 }
 
-# The samples A and B that lie side by side, and A with each column from B (Saltelli et al. 2010).
+# Returns A, B, and A with each column from B (Saltelli et al. 2010). points: A and B side by side.
 pick_freeze <- function(points) {
   width <- ncol(points) / 2L
   first <- points[, seq_len(width), drop = FALSE]
@@ -272,8 +276,7 @@ pick_freeze <- function(points) {
   do.call(rbind, c(list(first, second), mixed))
 }
 
-# The value of an expression whose random numbers come from `seed`, whatever generator the session
-# uses; that goes on as if nothing had been drawn.
+# Evaluates an expression with `seed`, then restores the random numbers of the session.
 with_seed <- function(seed, expression) {
   world <- globalenv()
   before <- get0(".Random.seed", world, inherits = FALSE)
@@ -290,7 +293,7 @@ with_seed <- function(seed, expression) {
   force(expression)
 }
 
-# ---- as text -------------------------------------------------------------------------------------
+# ---- printing ------------------------------------------------------------------------------------
 
 #' @export
 print.codend_designs <- function(x, n = 10, ...) {

@@ -1,44 +1,53 @@
-#' What matters in a study
+#' Analyse the effects of fields in a study
 #'
-#' Which fields move a measure, how, and which of them together: means by field, and Sobol' indices
-#' with intervals.
+#' `effects()` computes how strongly each field of a study changes each measure. It returns main
+#' effects, effects of pairs of fields, or Sobol' indices with confidence intervals.
 #'
 #' @details
-#' Main effects are means of a measure over the designs with one value of a field; where a field has
-#' more than `groups` values, over as many groups of equal size. Their `spread` is the largest less
-#' the smallest mean. The effect of two fields together is what the mean of a pair of groups has
-#' beyond the sum of both fields' own effects; its `spread` is the root mean square of that, each
-#' pair weighed by its designs. In grids these are the effects of an analysis of variance; in other
-#' samples fields overlap by chance, the less the more designs there are.
+#' # Main effects and pairs
+#' - A main effect is the mean of a measure over the designs with one value of a field. A field with
+#'   more than `groups` values is divided into `groups` groups of equal size. Its `spread` is the
+#'   largest minus the smallest mean.
+#' - A pair effect is the mean of a pair of groups minus the main effects of both fields. Its
+#'   `spread` is the root mean square, weighted by the number of designs.
+#' - In a grid, these are the effects of an analysis of variance. In other samples the fields are
+#'   correlated by chance, and less so with more designs.
 #'
-#' Sobol' indices are shares of a measure's variance over the designs: `first` what a field explains
-#' alone, `total` what it has a part in, so what would be left if all others were known (Sobol'
-#' 2001). They are estimated after Saltelli et al. (2010, table 2, b and f; f is Jansen's), and
-#' their intervals by the bootstrap over base samples. A small index may come out below 0. Where a
-#' design did not settle, its whole group of designs is left out.
+#' # Sobol' indices
+#' - An index is a fraction of the variance of a measure over the designs. `first` is the fraction
+#'   that a field alone explains. `total` is the fraction that remains if all other fields are known
+#'   (Sobol' 2001).
+#' - The estimators are b and f in table 2 of Saltelli et al. (2010); f is Jansen's. The intervals
+#'   are bootstrap intervals over base samples.
+#' - A small index can be negative. If a design did not settle, its entire group of designs is left
+#'   out.
 #'
-#' All of them say with a warning of class `codend_warning_study` how many designs did not settle.
-#'
-#' @param object Variations, from [vary()] or [read_study()]; for indices of
+#' @param object Variations, from [vary()] or [read_study()]. Indices need designs from
 #'   [designs()]`(how = "indices")`.
-#' @param what `"fields"`: main effects; `"pairs"`: effects of two fields together; `"indices"`:
-#'   Sobol' indices.
-#' @param measures Names of measures, as [measures()] has them; all that change when `NULL`.
-#' @param groups How many groups a field of many values has; of main effects and pairs.
-#' @param confidence Of the intervals of indices.
-#' @param resamples How often designs are drawn anew for these intervals.
-#' @param seed Of these draws; the session's own random numbers stay as they are.
-#' @param ... Unused.
-#' @return A data frame that [plots][codend_charts]. Of fields: `measure`, `unit`, `field`, `value`
-#'   (mean of the group's values, or their text), `mean`, `designs` and `spread`. Of pairs:
-#'   `measure`, `unit`, `field`, `other` and `spread`, largest first; the means of its pairs of
-#'   groups are its attribute `means`. Of indices: `measure`, `field`, `first` and `total`, each
-#'   with `_low` and `_high`, and `designs`, the base samples used. Wrong arguments are an error of
-#'   class `codend_error_argument`.
+#' @param what `"fields"` (default): main effects. `"pairs"`: effects of pairs of fields.
+#'   `"indices"`: Sobol' indices.
+#' @param measures Names of measures, as in [measures()]. Default `NULL`: all that change.
+#' @param groups Number of groups of a field with many values, for main effects and pairs. Default
+#'   5.
+#' @param confidence Probability of the intervals of indices. Default 0.9.
+#' @param resamples Number of bootstrap samples for these intervals. Default 1000.
+#' @param seed Seed of the bootstrap. The random numbers of the session stay unchanged.
+#' @param ... Not used.
+#' @return A data frame that [plot()][codend_charts] draws. Its columns depend on `what`:
+#'
+#'   - `"fields"`: `measure`, `unit`, `field`, `value` (mean of the group's values, or their text),
+#'     `mean`, `designs` (count) and `spread`.
+#'   - `"pairs"`: `measure`, `unit`, `field`, `other` and `spread`, the largest first. The attribute
+#'     `means` has the means of all pairs of groups.
+#'   - `"indices"`: `measure`, `field`, `first` and `total`, each with `_low` and `_high`, and
+#'     `designs` (number of base samples).
+#'
+#'   Designs that did not settle are left out with a warning of class `codend_warning_study`. Wrong
+#'   arguments raise an error of class `codend_error_argument`.
 #' @references I. M. Sobol' (2001), Mathematics and Computers in Simulation 55:271. A. Saltelli et
 #'   al. (2010), Computer Physics Communications 181:259. M. J. W. Jansen (1999), Computer Physics
 #'   Communications 117:35.
-#' @seealso [codend_charts]
+#' @seealso [vary()], [designs()], [codend_charts].
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"),
 #'   ropes.cable.length = c("400 m", "700 m"))
@@ -69,14 +78,16 @@ main_effects <- function(x, measures, groups) {
       )
     }))
   })
-  # texts and numbers in one column become texts
+  # If one field is text, `rbind()` converts the whole column to text.
   structure(do.call(rbind, rows), class = c("codend_effects", "data.frame"),
     gear_name = attr(x, "gear_name"), unit = attr(x, "unit"))
 }
 
 pair_effects <- function(x, measures, groups) {
   study <- effects_study(x, measures, groups)
-  if (length(study$fields) < 2L) abort_argument("{.arg object} must have two fields that change.")
+  if (length(study$fields) < 2L) {
+    abort_argument("{.arg object} must have at least two fields with different values.")
+  }
   pairs <- utils::combn(study$fields, 2L, simplify = FALSE)
   rows <- lapply(study$measures, function(name) {
     value <- study$x[[name]]
@@ -102,8 +113,7 @@ pair_effects <- function(x, measures, groups) {
     gear_name = attr(x, "gear_name"), unit = attr(x, "unit"))
 }
 
-# Means of a measure by the groups of two fields: measure, field, other, value and other_value (as
-# texts), mean.
+# Returns means by pairs of groups: measure, field, other, value, other_value (text), mean.
 pair_means <- function(study, name, pair) {
   one <- study$group[[pair[1L]]]
   two <- study$group[[pair[2L]]]
@@ -117,7 +127,7 @@ pair_means <- function(study, name, pair) {
   )
 }
 
-# What stands for each group of a field: the mean of its values, or their text.
+# Returns the label of each group: the mean of its values, or its text.
 group_values <- function(study, field) {
   values <- split(study$x[[field]], study$group[[field]])
   if (is.numeric(study$x[[field]])) {
@@ -129,7 +139,7 @@ group_values <- function(study, field) {
 sobol_indices <- function(x, measures, confidence, resamples, seed) {
   study <- attr(x, "study")
   if (!identical(study$how, "indices")) {
-    abort_argument("{.arg object} must be of {.code designs(how = \"indices\")}.")
+    abort_argument("{.arg object} must be a study of {.code designs(how = \"indices\")}.")
   }
   good <- is.numeric(confidence) && length(confidence) == 1L && confidence > 0 && confidence < 1
   if (!isTRUE(good)) {
@@ -137,7 +147,7 @@ sobol_indices <- function(x, measures, confidence, resamples, seed) {
   }
   check_count("resamples", resamples, 10)
   measures <- changing_measures(x, measures)
-  tell_unsettled(x)
+  report_unsettled(x)
   base <- study$number
   fields <- study$factors
   rows <- lapply(measures, function(name) {
@@ -146,7 +156,8 @@ sobol_indices <- function(x, measures, confidence, resamples, seed) {
     value <- matrix(value, base)
     value <- value[stats::complete.cases(value), , drop = FALSE]
     if (nrow(value) < 4L) {
-      abort_argument("Fewer than 4 whole groups of designs have the measure {.val {name}}.")
+      abort_argument("Fewer than 4 complete groups of designs have the measure {.val {name}}; add
+        designs.")
     }
     found <- index_estimates(value)
     drawn <- with_seed(seed, vapply(seq_len(resamples), function(k) {
@@ -165,14 +176,14 @@ sobol_indices <- function(x, measures, confidence, resamples, seed) {
     measure_unit = vapply(setNames(nm = measures), variations_unit, "", x = x))
 }
 
-# First-order and total indices, a row per field. value: a row per base sample; columns A, B and A
-# with each field from B.
+# Returns first-order and total indices (columns) by field. value: a row per base sample; columns A,
+# B and A with each field from B.
 index_estimates <- function(value) {
   first <- value[, 1L]
   second <- value[, 2L]
   mixed <- value[, -(1:2), drop = FALSE]
   variance <- stats::var(c(first, second))
-  # differences alone matter, and products of small numbers round less
+  # Subtracting the mean keeps the expected value and reduces rounding errors.
   second <- second - mean(c(value[, 1L], value[, 2L]))
   cbind(
     colMeans(second * (mixed - first)) / variance,
@@ -182,15 +193,17 @@ index_estimates <- function(value) {
 
 # ---- shared --------------------------------------------------------------------------------------
 
-# What effects are taken of: list(x = settled rows, fields that change, measures, group = by field).
+# Returns list(x (settled rows), fields (changing ones), measures, group (by field and row)).
 effects_study <- function(x, measures, groups) {
   check_count("groups", groups, 2)
   measures <- changing_measures(x, measures)
-  tell_unsettled(x)
+  report_unsettled(x)
   whole <- x$settled & stats::complete.cases(as.data.frame(unclass(x)[measures]))
   rows <- as.data.frame(unclass(x), optional = TRUE)[whole, ]
   fields <- Filter(function(field) length(unique(rows[[field]])) > 1L, variations_fields(x))
-  if (!length(fields)) abort_argument("No field of {.arg object} changes among what settled.")
+  if (!length(fields)) {
+    abort_argument("No field of {.arg object} changes among the settled designs.")
+  }
   group <- lapply(setNames(fields, fields), function(field) {
     value <- rows[[field]]
     if (!is.numeric(value)) return(match(value, unique(value)))
@@ -212,10 +225,10 @@ changing_measures <- function(x, measures) {
   chosen_some(measures, known)
 }
 
-tell_unsettled <- function(x) {
+report_unsettled <- function(x) {
   failed <- sum(!x$settled)
   if (failed) {
-    cli::cli_warn("{failed} of {nrow(x)} design{?s} did not settle and {?is/are} left out.",
+    cli::cli_warn("{failed} of {nrow(x)} design{?s} did not settle and {?is/are} omitted.",
       class = c("codend_warning_study", "codend_warning"))
   }
 }
@@ -253,7 +266,7 @@ print.codend_study_summary <- function(x, ...) {
     x$warned, " with a warning\n", sep = "")
   columns <- c("least", "median", "largest", "error")
   cells <- lapply(x$measures[columns], figures)
-  cat_columns(c(list(c("", words_of(x$measures$measure, x$measures$unit))),
+  cat_columns(c(list(c("", label_of(x$measures$measure, x$measures$unit))),
     Map(c, columns, cells), list(c("", x$measures$unit))), left = c(1L, 6L))
   if (nrow(x$problems)) {
     cat("not settled:\n", sprintf("  %d  %s\n", x$problems$designs, x$problems$problem), sep = "")

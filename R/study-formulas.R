@@ -1,11 +1,11 @@
-# Formulas of measures: what is minimised and kept by optimise_gear(), and matched by calibrate(). A
-# measure is named as measures() has it, and is then a number in the unit that its name ends in, or
-# without that unit, and is then SI as texts with units are: `~ headline_height >= "5 m"`. Fields
-# that may change stand by their paths, in the plan's unit of SI.
+# Formulas of measures: objectives and conditions of `optimise_gear()`, matches of `calibrate()`. A
+# measure with a unit at the end of its name is a number in that unit. Without the unit it is in SI
+# and can be compared with text: `~ headline_height >= "5 m"`. Changed fields are named by their
+# paths and are in SI.
 
-# What formulas may name: a data frame with name, column (of measures()), unit, size of 1 of it as
-# it is computed (SI for names with a unit) and whether the name ends in a unit.
-formula_words <- function(values) {
+# Returns a data frame of the names for formulas. Columns: name, column (of `measures()`), unit,
+# factor (SI per unit; 1 for names with a unit), ends (TRUE for names with a unit).
+formula_names <- function(values) {
   unit <- attr(values, "unit")[names(values)]
   bare <- nzchar(unit)
   size <- vapply(unit, function(one) if (nzchar(one)) unit_size(one) else 1, 0)
@@ -19,9 +19,9 @@ formula_words <- function(values) {
   )
 }
 
-# A measure, or an expression of measures, made ready: list(text, call, names, slopes (calls by
-# name)). given: text or a one-sided formula; what: the argument's name, for errors; paths: of
-# fields that it may name.
+# Parses the name of a measure or a one-sided formula. Returns list(text, call, names, slopes
+# (derivatives by name), dimensions). `what`: argument name for errors. `paths`: fields that the
+# formula can name.
 read_formula <- function(given, what, words, paths = character()) {
   if (is_text(given)) {
     call <- as.name(given)
@@ -35,7 +35,7 @@ read_formula <- function(given, what, words, paths = character()) {
   ready_expression(call, what, words, paths, within)
 }
 
-# within: where values stand that are named and are neither measures nor fields.
+# `within`: environment of other variables in the call.
 ready_expression <- function(call, what, words, paths, within = NULL) {
   call <- with_bounds(call, words, what, within)
   call <- walk_call(call, function(leaf) {
@@ -51,8 +51,8 @@ ready_expression <- function(call, what, words, paths, within = NULL) {
     if (!is.character(leaf)) return(leaf)
     dimension <- quantity_dimension(leaf)
     if (is.na(dimension)) {
-      abort_argument("{.arg {what}} has {.val {leaf}} in {.code {text}}, which is no number with a
-        unit that plans know.")
+      abort_argument("{.arg {what}} has {.val {leaf}} in {.code {text}}, which is not a number with
+        a unit of plans.")
     }
     dimensions <<- c(dimensions, dimension)
     quantity_si(leaf, dimension)
@@ -63,24 +63,24 @@ ready_expression <- function(call, what, words, paths, within = NULL) {
   if (length(wrong)) {
     near <- nearest(wrong[1L], known)
     hint <- if (length(near)) paste0(" Did you mean ", near, "?") else ""
-    abort_argument("{.arg {what}} names {.val {wrong[1]}} in {.code {text}}, which is no measure of
-      this gear and no field that changes.{hint} Measures: {.val {words$name[words$ends]}}.")
+    abort_argument("{.arg {what}} uses {.val {wrong[1]}} in {.code {text}}, which is neither a
+      measure of this gear nor a changed field.{hint} Measures: {.val {words$name[words$ends]}}.")
   }
   if (length(dimensions) && any(words$ends[match(named, words$name)] %in% TRUE)) {
-    abort_argument("{.arg {what}} has a text with a unit in {.code {text}} next to a measure whose
-      name ends in one. Leave the unit out of the name, or write a number.")
+    abort_argument("{.arg {what}} has a string with a unit in {.code {text}} next to a measure with
+      a unit in its name. Remove the unit from the name, or write a number.")
   }
-  # nothing else is ever called
+  # Only these functions are ever evaluated.
   used <- setdiff(all.names(call, unique = TRUE), named)
   other <- setdiff(used, formula_functions)
   if (length(other)) {
-    abort_argument("{.arg {what}} is {.code {text}}, where {.code {other[1]}} is not known: use
+    abort_argument("{.arg {what}} is {.code {text}}, but {.code {other[1]}} is not supported: use
       + - * / ^, sqrt, exp, log, sin, cos and tan.")
   }
   slopes <- lapply(setNames(named, named), function(name) {
     tryCatch(stats::D(call, name), error = function(e) {
-      abort_argument("{.arg {what}} is {.code {text}}, whose derivative is not known: use + - * / ^,
-        sqrt, exp, log, sin, cos and tan.")
+      abort_argument("{.arg {what}} is {.code {text}}, but its derivative is not supported: use
+        + - * / ^, sqrt, exp, log, sin, cos and tan.")
     })
   })
   list(text = text, call = call, names = named, slopes = slopes, dimensions = dimensions)
@@ -88,15 +88,15 @@ ready_expression <- function(call, what, words, paths, within = NULL) {
 
 formula_functions <- c("+", "-", "*", "/", "^", "(", "sqrt", "exp", "log", "sin", "cos", "tan")
 
-# A call with a function of its leaves in their place.
+# Applies a function to each leaf of a call.
 walk_call <- function(call, leaf) {
   if (!is.call(call)) return(leaf(call))
   call[-1L] <- lapply(as.list(call)[-1L], walk_call, leaf)
   call
 }
 
-# Conditions to keep, as differences that are at most 0, or are 0: lists of text, name, left, right
-# (as read_formula() has them), way (1: left at most right, -1: at least) and equal.
+# Parses conditions. Returns a list per condition: text, left and right (from `ready_expression()`),
+# way, equal. `way`: 1 if left is at most right, -1 if it is at least right.
 read_conditions <- function(keep, words, paths) {
   if (inherits(keep, "formula")) keep <- list(keep)
   if (!is.list(keep)) {
@@ -120,7 +120,8 @@ read_conditions <- function(keep, words, paths) {
     check_dimensions(left, right, text, words)
     check_dimensions(right, left, text, words)
     if (!length(c(left$names, right$names))) {
-      abort_argument("{.arg keep} has {.code {text}}, which names no measure.")
+      abort_argument("{.arg keep} has {.code {text}} without a measure; compare a measure with a
+        limit.")
     }
     list(text = text, left = left, right = right, way = if (sign %in% c("<=", "<")) 1 else -1,
       equal = sign == "==")
@@ -135,25 +136,25 @@ split_and <- function(call) {
   list(call)
 }
 
-# A limit with a unit stands beside a measure without one in its name, and of its dimension.
+# A limit with a unit needs a measure of its dimension, named without a unit.
 check_dimensions <- function(one, other, text, words) {
   if (!length(one$dimensions) || !is.name(other$call)) return(invisible(NULL))
   row <- words[match(other$text, words$name), ]
   if (isTRUE(row$ends)) {
-    abort_argument("{.arg keep} has {.code {text}}, a text with a unit next to a measure whose name
-      ends in one. Leave the unit out of the name, or write a number.")
+    abort_argument("{.arg keep} has {.code {text}}, a string with a unit next to a measure with a
+      unit in its name. Remove the unit from the name, or write a number.")
   }
   if (is.na(row$unit) || length(one$dimensions) != 1L) return(invisible(NULL))
   holds <- Filter(function(name) row$unit %in% names(plan_units[[name]]), names(plan_units))
   if (!length(holds) || one$dimensions %in% holds) return(invisible(NULL))
-  abort_argument("{.arg keep} has {.code {text}}, where {.field {other$text}} is in {row$unit}.")
+  abort_argument("{.arg keep} has {.code {text}}, but {.field {other$text}} is in {row$unit}.")
 }
 
-# The value of an expression at measures and fields, with its slopes by free fields. at: list(values
-# (of words, by name), slopes (a matrix of them by free fields)).
+# Returns list(value, slope (by free field)). `at`: list(values, slopes (names x free fields, or
+# NULL)).
 evaluate_formula <- function(formula, at) {
   known <- as.list(at$values[formula$names])
-  # NaN is told by who asks
+  # The caller reports NaN.
   value <- suppressWarnings(as.double(eval(formula$call, known)))
   slope <- if (!is.null(at$slopes)) {
     parts <- lapply(formula$names, function(name) {
@@ -164,9 +165,8 @@ evaluate_formula <- function(formula, at) {
   list(value = value, slope = slope)
 }
 
-# Returns given values in the unit of a formula: bare numbers as they are, quantities with a unit in
-# the unit that ends the name of its only measure, else in SI; numeric() if they are neither.
-# text: their name in errors.
+# Converts values to the unit of a formula. Bare numbers stay unchanged. Quantities are converted to
+# the unit in the name of the only measure, else to SI. Returns numeric() for other types.
 formula_numbers <- function(values, formula, words, text) {
   values <- given_value(values, text)
   if (is.numeric(values)) return(as.double(values))
@@ -174,8 +174,8 @@ formula_numbers <- function(values, formula, words, text) {
   measured <- words[match(formula$names, words$name), ]
   alone <- is.name(formula$call)
   if (!alone && any(measured$ends)) {
-    abort_argument("{.code {text}} has a unit, and {.code {formula$text}} names a measure with a
-      unit at its end. Leave the unit out of the name, or give numbers.")
+    abort_argument("{.code {text}} has a unit, but so has the name of the measure in
+      {.code {formula$text}}. Remove the unit from the name, or give numbers.")
   }
   vapply(values, function(value) {
     if (is.na(value)) return(NA_real_)
@@ -188,9 +188,9 @@ formula_numbers <- function(values, formula, words, text) {
   }, 0, USE.NAMES = FALSE)
 }
 
-# lower(measure, probability) and upper() in a formula: the measure times 1 less, or more, its
-# relative standard uncertainty times the quantile. words$share: of every measure, where bounds are
-# known.
+# Replaces `lower(measure, probability)` by `measure * (1 - t * share)`; `upper()` adds instead.
+# `t`: Student's t quantile. `share`: relative standard uncertainty (`words$share`, NULL if
+# unknown).
 with_bounds <- function(call, words, what, within = NULL) {
   if (!is.call(call)) return(call)
   head <- call[[1L]]
@@ -210,15 +210,14 @@ with_bounds <- function(call, words, what, within = NULL) {
       probability above 0.5, such as {.code lower(net_mouth_height, 0.9)}.")
   }
   if (is.null(words$share)) {
-    abort_argument("{.arg {what}} has {.code {text}}; bounds are for what
-      {.fn optimise_gear} keeps.")
+    abort_argument("{.arg {what}} has {.code {text}}; bounds work only in {.arg keep} of
+      {.fn optimise_gear}.")
   }
   reach <- stats::qt(level, pmax(1, words$freedom[row])) * words$share[row]
   sign <- if (identical(as.character(head), "lower")) -1 else 1
   call("*", call[[2L]], 1 + sign * reach)
 }
 
-# Whether a formula has bounds.
 has_bounds <- function(keep) {
   formulas <- if (inherits(keep, "formula")) list(keep) else keep
   any(vapply(formulas, function(one) {

@@ -1,12 +1,10 @@
-# A gear settled at values of its free fields, with the slopes of what is asked of it by them: what
-# optimise_gear() and calibrate() step between. Fields are scaled: 0 at the lower end of their
-# range and
-# 1 at the upper.
+# Points of `optimise_gear()` and `calibrate()`: settled gears at values of their free fields.
+# Scaled fields are 0 at the lower end of the range and 1 at the upper end.
 
-# What all points of a study share. gear: with the base plan; fields: of free_fields().
+# fields: from `free_fields()`.
 new_points <- function(gear, fields, nodes, netting) {
   count <- new.env(parent = emptyenv())
-  count$settles <- 0L
+  count$n_solves <- 0L
   count$slopes <- 0L
   list(
     gear = gear, fields = fields, nodes = nodes, netting = netting, count = count,
@@ -20,8 +18,8 @@ new_points <- function(gear, fields, nodes, netting) {
 points_scaled <- function(points, values) (values - points$lower) / points$width
 points_values <- function(points, scaled) points$lower + scaled * points$width
 
-# A point: list(values (in the fields' units, whole where they must be), gear, state, measures), or
-# NULL where the plan does not allow it or it does not settle. from: a state to start from.
+# Settles the gear at `values`, starting from the state `from`. Returns list(values (rounded if
+# whole), gear, state, measures), or NULL if the plan is invalid or the gear does not settle.
 settle_point <- function(points, values, from = NULL) {
   whole <- whole_fields(points$fields)
   values[whole] <- round(values[whole])
@@ -29,7 +27,7 @@ settle_point <- function(points, values, from = NULL) {
     set_free(points$gear, points$fields, values), codend_error_plan = function(e) NULL
   )
   if (is.null(gear)) return(NULL)
-  points$count$settles <- points$count$settles + 1L
+  points$count$n_solves <- points$count$n_solves + 1L
   state <- tryCatch(
     settled_state(gear, points$nodes, points$netting, from),
     codend_error_not_converged = function(e) NULL
@@ -38,31 +36,31 @@ settle_point <- function(points, values, from = NULL) {
   list(values = values, gear = gear, state = state, measures = measures(state))
 }
 
-# Slopes of measures, in their units, by the scaled fields: a matrix with a row per name in `of`. By
-# the tangent, or where there is none between gears settled on both sides. NA where neither is.
-point_slopes <- function(points, point, of) {
+# Returns the derivatives of measures (in their units) by scaled fields, one row per name in `of`.
+# If there is no tangent, gears are settled on both sides. NA if this fails too.
+point_derivatives <- function(points, point, of) {
   points$count$slopes <- points$count$slopes + 1L
   slopes <- matrix(NA_real_, length(of), length(points$fields), dimnames = list(of, NULL))
   if (!length(of)) return(slopes)
   by <- which(point$values != 0)
   if (length(by)) {
     work <- tangent_work(point$state)
-    fields <- slope_fields(point$gear, lapply(points$fields[by], `[[`, "paths"))
+    fields <- sensitivity_fields(point$gear, lapply(points$fields[by], `[[`, "paths"))
     slopes[, by] <- vapply(fields, function(field) {
-      field_slopes(work, field, secants = FALSE)$slope[of] / field$value
+      field_sensitivities(work, field, secants = FALSE)$slope[of] / field$value
     }, numeric(length(of))) * rep(points$width[by], each = length(of))
-    points$count$settles <- points$count$settles + 2L * sum(whole_fields(points$fields[by]))
+    points$count$n_solves <- points$count$n_solves + 2L * sum(whole_fields(points$fields[by]))
   }
   for (k in which(colSums(is.na(slopes)) > 0)) {
-    slopes[, k] <- side_slopes(points, point, k, of)
+    slopes[, k] <- one_sided_derivatives(points, point, k, of)
   }
   slopes
 }
 
-# Share of its range that a field is moved by for slopes without a tangent.
+# Step of a field for derivatives without a tangent, as a fraction of its range.
 side_share <- 0.01
 
-side_slopes <- function(points, point, k, of) {
+one_sided_derivatives <- function(points, point, k, of) {
   step <- side_share * points$width[k]
   if (points$fields[[k]]$whole) step <- max(1, round(step))
   ends <- point$values[k] + c(-1, 1) * step
@@ -82,9 +80,8 @@ side_slopes <- function(points, point, k, of) {
   (values[[2L]] - values[[1L]]) / (ends[2L] - ends[1L]) * points$width[k]
 }
 
-# What formulas are evaluated at: list(values, slopes) of measures by all their names and of fields
-# by their first path, corrected for what a finer lattice says. exact: the values at which the
-# fields are to be, where whole numbers were rounded: measures follow their slopes there.
+# Returns list(values, slopes) of measures and fields by all their names, corrected to the fine
+# mesh. `exact`: field values before rounding; measures are extrapolated linearly to them.
 formula_point <- function(points, point, words, slopes = NULL, exact = point$values) {
   measured <- plain_measures(point$measures)
   more <- corrected_by(points, point)
@@ -104,14 +101,14 @@ formula_point <- function(points, point, words, slopes = NULL, exact = point$val
   list(values = c(found * words$factor, setNames(exact * points$size, paths)), slopes = by)
 }
 
-# n points spread over the unit cube: an additive recurrence whose steps are powers of the root of
-# x^(d+1) = x + 1 (Roberts 2018, The unreasonable effectiveness of quasirandom sequences).
+# Additive recurrence whose steps are powers of the root of x^(d+1) = x + 1. Source: Roberts 2018,
+# The unreasonable effectiveness of quasirandom sequences.
 spread_points <- function(n, dimensions) {
   root <- stats::uniroot(function(x) x^(dimensions + 1) - x - 1, c(1, 2), tol = 1e-14)$root
   (0.5 + outer(seq_len(n), root^-seq_len(dimensions))) %% 1
 }
 
-# By how much measures of a point are corrected, by their names; none without a correction.
+# Returns the mesh correction of each measure; numeric() without a correction.
 corrected_by <- function(points, point) {
   found <- points$correction
   if (is.null(found)) return(numeric())

@@ -1,9 +1,7 @@
-# Fields that a study may change, within ranges.
-
-# Free fields: lists of name, paths, value (of the gear), unit, whole, dimension, lower and upper,
-# all in the plan's unit, and prior (mean and standard deviation of a normal_value() one, or NULL).
-# change: ranges or distributions by paths; paths that change together are joined by " + ".
-# what: the argument's name, for errors.
+# Returns a list per free field: name, paths, value (of the gear), unit, whole, dimension, lower,
+# upper, prior. Values are in the plan's unit. `prior`: c(mean, standard deviation) of a
+# `normal_value()`, or NULL. `change`: ranges or distributions by path; " + " joins paths that
+# change together. `what`: argument name for errors.
 free_fields <- function(gear, change, what = "change") {
   named <- is.list(change) && length(change) > 0L && !is.null(names(change))
   if (!named || !all(nzchar(names(change)))) {
@@ -24,24 +22,24 @@ free_field <- function(gear, paths, range, what) {
   wrong <- Filter(is.character, found)
   if (length(wrong)) abort_argument("{.arg {what}} has {.field {name}}, which {wrong[[1]]}.")
   if (any(!vapply(found, identical, NA, found[[1L]]))) {
-    abort_argument("{.arg {what}} has {.field {name}}, fields with different values: they do not
-      change together.")
+    abort_argument("{.arg {what}} has {.field {name}}; fields that change together must have the
+      same value.")
   }
   field <- c(list(name = name, paths = paths), found[[1L]])
   field$dimension <- first_of(field_dimension(gear, paths[1L]), NA_character_)
   field$prior <- NULL
   if (is_distribution(range)) {
     if (range$kind == "normal") {
-      prior <- in_words(range$numbers, range)
+      prior <- numbers_in_units(range$numbers, range)
       field$prior <- vapply(prior, range_end, 0, field = field, what = what)
     }
-    range <- in_words(distribution_ends(range), range)
+    range <- numbers_in_units(distribution_ends(range), range)
   }
   range <- given_value(range, name)
   ends <- vapply(as.list(range), range_end, 0, field = field, what = what)
   if (length(ends) != 2L || !(ends[1L] < ends[2L])) {
     said <- paste(unlist(range), collapse = ", ")
-    abort_argument("{.arg {what}} gives {.field {name}} the range {.val {said}}; it must be two
+    abort_argument("{.arg {what}} has the range {.val {said}} for {.field {name}}; it must be two
       values, the smaller first.")
   }
   if (field$whole) ends <- c(ceiling(ends[1L]), floor(ends[2L]))
@@ -50,21 +48,21 @@ free_field <- function(gear, paths, range, what) {
   if (field$value < field$lower || field$value > field$upper) {
     has <- with_field_unit(field$value, field)
     said <- paste(unlist(range), collapse = " to ")
-    abort_argument("{.arg {what}} gives {.field {name}} the range {.val {said}}, which does not hold
-      the gear's own {.val {has}}.")
+    abort_argument("{.arg {what}} has the range {.val {said}} for {.field {name}}, which does not
+      contain the current value, {.val {has}}.")
   }
-  # both ends are checked before anything is computed
+  # Invalid ends must fail before any gear is settled.
   for (end in ends) {
     tryCatch(set_free(gear, list(field), end), codend_error_plan = function(e) {
       said <- plain_message(e)
       at <- with_field_unit(end, field)
-      abort_argument("{.arg {what}} takes {.field {name}} to {.val {at}}: {said}")
+      abort_argument("{.arg {what}} allows {.val {at}} for {.field {name}}: {said}")
     })
   }
   field
 }
 
-# Where a normal distribution has no ends it is taken over this many standard deviations.
+# Half-range of an unbounded normal distribution, in standard deviations.
 normal_reach <- 4
 
 distribution_ends <- function(of) {
@@ -73,13 +71,11 @@ distribution_ends <- function(of) {
   ifelse(is.finite(ends), ends, wide)
 }
 
-# Numbers of a distribution in the plan's words.
-in_words <- function(numbers, of) {
+numbers_in_units <- function(numbers, of) {
   if (!nzchar(of$unit)) return(as.list(numbers))
   as.list(paste(with_plain_numbers(vapply(numbers, format, "", digits = 15)), of$unit))
 }
 
-# An end of a range in the field's unit.
 range_end <- function(end, field, what) {
   value <- NA_real_
   if (is.numeric(end)) {
@@ -93,13 +89,13 @@ range_end <- function(end, field, what) {
     if (!is.na(value) && nzchar(field$unit)) value <- in_unit(value, plain_unit(field$unit))
   }
   if (length(value) != 1L || is.na(value)) {
-    abort_argument("{.arg {what}} gives {.field {field$name}} the value {.val {end}}; it must be a
-      number{if (field$whole) ' without a unit' else ' or a text with a unit'}.")
+    abort_argument("{.arg {what}} has the value {.val {end}} for {.field {field$name}}; it must be a
+      number{if (field$whole) ' without a unit' else ' or a string with a unit'}.")
   }
   value
 }
 
-# A number of a field as a plan has it.
+# Returns a number as the plan value of a field.
 field_text <- function(value, field) {
   if (field$whole) return(as.integer(round(value)))
   if (!nzchar(field$unit)) return(value)
@@ -110,7 +106,7 @@ with_field_unit <- function(value, field) {
   trimws(paste(with_plain_numbers(format(signif(value, 5), digits = 6)), field$unit))
 }
 
-# The gear with free fields at values, in their units.
+# `values`: in the units of the fields.
 set_free <- function(gear, fields, values) {
   changes <- unlist(Map(function(field, value) {
     setNames(rep(list(field_text(value, field)), length(field$paths)), field$paths)

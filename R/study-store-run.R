@@ -1,15 +1,15 @@
-#' Studies on disk
+#' Run a study on disk
 #'
-#' What [vary()] writes to a `store`, for those who run a study by other means: on a cluster without
-#' R where jobs are handed in, or from a shell. Any number of tasks may run at the same time, on any
-#' number of machines that see the folder.
+#' These functions create, run and read the `store` of a study without [vary()]: in jobs of a
+#' cluster without R on its login node, or from a shell. Any number of tasks can run simultaneously
+#' on any number of machines with access to the folder.
 #'
 #' @details
-#' Several processes that run the same designs share them: each design is settled by one of them.
-#' What a process was settling as it ended, another settles last. A store is never made in place of
-#' another file or folder.
+#' - Processes that run the same designs share the work: each design is settled by one process.
+#' - If a process ends early, another process settles its unfinished design last.
+#' - A store never replaces another file or folder.
 #'
-#' A job array of Slurm, after `codend study new boards.study PLAN --designs designs.csv`:
+#' This Slurm job array follows `codend study new boards.study PLAN --designs designs.csv`:
 #'
 #' ```sh
 #' #!/bin/sh
@@ -17,23 +17,29 @@
 #' codend study run boards.study --task $SLURM_ARRAY_TASK_ID --of 40
 #' ```
 #'
-#' `codend study status boards.study` says how far it is, `codend study table boards.study` gives
-#' what is done as CSV. The same array again runs what is missing. A task is best a minute or more:
-#' handing in a job takes some seconds.
+#' `codend study status boards.study` shows the progress, and `codend study table boards.study`
+#' prints the finished designs as CSV. Submit the same array again to run the missing designs. A
+#' task should take a minute or more, because submitting a job takes some seconds.
 #'
 #' @param gear,nodes,netting As in [vary()].
-#' @param designs From [designs()].
-#' @param store The folder of the study. It lies where all machines see it, not on one's own disk.
-#' @param task,of Which of how many tasks: design `k` is in task `(k - 1) %% of + 1`.
-#' @return `write_study()` gives `store`, invisibly; `run_study()` how many designs it ran,
-#'   invisibly: those of the task that no other process had done. `read_study()` gives what
-#'   [vary()] does,
-#'   of the designs that are done. `study_status()` gives a list of class `codend_study_status`:
-#'   `designs`, `done`, `settled`, `warned`, `last` (when the last row was written) and `problems`,
-#'   a table of why designs did not settle.
+#' @param designs A table of designs, from [designs()].
+#' @param store Path of the folder of the study. All machines must have access to it.
+#' @param task,of Number of this task and of all tasks. Design `k` is in task `(k - 1) %% of + 1`.
+#'   Default: 1 of 1.
+#' @return
 #'
-#'   A folder that is no study is an error of class `codend_error_file`. A damaged row is left out
-#'   with a warning of class `codend_warning_study`.
+#'   - `write_study()`: the path `store`, invisibly.
+#'   - `run_study()`: the number of designs that it settled, invisibly. Designs that another process
+#'     has finished do not count.
+#'   - `read_study()`: the result of [vary()] for the finished designs.
+#'   - `study_status()`: a list of class `codend_study_status`. `designs`, `done`, `settled` and
+#'     `warned` are counts, `last` is the time of the last row. `problems` is a data frame of the
+#'     reasons why designs did not settle (`problem`) and their counts (`designs`).
+#'
+#'   A folder without a study raises an error of class `codend_error_file`. A damaged row is left
+#'   out with a warning of class `codend_warning_study`.
+#' @seealso [vary()], [designs()], [effects()][effects.codend_variations];
+#'   `vignette("command-line", package = "codend")`.
 #' @name studies
 #' @examplesIf requireNamespace("RNetCDF", quietly = TRUE)
 #' store <- tempfile(fileext = ".study")
@@ -75,7 +81,6 @@ read_study <- function(store) {
   study_table(open_study(store), read_rows(stored_rows(store)))
 }
 
-# The study of a store without its state.
 open_study <- function(store) {
   mark <- c(store = normalizePath(store), mark = store_mark(store))
   if (identical(opened_store$mark, mark)) opened_store$study else read_store(store)

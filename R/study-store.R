@@ -1,32 +1,29 @@
-# A study on disk: a folder that any number of processes, on any number of machines, write to.
+# A study on disk: a folder to which any number of processes on any number of machines write.
 #
-#   study.json         the gear's plan, the designs, nodes and netting; written once
-#   base.nc, base.none the state that every run starts from, or why the gear does not settle
-#   rows/N-MARK.json   the row of design N, as row_text() gives it
-#   tasks/*-MARK.json  rows of whole tasks, one a line; those in rows/ are then taken away
-#   claims/N           an empty folder: a process is settling design N
+#   `study.json`: plan, designs, nodes and netting; written once.
+#   `base.nc`, `base.none`: initial state of every run, or the reason why the gear does not settle.
+#   `rows/N-MARK.json`: row of design N, from `row_text()`.
+#   `tasks/*-MARK.json`: rows of a whole task, one per line; they replace the files in `rows/`.
+#   `claims/N`: empty folder while a process settles design N.
 #
-# MARK is the beginning of the MD5 sum of study.json: rows of another study that had the same
-# folder before are passed over. Rows and study.json end with the MD5 sum of their text, see
-# sealed_json(). Every file is written whole next to its place and renamed
-# (write_file()), so that no reader ever sees part of one, whoever is killed when. The folder itself
-# is made in the same way, and never in place of another: of two processes one makes it, and the
-# other finds it there.
+# MARK is the start of the MD5 sum of `study.json`, so rows of an earlier study in the same folder
+# are ignored. Rows and `study.json` end with the MD5 sum of their text (`sealed_json()`). Files are
+# written atomically (`write_file()`). The folder is also created atomically and never replaces
+# another: one process creates it, all others open it.
 
-# Version 2 has no sums.
-study_file_version <- 3L
+study_file_version <- 4L
 mark_letters <- 12L
 
 store_file <- function(store, ...) file.path(store, ...)
 
-# ---- beginning -----------------------------------------------------------------------------------
+# ---- creation ------------------------------------------------------------------------------------
 
-# Makes a store, or finds one of the same study.
+# Creates a store, or opens a store of the same study.
 open_or_create <- function(study, store) {
   check_netcdf()
   check_store_path(store)
   if (!is_store(store) && claim_store(study, store)) return(invisible(open_store(store)))
-  if (!is_store(store)) abort_file(store, "exists and is no study; choose a new name.")
+  if (!is_store(store)) abort_store(store, "exists and is not a study; choose a new name.")
   check_same_study(study, store)
   invisible(open_store(store))
 }
@@ -35,30 +32,30 @@ create_store <- function(study, store) {
   check_netcdf()
   check_store_path(store)
   if (!claim_store(study, store)) {
-    abort_file(store, "exists already; choose a new name.")
+    abort_store(store, "exists already; choose a new name.")
   }
   invisible(open_store(store))
 }
 
 is_store <- function(store) file.exists(store_file(store, "study.json"))
 
-# Makes the folder of a study at once, with study.json in it. Returns whether the name was free.
+# Creates the folder atomically, with `study.json`. Returns FALSE if the name is taken.
 claim_store <- function(study, store) {
   if (file.exists(store)) return(FALSE)
   if (file.access(dirname(store), 2L) != 0L) {
-    abort_file(store, "lies in no folder that can be written.")
+    abort_store(store, "must be in a writable folder.")
   }
   path <- unwritten_path(store)
   on.exit(unlink(path, recursive = TRUE))
   for (folder in c("", "rows", "tasks", "claims")) dir.create(store_file(path, folder))
   write_text(study_text(study), store_file(path, "study.json"))
-  # fails where there is a folder that is not empty, such as another study
+  # Renaming fails if the target is a non-empty folder, such as another study.
   if (suppressWarnings(file.rename(path, store))) return(TRUE)
-  if (!file.exists(store)) abort_file(store, "could not be made.")
+  if (!file.exists(store)) abort_store(store, "could not be created.")
   FALSE
 }
 
-# A study as text, the same for the same study.
+# Returns a study as JSON text. Equal studies give identical text.
 study_text <- function(study) {
   designs <- study$designs
   one <- function(value) jsonlite::unbox(value)
@@ -88,21 +85,20 @@ study_text <- function(study) {
 check_same_study <- function(study, store) {
   there <- jsonlite::fromJSON(read_store_text(store), simplifyVector = FALSE)
   here <- jsonlite::fromJSON(study_text(study), simplifyVector = FALSE)
-  # where the plan came from does not matter
+  # The file of the plan is ignored.
   parts <- c(
-    codend = "was begun by another version of codend", plan = "is of another plan",
+    codend = "was created by another version of codend", plan = "has another plan",
     columns = "has other designs", nodes = "has other `nodes`", netting = "has another `netting`"
   )
   for (part in names(parts)) {
     if (!identical(here[[part]], there[[part]])) {
-      abort_file(store, "{why}; choose a new name.", why = parts[[part]])
+      abort_store(store, "{why}; choose a new name.", why = parts[[part]])
     }
   }
 }
 
 # ---- reading -------------------------------------------------------------------------------------
 
-# The study of a store.
 read_store <- function(store) {
   kept <- jsonlite::fromJSON(read_store_text(store), simplifyVector = FALSE)
   designs <- lapply(kept$columns, function(column) {
@@ -110,7 +106,7 @@ read_store <- function(store) {
     text <- vapply(values, function(value) {
       if (is.null(value)) NA_character_ else as.character(value)
     }, "")
-    # jsonlite reads decimals to the last bit, R's own reader may not
+    # jsonlite reads decimals exactly; the parser of R may not.
     if (is.null(column$numbers)) text else exact_numbers(text)
   })
   names(designs) <- vapply(kept$columns, `[[`, "", "name")
@@ -136,38 +132,41 @@ exact_numbers <- function(text) {
 
 check_store_path <- function(store) {
   if (is_text(store) && nzchar(basename(store))) return(invisible())
-  abort_argument("{.arg store} is {said_value(store)}; it must be the path of a study's folder.")
+  abort_argument("{.arg store} is {describe_value(store)}; it must be the path of a study's
+    folder.")
 }
+
+abort_store <- function(store, what, ...) abort_file(store, what, ..., argument = "store")
 
 read_store_text <- function(store) {
   check_store_path(store)
   file <- store_file(store, "study.json")
-  if (!file.exists(file)) abort_file(store, "is no study: it holds no {.file study.json}.")
+  if (!file.exists(file)) abort_store(store, "is not a study: it has no file {.file study.json}.")
   text <- paste(readLines(file, encoding = "UTF-8", warn = FALSE), collapse = "\n")
   version <- tryCatch(jsonlite::fromJSON(text, simplifyVector = FALSE)$codend_study,
     error = function(e) NULL)
-  if (!version %in% c(2L, study_file_version) || (version > 2L && !is_sealed(text))) {
-    abort_file(store, "is a study of another format, or its {.file study.json} is damaged: begin a
+  if (!identical(version, study_file_version) || !is_sealed(text)) {
+    abort_store(store, "is a study of another format, or its {.file study.json} is damaged: start a
       new study.")
   }
   text
 }
 
-# Texts of all rows that are done. Rows first: a row that is gathered meanwhile is in its task.
-# Damaged rows are left out with a warning.
+# Returns the text of all finished rows, and warns of damaged rows. Single rows come first: a row
+# that moves to a task file meanwhile is then read there.
 stored_rows <- function(store) {
   mark <- store_mark(store)
   single <- lapply(row_files(store, mark), read_lines_of)
   tasks <- lapply(task_files(store, mark), read_lines_of)
   text <- as.character(unlist(c(single, tasks)))
-  # a copy may have been renamed
+  # A renamed copy can contain rows of another study.
   other <- grepl("^[{]\"design\":[0-9]+,\"study\":\"[0-9a-f]+\",", text, useBytes = TRUE) &
     !grepl(sprintf("\"study\":\"%s\"", mark), text, fixed = TRUE, useBytes = TRUE)
   good <- is_sealed(text)
   if (!all(good) && !is_sealed(read_store_text(store))) good[] <- TRUE
   damaged <- sum(!good & !other)
   if (damaged) {
-    cli::cli_warn("{damaged} row{?s} of {.file {store}} {?is/are} damaged and left out. Delete the
+    cli::cli_warn("{damaged} row{?s} of {.file {store}} {?is/are} damaged and omitted. Delete the
       damaged files in its folders {.file rows} and {.file tasks} and run the study again.",
       class = c("codend_warning_study", "codend_warning"), call = NULL)
   }
@@ -175,16 +174,16 @@ stored_rows <- function(store) {
   text[!duplicated(row_designs(text))]
 }
 
-# JSON of an object with the MD5 sum of its text as its last entry, `md5`.
+# Adds the MD5 sum of a JSON object as its last entry, `md5`.
 sealed_json <- function(text) {
   sub("\\s*[}]$", paste0(",\"md5\":\"", cli::hash_md5(text), "\"}"), text, perl = TRUE)
 }
 
-# Whether texts are unchanged since sealed_json() made them.
+# Returns TRUE for each text that matches its MD5 sum.
 is_sealed <- function(text) {
   seal <- ",\"md5\":\"[0-9a-f]{32}\"[}]$"
   sealed <- validUTF8(text) & grepl(seal, text, perl = TRUE, useBytes = TRUE)
-  # the text before lost its last brace, and a line break before that in study.json
+  # `sealed_json()` removes the last brace, and in `study.json` also the line break before it.
   before <- sub(seal, "", text[sealed], perl = TRUE)
   sum <- substring(text[sealed], nchar(text[sealed]) - 33L, nchar(text[sealed]) - 2L)
   sealed[sealed] <- sum == cli::hash_md5(paste0(before, "}")) |
@@ -192,10 +191,9 @@ is_sealed <- function(text) {
   sealed
 }
 
-# The designs of rows.
 row_designs <- function(text) as.integer(sub("^[{]\"design\":([0-9]+),.*", "\\1", text))
 
-# None where it was gathered and taken away meanwhile.
+# Returns character() if another process has removed the file.
 read_lines_of <- function(file) {
   tryCatch(
     withCallingHandlers(
@@ -206,7 +204,7 @@ read_lines_of <- function(file) {
   )
 }
 
-# What the rows of this study are known by.
+# Returns the MARK in the file names of a study.
 store_mark <- function(store) {
   substr(tools::md5sum(store_file(store, "study.json"))[[1L]], 1L, mark_letters)
 }
@@ -224,11 +222,9 @@ task_files <- function(store, mark = store_mark(store)) {
   list.files(store_file(store, "tasks"), form, full.names = TRUE)
 }
 
-# Which designs are done.
 designs_done <- function(store) done_finder(store)()
 
-# A function(single) that gives the designs that are done, without single only those in tasks; it
-# reads each task once.
+# Returns a function(single) that lists finished designs; `single = FALSE` skips `rows/`.
 done_finder <- function(store, mark = store_mark(store)) {
   known <- list()
   function(single = TRUE) {
@@ -242,7 +238,7 @@ done_finder <- function(store, mark = store_mark(store)) {
 
 # ---- one task ------------------------------------------------------------------------------------
 
-# What a process read last of a store: tasks follow one another.
+# Cache of the last opened store, because one process runs many tasks of a store.
 opened_store <- new.env(parent = emptyenv())
 
 open_store <- function(store) {
@@ -251,15 +247,15 @@ open_store <- function(store) {
     opened_store$mark <- NULL
     opened_store$study <- read_store(store)
     opened_store$base <- store_base(store, opened_store$study)
-    # of a run, about
+    # Estimated CPU time of one run (s).
     opened_store$seconds <- max(first_of(opened_store$base$report$cpu_seconds, 1), 0.01)
     opened_store$mark <- mark
   }
   opened_store
 }
 
-# The state that runs start from, or NULL. Whoever needs it first settles it; two that do so at the
-# same time write the same.
+# Returns the initial state of every run, or NULL. The first process that needs it settles it.
+# Simultaneous processes write identical files.
 store_base <- function(store, study) {
   file <- store_file(store, "base.nc")
   none <- store_file(store, "base.none")
@@ -272,9 +268,9 @@ store_base <- function(store, study) {
   if (file.exists(file)) read_result(file)
 }
 
-# Settles designs of a store and writes their rows, of those that no other process is settling, then
-# of those that another was settling and has not done: it may have ended, and if not, both find the
-# same row. Returns how many it settled.
+# Settles designs of a store and writes their rows. Designs claimed by another process come last and
+# are settled only if still missing, because that process may have ended. Returns the number of
+# settled designs.
 run_task <- function(store, designs, told = function(done) NULL) {
   read_store_text(store)
   opened <- open_store(store)
@@ -304,14 +300,14 @@ run_task <- function(store, designs, told = function(done) NULL) {
         later <- c(later, design)
       }
     }
-    told(k)
+    template(k)
   }
   for (design in later) {
     if (!is_done(design)) settle_design(design)
     unlink(store_file(store, "claims", sprintf("%07d", as.integer(design))), recursive = TRUE)
   }
   if (length(rows) > 1L) {
-    # no other process has this name
+    # Host and process number make the name unique.
     name <- sprintf("%07d-%s-%d-%s.json", as.integer(names(rows)[1L]), this_host(), Sys.getpid(),
       mark)
     write_text(c(unlist(rows, use.names = FALSE), ""), store_file(store, "tasks", name))

@@ -1,5 +1,3 @@
-# Tidy tables of studies (codend_tidy in table-tidy.R).
-
 #' @rdname codend_tidy
 #' @exportS3Method generics::tidy
 tidy.codend_calibration <- function(x, conf.int = FALSE, conf.level = 0.95, ...) {
@@ -21,7 +19,7 @@ glance.codend_calibration <- function(x, ...) {
   data.frame(
     name = x$gear$plan$name, nobs = nobs(x), df.residual = nobs(x) - attr(likely, "df"),
     logLik = as.double(likely), AIC = stats::AIC(likely), BIC = stats::BIC(likely),
-    converged = x$converged, settles = x$settles
+    converged = x$converged, n_solves = x$n_solves
   )
 }
 
@@ -82,9 +80,10 @@ tidy.codend_optimum <- function(x, ...) {
 #' @exportS3Method generics::glance
 glance.codend_optimum <- function(x, ...) {
   data.frame(
-    name = x$gear$plan$name, objective = x$aim$text, begun = x$aim$begun, value = x$aim$value,
+    name = x$gear$plan$name, objective = x$objective$text, begun = x$objective$begun,
+      value = x$objective$value,
     kept = all(x$keep$holds), optimality = x$optimality, converged = x$optimal,
-    settles = x$settles
+    n_solves = x$n_solves
   )
 }
 

@@ -1,15 +1,18 @@
-# A study run by the package future: tasks handed out, what is missing handed out again.
+# Studies on workers of the package future. Missing designs are repeated.
 
-# Seconds that a task should take, on this machine and as a job of a cluster; how often a design may
-# end its worker, and how many rounds may pass without a row; how long a file written elsewhere may
-# take to be seen, and how long no row may come of jobs said to have expired, seconds.
+# Limits of a study on workers:
+#   `task_seconds`: target duration of a task on this machine and of a cluster job (s).
+#   `most_deaths`: number of ended workers after which a design is given up.
+#   `most_idle`: number of rounds without a new row before an error.
+#   `most_delay`: longest wait for files from other machines (s).
+#   `expired_delay`: longest wait for rows of jobs reported as expired (s).
 task_seconds <- c(here = 10, cluster = 60)
 most_deaths <- 2L
 most_idle <- 3L
 most_delay <- 60
 expired_delay <- 10
 
-# How many workers the session's plan has; NULL where it runs in this process.
+# Returns the number of workers, or NULL if the plan runs in this process.
 future_workers <- function() {
   if (!isNamespaceLoaded("future")) return(NULL)
   plan <- future::plan()
@@ -19,7 +22,7 @@ future_workers <- function() {
 
 future_cluster <- function() inherits(future::plan(), "batchtools")
 
-# Runs what is not done of a store.
+# Settles the missing designs of a store.
 vary_stored <- function(store, tasks) {
   all <- nrow(open_store(store)$study$designs)
   left <- setdiff(seq_len(all), designs_done(store))
@@ -35,12 +38,12 @@ vary_stored <- function(store, tasks) {
     ended <- run_futures(store, deal_out(left, tasks), function() show(length(done())))
     before <- length(left)
     left <- missing_designs(store, left, ended)
-    # the first that a task has not done is what its worker ended at
+    # The worker ended at the first missing design of its task.
     suspect <- unlist(lapply(ended, function(one) utils::head(intersect(one$designs, left), 1L)))
     deaths[suspect] <- deaths[suspect] + 1L
     deadly <- left[deaths[left] >= most_deaths]
     for (k in deadly) {
-      found <- list(problem = paste("Its worker ended", most_deaths, "times while settling it."))
+      found <- list(problem = paste("Its worker process ended", most_deaths, "times."))
       mark <- store_mark(store)
       write_text(c(row_text(k, found, mark), ""), row_file(store, k, mark))
     }
@@ -50,14 +53,14 @@ vary_stored <- function(store, tasks) {
       why <- ended[[1L]]$why
       abort_argument("The workers of {.fn future::plan} end before a design is settled: {why}")
     }
-    # workers that are gone come back
+    # Setting the plan again restarts ended workers.
     plans <- future::plan("list")
     if (length(left)) future::plan(plans)
   }
   show(all)
 }
 
-# Designs by task, dealt out in turn.
+# Returns designs by task, distributed in rotation.
 deal_out <- function(left, tasks) {
   if (is.null(tasks)) {
     workers <- future_workers()
@@ -72,8 +75,8 @@ deal_out <- function(left, tasks) {
   unname(split(left, (seq_along(left) - 1L) %% tasks))
 }
 
-# Runs tasks as futures, as many at once as there are workers; none is begun any more where a worker
-# has ended. Returns those tasks: lists of designs (none where it did not begin) and why.
+# Runs tasks as futures, one per worker. No task starts after a worker has ended. Returns a list per
+# failed task: designs (empty if it did not start), why.
 run_futures <- function(store, tasks, show) {
   store <- normalizePath(store)
   pause <- if (future_cluster()) 1 else 0.05
@@ -81,7 +84,7 @@ run_futures <- function(store, tasks, show) {
   failed <- list()
   shown <- -Inf
   fail <- function(designs, e) {
-    # what a task itself says is said of all of them
+    # An error raised by the task would occur in all tasks.
     if (!inherits(e, "FutureError")) stop(e)
     failed[[length(failed) + 1L]] <<- list(designs = designs, why = plain_message(e))
     tasks <<- list()
@@ -96,7 +99,7 @@ run_futures <- function(store, tasks, show) {
         error = function(e) fail(integer(), e)
       )
     }
-    # the value of a future whose worker is gone is an error
+    # If the worker has ended, `future::value()` raises the error below.
     over <- vapply(running, function(one) {
       tryCatch(future::resolved(one$future), FutureError = function(e) TRUE)
     }, NA)
@@ -113,7 +116,7 @@ run_futures <- function(store, tasks, show) {
   failed
 }
 
-# What a task needs is named: nothing is looked for, and nothing else goes along.
+# Listing the globals prevents a search, and sends only these objects to the worker.
 start_task <- function(store, designs) {
   future::future(
     get("run_task", asNamespace("codend"))(store, designs),
@@ -123,8 +126,8 @@ start_task <- function(store, designs) {
   )
 }
 
-# Designs of `left` without a row. Rows that are not seen yet are waited for: of tasks that say they
-# are done, and of jobs said to have expired, which may go on; where workers ended, nothing comes.
+# Returns the designs of `left` without a row. Rows of finished tasks may appear late, and jobs
+# reported as expired may still run. Ended workers write no more rows, so there is no wait.
 missing_designs <- function(store, left, failed) {
   missing <- left
   quiet <- 0

@@ -1,67 +1,70 @@
 #' Settle a gear in many designs
 #'
-#' Settles a gear once for every design: at several speeds, with several lengths of warp, several
-#' boards; for every combination of some fields' values, or a table of [designs()]. One after
-#' another, on all cores or on a cluster, as [future::plan()] says, and into a folder on disk, a
-#' `store`, from which a study that was stopped goes on.
+#' `vary()` settles a gear, that is, solves its static equilibrium, once for every design of a
+#' study. Designs are all combinations of field values or a table from [designs()]. With a `store`
+#' on disk, an interrupted study can continue.
 #'
 #' @details
-#' # What a run begins with
-#' The gear itself is settled first, and every design from that state, never from a neighbour's;
-#' anew where that does not lead to balance. So results are the same to the last bit on any number
-#' of workers, in any order, stopped and gone on with or not; on machines of one kind, since
-#' processors of other kinds may round otherwise.
+#' # Initial state
+#' The gear itself is settled first, and every design starts from this state, never from another
+#' design. If this start does not converge, the design is settled from scratch. Results are
+#' therefore identical for any number of workers, any order and after interruptions. Processors of
+#' other kinds may round differently.
 #'
 #' # Where it runs
-#' In this session, unless the package future has another plan:
+#' A study runs in this session, unless the package future has another plan:
 #'
-#' - `future::plan("multisession")`: on all cores of this machine;
-#' - `future::plan(future.batchtools::batchtools_slurm, template = "slurm.tmpl")`: as jobs of a
-#'   cluster, which takes a `store` in a folder that all its machines see.
+#' - `future::plan("multisession")` uses all cores of this machine.
+#' - `future::plan(future.batchtools::batchtools_slurm, template =
+#'   "slurm.tmpl")` submits jobs to a cluster. It needs a `store` in a folder that all machines can
+#'   access.
 #'
-#' Without R on the machine where jobs are handed in, a job array runs [run_study()] from a shell:
-#' see there.
+#' If the login node of the cluster has no R, run [run_study()] from a shell in a job array.
 #'
-#' Designs are dealt out in turn, so that tasks take alike long; a task of a cluster is made to take
-#' about a minute. Nothing of the session goes along with a task but the store's path. Where a
-#' worker ends, its task goes on elsewhere; a design that ended two workers is reported as not
-#' settled. Jobs that are said to have expired are looked up in the store before they are run again.
+#' - Designs are distributed in rotation, so that tasks take equally long. A cluster task takes
+#'   about a minute.
+#' - A task receives only the path of the store, and no other object of the session.
+#' - If a worker ends, another worker continues its task. A design that ended two workers counts as
+#'   not settled.
+#' - Jobs reported as expired are checked in the store before they run again.
+#' - A progress bar appears after two seconds. If the package progressr is loaded, it reports the
+#'   progress instead.
 #'
 #' # The store
-#' Each run is a file of its own in the store, written whole, when it is done; those of a whole task
-#' are gathered in one. So the progress of a study is seen from anywhere ([study_status()]), what is
-#' done can be read while the rest runs ([read_study()]), and a worker that is killed loses the run
-#' that it was at. The same call of `vary()` again goes on with what is not done; at the same time
-#' in another process it shares the work. The base state is
-#' in the store as [write_result()] has it, which takes the package RNetCDF. Without `store` a
-#' study in several processes has one in the session's temporary folder.
-#'
-#' Progress is shown by a bar after two seconds, or by what the package progressr is set to use.
+#' - Each finished run is a separate file, written atomically. The files of a finished task are
+#'   merged into one.
+#' - [study_status()] shows the progress, and [read_study()] reads finished designs while others
+#'   run.
+#' - A worker that is killed loses only its current run.
+#' - The same call of `vary()` continues with missing designs. A simultaneous call in another
+#'   process shares the work.
+#' - The base state is stored as in [write_result()], which needs the package RNetCDF. Without
+#'   `store`, a study in several processes uses the temporary folder of the session.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
-#' @param ... Designs, from [designs()], or values by the path of their field, as in
-#'   [update()][update.codend_gear]: `towing.speed = c("3 knot", "4 knot")`. Several fields are
-#'   combined in every way, the first changing fastest. Fields that change together go as columns of
-#'   a data frame without a name; what is missing there stays as in the plan.
-#' @param nodes,netting As in [settle()].
-#' @param store A folder for the study, which is made, or one of the same study that goes on. `NULL`
-#'   keeps nothing.
-#' @param tasks In how many tasks the designs are dealt out to workers; `NULL` chooses.
-#' @return A data frame of class `codend_variations` with a row per design:
+#' @param ... Designs from [designs()], or values by path: `towing.speed = paste(3:4, "knot")`.
+#'   All their combinations are settled; the first field changes fastest. An unnamed data frame has
+#'   fields that change together; `NA` keeps the value of the plan.
+#' @param nodes,netting Number of nodes and kind of netting elements, as in [settle()].
+#' @param store Path of a folder for the study. It is created, or continued if it contains the same
+#'   study. Default `NULL`: no store.
+#' @param tasks Number of tasks for the workers. Default `NULL`: automatic.
+#' @return A data frame of class `codend_variations`, one row per design:
 #'
-#'   - the fields, by their path with their unit added (`towing.speed_knot`): the unit in which all
-#'     values were given, else the SI unit;
-#'   - `settled`, and `problem`: where there is no settled gear, why: values that do not go
-#'     together in a plan, or no balance;
-#'   - the estimated error of every measure, under `error.` and its name (`error.total_drag_kN`):
-#'     that of the gear itself, as a share (see [measures()]);
-#'   - `warning`: what [settle()] warned of, such as a stalled board;
-#'   - the [measures()], `NA` where the gear did not settle or has no such measure.
+#'   - the fields, named by path and unit (`towing.speed_knot`). The unit is the one common to all
+#'     given values, else the SI unit.
+#'   - `settled`: `TRUE` if the gear settled. `problem`: otherwise the reason, such as inconsistent
+#'     plan values or no convergence.
+#'   - `error.` and the name of each measure (`error.total_drag_kN`): the estimated error of the
+#'     measure. As a fraction, it equals the error of the gear itself (see [measures()]).
+#'   - `warning`: text of warnings from [settle()], such as a stalled board.
+#'   - the [measures()], `NA` if the gear did not settle or lacks the measure.
 #'
-#'   A wrong field, or a value that its field does not take, is an error of class
-#'   `codend_error_plan` that names the design, before anything is computed; wrong arguments are one
-#'   of class `codend_error_argument`. A design that does not settle is no error.
-#' @seealso [designs()], [codend_charts], [study_status()], [read_study()]
+#'   A wrong field or value raises an error of class `codend_error_plan` that names the design,
+#'   before any gear is settled. Wrong arguments raise `codend_error_argument`. A design that does
+#'   not settle does not raise an error.
+#' @seealso [designs()], [effects()][effects.codend_variations], [study_status()], [read_study()],
+#'   [codend_charts].
 #' @export
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:6, "knot"))
@@ -77,7 +80,8 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = 
   }
   if (!is.null(future_workers())) {
     if (future_cluster()) {
-      abort_argument("On a cluster {.arg store} must be a folder that all its machines see.")
+      abort_argument("On a cluster, {.arg store} must be a folder on a file system that all
+        machines share.")
     }
     check_netcdf()
     store <- tempfile("study-")
@@ -86,7 +90,6 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = 
     vary_stored(store, tasks)
     return(read_study(store))
   }
-  # NULL where the gear does not settle
   base <- settle_one(study$gear, study$nodes, study$netting, NULL)$state
   show <- study_progress(nrow(study$designs))
   rows <- vapply(seq_len(nrow(study$designs)), function(k) {
@@ -97,7 +100,7 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = 
   study_table(study, read_rows(rows))
 }
 
-# A study: list(gear, designs, nodes, netting), checked. given: as vary() takes designs.
+# Returns a checked study: list(gear, designs, nodes, netting). given: designs as in `vary()`.
 new_study <- function(gear, given, nodes, netting) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
@@ -106,7 +109,7 @@ new_study <- function(gear, given, nodes, netting) {
   list(gear = gear, designs = designs, nodes = as.double(nodes), netting = netting)
 }
 
-# Designs as given, or every combination of several axes.
+# Returns the given designs, or every combination of several axes.
 combined_designs <- function(given) {
   if (!is.null(names(given))) names(given)[names(given) == "designs"] <- ""
   if (length(given) == 1L && inherits(given[[1L]], "codend_designs")) {
@@ -115,7 +118,7 @@ combined_designs <- function(given) {
   }
   drawn <- names(given)[vapply(given, is_distribution, NA)]
   if (length(drawn)) {
-    abort_argument("{.arg {drawn[1]}} is a distribution, of which {.fn designs} draws.")
+    abort_argument("{.arg {drawn[1]}} is a distribution; use {.fn designs} to draw values.")
   }
   axes <- design_axes(given)
   place <- grid_of(lapply(axes, function(axis) seq_len(nrow(axis))))
@@ -125,14 +128,13 @@ combined_designs <- function(given) {
   new_designs(table, if (length(axes) == 1L) "table" else "grid", NULL, NULL, axes)
 }
 
-# Stops at the first field that the plan has not and at the first value that a field does not take.
-# Whether values go together is found when the design's turn comes.
+# Stops at the first unknown field or invalid value. Each design checks its combination of values.
 check_designs <- function(designs, gear) {
   for (name in names(designs)) {
     values <- designs[[name]]
     given <- which(!is.na(values))
     for (path in paths_of(name)) {
-      for (k in given[telling_values(values[given])]) {
+      for (k in given[values_to_check(values[given])]) {
         tryCatch(
           {
             set_plan_field(gear$plan, path, values[[k]])
@@ -149,9 +151,8 @@ check_designs <- function(designs, gear) {
   }
 }
 
-# Places of values of which all take the checks of a field if these do: the smallest and the largest
-# of each unit, and everything that is no quantity.
-telling_values <- function(values) {
+# Returns indices of values that suffice for a check: the ends per unit, and everything else.
+values_to_check <- function(values) {
   places <- which(!duplicated(values))
   if (length(places) < 100L) return(places)
   values <- values[places]
@@ -164,7 +165,7 @@ telling_values <- function(values) {
   odd <- which(!is.finite(number))
   ends <- unlist(lapply(split(which(is.finite(number)), unit[is.finite(number)]), function(rows) {
     whole <- number[rows] == round(number[rows])
-    # of whole and of broken numbers
+    # A field can require whole numbers.
     unlist(lapply(split(rows, whole), function(some) {
       some[c(which.min(number[some]), which.max(number[some]))]
     }))
@@ -174,9 +175,9 @@ telling_values <- function(values) {
 
 # ---- one run -------------------------------------------------------------------------------------
 
-# Settles design k. Returns its row as text. mark: of the study on disk, where it is on one.
+# Settles design k. Returns its row as text. mark: MARK of the store, or NULL.
 run_design <- function(study, base, k, mark = NULL) {
-  # messages are the same on every machine
+  # Messages must be identical on all machines.
   kept <- options(cli.unicode = FALSE, cli.num_colors = 1L, OutDec = ".", scipen = 0, digits = 7)
   on.exit(options(kept))
   fields <- design_fields(study$designs, k)
@@ -210,7 +211,7 @@ settle_one <- function(gear, nodes, netting, from) {
 
 # ---- rows ----------------------------------------------------------------------------------------
 
-# A row as a line of JSON, with numbers to the last bit.
+# Returns a row as one line of JSON, with exact numbers.
 row_text <- function(design, found, mark = NULL) {
   text <- function(value) {
     if (is.null(value)) return("null")
@@ -229,8 +230,7 @@ row_text <- function(design, found, mark = NULL) {
   if (is.null(mark)) row else sealed_json(row)
 }
 
-# Rows by their text: list(design, problem, warning, measures = matrix with a column each, error =
-# the same of their errors, unit).
+# Returns list(design, problem, warning, measures and error (rows x measures), unit), sorted.
 read_rows <- function(text) {
   rows <- lapply(text, jsonlite::fromJSON, simplifyVector = FALSE)
   design <- vapply(rows, function(row) as.integer(row$design), 0L)
@@ -245,7 +245,7 @@ read_rows <- function(text) {
       part <- rows[[k]]$measures[[name]]
       if (!is.null(part[[1L]])) values[k, name] <- as.double(part[[1L]])
       unit[[name]] <- part[[2L]]
-      # stores of before have no errors
+      # Compatibility: old stores lack errors.
       if (length(part) > 2L && !is.null(part[[3L]])) errors[k, name] <- as.double(part[[3L]])
     }
   }
@@ -255,10 +255,9 @@ read_rows <- function(text) {
   )
 }
 
-# The columns with the errors of measures.
 error_columns <- function(measures) if (length(measures)) paste0("error.", measures)
 
-# What vary() returns of the rows that there are.
+# Returns the result of `vary()` for the finished rows.
 study_table <- function(study, rows) {
   designs <- study$designs
   fields <- field_columns(designs, study$gear)
@@ -276,13 +275,13 @@ study_table <- function(study, rows) {
     ))
 }
 
-# A function(done) that shows a bar once a study has run for two seconds, or tells progressr.
+# Returns a function(done) that shows a progress bar after two seconds, or reports to progressr.
 study_progress <- function(total, done = 0L, frame = parent.frame()) {
   if (isNamespaceLoaded("progressr")) {
-    tell <- progressr::progressor(steps = total, envir = frame)
-    if (done > 0L) tell(amount = done)
+    step <- progressr::progressor(steps = total, envir = frame)
+    if (done > 0L) step(amount = done)
     return(function(now) {
-      if (now > done) tell(amount = now - done)
+      if (now > done) step(amount = now - done)
       done <<- now
     })
   }
@@ -303,7 +302,7 @@ study_progress <- function(total, done = 0L, frame = parent.frame()) {
 
 # ---- fields as columns ---------------------------------------------------------------------------
 
-# Fields as columns whose names end in their unit: list(values = data frame, unit by column).
+# Returns list(values (data frame), unit (by column)). Column names end in their unit.
 field_columns <- function(axis, gear) {
   columns <- lapply(names(axis), function(path) field_column(axis[[path]], path, gear))
   unit <- vapply(columns, `[[`, "", "unit")
@@ -336,13 +335,13 @@ field_column <- function(values, path, gear) {
       if (is.na(one)) NA_real_ else quantity_si(one, dimension)
     }, 0, USE.NAMES = FALSE)
     units <- names(plan_units[[dimension]])[1L]
-    # a bare number has no unit
+    # A bare number is dimensionless.
     if (dimension == "number") units <- ""
   }
   list(value = value, unit = units)
 }
 
-# The dimension of a quantity in a plan by its path, or NA.
+# Returns the dimension of a plan field, or NA.
 field_dimension <- function(gear, path) {
   node <- path_node(gear$plan, path)
   if (node$shape == "any") {
