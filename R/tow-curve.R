@@ -1,14 +1,14 @@
-# Numbers that change with time, as the engine reads them: pieces of cubic polynomials.
+# Quantities that change over time, as piecewise cubic polynomials for the engine.
 #
-# A curve is list(time, begin, end, begin_rate, end_rate): piece k runs from time[k] to time[k + 1],
-# from value begin[k] at rate begin_rate[k] to end[k] at end_rate[k]; before the first and after the
-# last the number stays.
+# A curve is list(time, begin, end, begin_rate, end_rate). Piece k runs from time[k] to time[k + 1].
+# Its values go from begin[k] to end[k], with derivatives begin_rate[k] and end_rate[k]. The curve
+# is constant before the first and after the last time.
 
-# A function is taken at steps of this length, s, and smooth between but for its jumps.
+# Sampling interval of functions (s); the interpolant is smooth between jumps.
 function_step <- 0.1
 
-# value: a number or text with a unit, a data frame of time and value, or a function of time (s)
-# that gives SI. path: how errors name it. until: s.
+# Converts user input to a curve. `value`: number or string with unit, data frame of time and value,
+# or function of time (s) that returns SI. `path`: name for error messages; `until`: end time (s).
 schedule_curve <- function(value, path, dimension, until) {
   if (is.function(value)) return(function_curve(value, path, dimension, until))
   if (is.data.frame(value)) return(table_curve(value, path, dimension))
@@ -19,11 +19,12 @@ constant_curve <- function(value) {
   list(time = c(0, 1), begin = value, end = value, begin_rate = 0, end_rate = 0)
 }
 
-# Straight between its times; two rows of one time make a jump.
+# Returns a piecewise linear curve; two rows with the same time define a jump.
 table_curve <- function(table, path, dimension) {
   known <- c("time", "value")
   if (!all(known %in% names(table)) || nrow(table) == 0L) {
-    abort_schedule(path, "has no columns {.field time} and {.field value} with rows.")
+    abort_schedule(path,
+      "must be a data frame with rows and the columns {.field time} and {.field value}.")
   }
   numbers <- function(column, of) {
     vapply(seq_len(nrow(table)), function(k) {
@@ -32,19 +33,19 @@ table_curve <- function(table, path, dimension) {
   }
   time <- numbers("time", "time")
   value <- numbers("value", dimension)
-  if (is.unsorted(time)) abort_schedule(path, "must list its times in order.")
+  if (is.unsorted(time)) abort_schedule(path, "must have its times in increasing order.")
   if (length(time) == 1L) return(constant_curve(value))
   straight_curve(time, value)
 }
 
 straight_curve <- function(time, value) {
   n <- length(time)
-  if (time[n] == time[n - 1L]) {  # the last value stays after a jump to it
+  if (time[n] == time[n - 1L]) {  # keep the value after a final jump
     time <- c(time, time[n] + 1)
     value <- c(value, value[n])
     n <- n + 1L
   }
-  # a jump where the tow begins: the first value is that before
+  # jump at time 0: the first value applies before it
   if (time[1L] == time[2L] && n > 2L) {
     time <- c(time[1L] - 1, time)
     value <- c(value[1L], value)
@@ -65,7 +66,7 @@ function_curve <- function(value, path, dimension, until) {
   at <- function(t) {
     y <- given_si(value(t), dimension, path)
     if (!is.finite(y)) {
-      abort_schedule(path, sprintf("must give one finite %s; at %s s it does not.", dimension,
+      abort_schedule(path, sprintf("must return one finite %s; at %s s it does not.", dimension,
         format(t)))
     }
     y
@@ -74,8 +75,8 @@ function_curve <- function(value, path, dimension, until) {
   join_curves(pieces_between(function_jumps(at, time, found), time, found))
 }
 
-# Where a function jumps between two of its times, found by halving: list(before, after (s),
-# from, to (the values there)).
+# Locates jumps of a function between sampled times by bisection. Returns a list of list(before,
+# after (times, s), from, to (values)).
 function_jumps <- function(at, time, value) {
   change <- abs(diff(value))
   beside <- pmax(c(0, change[-length(change)]), c(change[-1L], 0))
@@ -99,7 +100,7 @@ function_jumps <- function(at, time, value) {
   })
 }
 
-# Smooth curves through values, one from jump to jump.
+# Returns smooth curves between jumps.
 pieces_between <- function(jumps, time, value) {
   jumps <- Filter(Negate(is.null), jumps)
   at <- vapply(jumps, `[[`, 0, "after")
@@ -119,7 +120,6 @@ pieces_between <- function(jumps, time, value) {
   })
 }
 
-# Curves that follow one another, as one.
 join_curves <- function(curves) {
   curves <- Filter(Negate(is.null), curves)
   each <- function(field) unlist(lapply(curves, `[[`, field))
@@ -131,7 +131,7 @@ join_curves <- function(curves) {
   )
 }
 
-# Through all values, with rates from their neighbours (Catmull and Rom 1974).
+# Interpolates with rates from neighbouring values (Catmull and Rom 1974).
 smooth_curve <- function(time, value) {
   n <- length(time)
   slope <- diff(value) / diff(time)
@@ -141,7 +141,7 @@ smooth_curve <- function(time, value) {
   )
 }
 
-# Values of a curve at times; at a jump those before it, or after it.
+# Evaluates a curve at times; `after`: use the value after a jump instead of before it.
 curve_at <- function(curve, t, after = FALSE) {
   engine_curve_at(curve, as.double(t), after)
 }
@@ -151,13 +151,12 @@ scale_curve <- function(curve, factor) {
   curve
 }
 
-# A curve less or more by a number.
 shifted_curve <- function(curve, by) {
   curve[c("begin", "end")] <- lapply(curve[c("begin", "end")], `+`, by)
   curve
 }
 
-# A curve without jumps, straight between its times and held within two numbers.
+# Returns a piecewise linear curve, clamped to two bounds. The input must have no jumps.
 clipped_curve <- function(curve, low, high) {
   time <- curve$time
   value <- c(curve$begin, curve$end[length(curve$end)])
@@ -171,7 +170,7 @@ clipped_curve <- function(curve, low, high) {
   straight_curve(all, pmin(pmax(stats::approx(time, value, all)$y, low), high))
 }
 
-# Times at which a curve jumps, or, with `kinks`, its rate does.
+# Returns the times of jumps; with `kinks` also of jumps in the rate.
 curve_breaks <- function(curve, kinks) {
   n <- length(curve$begin)
   differ <- function(a, b) abs(a - b) > 1e-9 * max(1, abs(a), abs(b))

@@ -1,32 +1,32 @@
-# A tow that starts at rest with ropes lying on the sea bed along their ways, and what they pull as
-# it is when it has settled.
+# Start of a tow from rest with ropes laid on the sea bed. Rope ends and the net start from the
+# settled state.
 
-# state: the settled gear's.
+# `state`: settled state of the gear.
 laid_trajectory <- function(state, given, until) {
-  what <- tow_start(state$gear, state$si, state$lattice, given, until)
+  what <- tow_start(state$gear, state$si, state$mesh, given, until)
   add_start(what, laid_position(state), c(0, 0, 0))
 }
 
-# Over this times the depth a rope leads down from its held start to the sea bed.
+# Length over depth of the part of a rope that leads from its support down to the sea bed.
 laid_scope <- 3
 
-# Positions (3 x nodes, m) of the gear as it is laid, from its settled state.
+# Returns positions of the laid gear (3 x nodes, m) from its settled state.
 laid_position <- function(state) {
   laid <- state$si$laid
   ground <- state$si$ground
   position <- state$position
   ropes <- names(laid$ropes)
   ends <- vapply(ropes, function(rope) {
-    position[, state$lattice$places[[paste0(rope, ".end")]]]
+    position[, state$mesh$places[[paste0(rope, ".end")]]]
   }, numeric(3))
-  held <- state$lattice$mesh$held
+  held <- state$mesh$model$held
   moved <- c(laid$net - rowMeans(ends)[1:2], 0)
-  # as high above the sea bed as before
+  # keep the height above the sea bed
   above <- height_above_ground(ground, position)
   position <- on_ground(ground, position + moved, above)
   position[, held] <- state$position[, held]
   for (rope in ropes) {
-    nodes <- state$lattice$ropes[[rope]]
+    nodes <- state$mesh$ropes[[rope]]
     start <- state$position[, nodes$node[1L]]
     end <- position[, nodes$node[length(nodes$node)]]
     way <- cbind(start[1:2], laid$ropes[[rope]], end[1:2])
@@ -36,7 +36,7 @@ laid_position <- function(state) {
     length <- state$si$ropes[[rope]]$length
     if (along$length > length * (1 + laid_stretch)) {
       abort_schedule("gear", sprintf(
-        "has a rope %s of %s that is laid along a way of %s.", rope, format_si(length, "length"),
+        "has a rope %s of %s, shorter than its laid path of %s.", rope, format_si(length, "length"),
         format_si(along$length, "length")
       ))
     }
@@ -48,11 +48,11 @@ laid_position <- function(state) {
   position
 }
 
-# How much longer than a rope the way may be along which it is laid.
+# Largest relative excess of the track length over the rope length.
 laid_stretch <- 0.001
 
-# Places (2 x n, m) and heights (m) above the ground at shares of a way (2 x corners, m) that begins
-# so high above it: list(place, above, length).
+# Returns list(place (2 x n), above (heights above ground), length) in m at fractions of a track.
+# `way`: corners of the track (2 x corners, m); `above`: height of its start (m).
 laid_along <- function(way, above, share) {
   leg <- sqrt(colSums((way[, -1L, drop = FALSE] - way[, -ncol(way), drop = FALSE])^2))
   far <- c(0, cumsum(leg))
@@ -68,7 +68,7 @@ laid_along <- function(way, above, share) {
   )
 }
 
-# Places of the same x and y so far (m) above the ground.
+# Moves positions vertically to the given heights above the ground (m).
 on_ground <- function(ground, position, above) {
   lift <- (above - height_above_ground(ground, position)) / ground$normal[3L]
   position[3L, ] <- position[3L, ] + lift

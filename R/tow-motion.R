@@ -1,9 +1,9 @@
-# A tow as the engine reads it: what of the lattice moves, grows and parts with time.
+# Schedule of a tow in the engine's format: moving, growing and breaking parts.
 
-# given: the fields of a tow_schedule(); until: s.
-# Returns list(schedule = what engine_tow() reads, curves = speed, course, heave, warps by rope,
-# catch, breaks = times (s) at which the motion breaks).
-scheduled_motion <- function(si, lattice, given, until) {
+# `given`: fields of a tow_schedule(); `until`: end time (s). Returns list(schedule, curves,
+# breaks). `schedule`: input of engine_tow(). `curves`: speed, course, heave, warps by rope, catch.
+# `breaks`: times (s) at which the motion has a discontinuity.
+scheduled_motion <- function(si, mesh, given, until) {
   curve <- function(name, dimension, otherwise) {
     if (is.null(given[[name]])) return(constant_curve(otherwise))
     schedule_curve(given[[name]], name, dimension, until)
@@ -11,7 +11,7 @@ scheduled_motion <- function(si, lattice, given, until) {
   speed <- curve("speed", "speed", si$towing$speed)
   course <- curve("course", "angle", 0)
   if (abs(curve_at(course, 0, after = TRUE)) > 1e-9) {
-    abort_schedule("course", "must be 0 at the start, from which it counts.")
+    abort_schedule("course", "must be 0 at the start: the course is relative to the start.")
   }
   heave <- curve("heave", "length", 0)
   moved <- names(held_points(si))[held_points(si) == "moved"]
@@ -22,29 +22,29 @@ scheduled_motion <- function(si, lattice, given, until) {
   }
   warps <- warp_curves(si, given, until)
   catch <- curve("catch", "number", 1)
-  if (!is.null(given$catch) && !length(catch_parts(lattice)) && is.null(si$catch)) {
+  if (!is.null(given$catch) && !length(catch_parts(mesh)) && is.null(si$catch)) {
     abort_schedule("catch",
       "needs a catch in netting or a piece whose role is {.val catch}; this gear has none.")
   }
   if (min(catch$begin, catch$end) < 0) abort_schedule("catch", "must not fall below 0.")
   current <- current_curves(si, given$current, until)
 
-  towed <- moved_nodes(si, lattice, moved)
+  towed <- moved_nodes(si, mesh, moved)
   track <- vessel_track(speed, course, until)
   track$swing <- vessel_swing(given$vessel_motion, si$water$waves)
   growing <- c(
     do.call("c", c(list(list()), lapply(names(warps), function(rope) {
-      growing_warp(si, lattice, rope, warps[[rope]], given)
+      growing_warp(si, mesh, rope, warps[[rope]], given)
     }))),
     if (!is.null(given$catch)) {
-      lapply(catch_parts(lattice), function(part) growing_catch(si, lattice, part, catch))
+      lapply(catch_parts(mesh), function(part) growing_catch(si, mesh, part, catch))
     }
   )
-  ruptures <- rupture_events(si, lattice, given$breaking)
+  ruptures <- rupture_events(si, mesh, given$breaking)
   list(
     schedule = list(
       motion = c(towed, track, list(heading = course, z = heave)),
-      release = shooting_times(si, lattice), growing = growing, current_x = current$x,
+      release = shooting_times(si, mesh), growing = growing, current_x = current$x,
       current_y = current$y, ruptures = ruptures,
       sticking = list(present = si$sticking, anchor = numeric())
     ),
@@ -54,18 +54,18 @@ scheduled_motion <- function(si, lattice, given, until) {
       unlist(lapply(growing, function(part) {
         curve_breaks(part$factor, kinks = part$name %in% names(warps))
       })),
-      # the water's acceleration jumps where a current's rate does
+      # the water's acceleration jumps if the rate of the current jumps
       unlist(lapply(c(current$x, current$y), curve_breaks, kinks = TRUE)),
       vapply(ruptures, `[[`, 0, "time")
     )))
   )
 }
 
-# Nodes that move with the vessel: list(node, place = 3 numbers each, m).
-moved_nodes <- function(si, lattice, moved) {
-  node <- unname(vapply(moved, function(name) lattice$points[[name]], 0L))
+# Returns nodes that move with the vessel: list(node, place = 3 coordinates each [m]).
+moved_nodes <- function(si, mesh, moved) {
+  node <- unname(vapply(moved, function(name) mesh$points[[name]], 0L))
   place <- vapply(moved, function(name) as.double(si$points[[name]]$position), numeric(3))
-  for (edge in lattice$held_edges) {
+  for (edge in mesh$held_edges) {
     if (!all(edge$between %in% moved)) next
     inner <- -c(1L, length(edge$node))
     node <- c(node, edge$node[inner])
@@ -75,13 +75,12 @@ moved_nodes <- function(si, lattice, moved) {
   list(node = as.integer(node), place = as.double(place))
 }
 
-# Ropes that a winch holds: those of role warp or purse_wire.
 warp_ropes <- function(si) {
   role <- vapply(si$ropes, `[[`, "", "role")
   names(role)[role %in% c("warp", "purse_wire")]
 }
 
-# Length paid out of each warp that the schedule names, as curves (m) by rope.
+# Returns the paid-out length of each warp as curves [m] by rope.
 warp_curves <- function(si, given, until) {
   value <- given$warp_out
   winch <- given$winch
@@ -102,7 +101,7 @@ warp_curves <- function(si, given, until) {
     found <- known[known == name | known == paste0("warp_", name)]
     if (length(found)) return(found)
     abort_schedule("warp_out", paste0(
-      "names ", show_value(name), "; this gear's warps are ", word_list(known), "."
+      "has the name ", show_value(name), "; the warps of this gear are ", word_list(known), "."
     ))
   })
   out <- lapply(names(value), function(name) {
@@ -112,19 +111,19 @@ warp_curves <- function(si, given, until) {
   setNames(out, unlist(ropes))
 }
 
-# The shortest length that a warp's bars may be drawn to, m: at 0 they would have none.
+# Smallest paid-out length (m); at 0 the bars would have no length.
 least_warp <- 1
 
 checked_warp <- function(curve, path, winch) {
   if (min(curve$begin, curve$end) < least_warp) {
-    abort_schedule(path, sprintf("falls below %s m, the least that may be out.", least_warp))
+    abort_schedule(path, sprintf("falls below %s m, the minimum length.", least_warp))
   }
-  if (length(curve_breaks(curve, FALSE))) abort_schedule(path, "jumps; a winch takes time.")
+  if (length(curve_breaks(curve, FALSE))) abort_schedule(path, "has a jump; a winch needs time.")
   limit <- winch$speed_limit
   if (is.null(limit)) curve else limited_curve(curve, limit)
 }
 
-# A curve that follows another no faster than `limit` (per second).
+# Limits the rate of a curve to `limit` (per second).
 limited_curve <- function(curve, limit) {
   fastest <- max(abs(c(curve$begin_rate, curve$end_rate)))
   if (fastest <= limit) return(curve)
@@ -137,43 +136,43 @@ limited_curve <- function(curve, limit) {
     most <- limit * 0.5
     reached[k] <- reached[k - 1] + min(max(wanted[k] - reached[k - 1], -most), most)
   }
-  # few pieces: only where the speed changes
+  # drop points on straight parts
   bend <- c(TRUE, abs(diff(reached, differences = 2)) > 1e-9, TRUE)
   straight_curve(time[bend], reached[bend])
 }
 
-# A warp as groups that grow: one by its length over the plan's; of a rope that was laid, a group
-# for each bar, of which the next to the vessel comes in first.
-growing_warp <- function(si, lattice, rope, curve, given) {
-  bars <- rope_bars(lattice, rope)
+# Returns the growing groups of a warp. A laid rope has one group per bar, and the bar next to the
+# vessel comes in first. Other warps are one group with a common factor.
+growing_warp <- function(si, mesh, rope, curve, given) {
+  bars <- rope_bars(mesh, rope)
   whole <- si$ropes[[rope]]$length
   if (!rope %in% names(si$laid$ropes)) {
-    return(list(growing_bars(si, lattice, rope, bars, whole, curve, given)))
+    return(list(growing_bars(si, mesh, rope, bars, whole, curve, given)))
   }
   for (name in c("winch", "control")) {
     if (!is.null(given[[name]])) {
-      abort_schedule(name, paste("must be left out for", rope, "which was laid: give `warp_out`."))
+      abort_schedule(name, paste("must be omitted for the laid rope", rope, "(use `warp_out`)."))
     }
   }
-  long <- lattice$mesh$bars$rest[bars]
+  long <- mesh$model$bars$rest[bars]
   long <- long * whole / sum(long)
   least <- least_bar * long
-  # the length that is out when a bar is in
+  # paid-out length when a bar is in
   inner <- whole - cumsum(long - least)
   lapply(seq_along(bars), function(k) {
     own <- clipped_curve(shifted_curve(curve, least[k] - inner[k]), least[k], long[k])
-    growing_bars(si, lattice, rope, bars[k], long[k], own, given)
+    growing_bars(si, mesh, rope, bars[k], long[k], own, given)
   })
 }
 
-# Share of a bar that is left of it when it is in.
+# Fraction of a bar's length that remains when it is in.
 least_bar <- 0.01
 
-# Bars of a warp as one group. whole: their length in the plan, m; curve: that by time.
-growing_bars <- function(si, lattice, rope, bars, whole, curve, given) {
+# Returns bars of a warp as one group. `whole`: length in the plan [m]; `curve`: length over time.
+growing_bars <- function(si, mesh, rope, bars, whole, curve, given) {
   full <- si$ropes[[rope]]
-  rest <- lattice$mesh$bars$rest[bars]
-  ends <- lattice$mesh$bars$node[rep(2L * bars, each = 2L) - 1:0]
+  rest <- mesh$model$bars$rest[bars]
+  ends <- mesh$model$bars$node[rep(2L * bars, each = 2L) - 1:0]
   half <- rep(rest / 2, each = 2L)
   mass <- half * full$mass_per_length
   weight <- gear_gravity * (mass - half * full$volume_per_length * si$water$density)
@@ -198,15 +197,15 @@ growing_bars <- function(si, lattice, rope, bars, whole, curve, given) {
       rest = rest, points = points, mass = sums(mass), load = -sums(weight), spheres = integer(),
       drag_area = numeric(), added_mass = numeric()
     ),
-    own_volumes(lattice, ends, surface_height(full$diameter, rep(rest, each = 2L)),
+    own_volumes(mesh, ends, surface_height(full$diameter, rep(rest, each = 2L)),
       gear_gravity * si$water$density * half * full$volume_per_length)
   )
 }
 
-# Where a group's buoyancy (N, of bodies that leave the water over these heights at these points) is
-# among the lattice's volumes.
-own_volumes <- function(lattice, point, height, buoyancy) {
-  known <- lattice$mesh$volumes
+# Returns the buoyancy [N] of a group by entry of the mesh's volumes. `point`, `height`: position
+# and height of its bodies.
+own_volumes <- function(mesh, point, height, buoyancy) {
+  known <- mesh$model$volumes
   at <- match(paste(point, height), paste(known$node, known$height))
   volumes <- unique(at[!is.na(at)])
   own <- buoyancy[!is.na(at)]
@@ -216,40 +215,39 @@ own_volumes <- function(lattice, point, height, buoyancy) {
   )
 }
 
-# Rows of the pieces that are catch.
-catch_parts <- function(lattice) {
-  which(lattice$parts$kind == "piece" & lattice$parts$role %in% "catch")
+catch_parts <- function(mesh) {
+  which(mesh$parts$kind == "piece" & mesh$parts$role %in% "catch")
 }
 
-# The catch as a group that grows by its share of the plan's.
-growing_catch <- function(si, lattice, part, curve) {
-  spheres <- which(lattice$sphere_part == part)
-  piece <- si$pieces[[lattice$parts$name[part]]]
-  node <- lattice$mesh$spheres$node[spheres]
+# Returns the catch as a group that grows by its fraction of the plan's catch.
+growing_catch <- function(si, mesh, part, curve) {
+  spheres <- which(mesh$sphere_part == part)
+  piece <- si$pieces[[mesh$parts$name[part]]]
+  node <- mesh$model$spheres$node[spheres]
   n <- length(node)
   each <- piece$number / max(n, 1L)
   c(
     list(
-      name = lattice$parts$name[part], whole = 1, factor = curve, control = NULL, bars = integer(),
+      name = mesh$parts$name[part], whole = 1, factor = curve, control = NULL, bars = integer(),
       rest = numeric(), points = node, mass = rep(each * piece$mass, n),
       load = rep(-gear_gravity * each * (piece$mass - si$water$density * piece$volume), n),
-      spheres = spheres, drag_area = lattice$mesh$spheres$drag_area[spheres],
-      added_mass = lattice$mesh$spheres$added_mass[spheres]
+      spheres = spheres, drag_area = mesh$model$spheres$drag_area[spheres],
+      added_mass = mesh$model$spheres$added_mass[spheres]
     ),
-    own_volumes(lattice, node, rep(piece$height, n),
+    own_volumes(mesh, node, rep(piece$height, n),
       rep(gear_gravity * si$water$density * each * piece$volume, n))
   )
 }
 
-# Currents over the ground, a pair of curves per depth of the plan's profile. given: a list of
-# speed, toward (as schedules), and depth, one or several; NULL for the plan's own.
+# Returns currents over the ground: a pair of curves per depth of the plan's profile. `given`: one
+# or several lists of speed, toward (schedules) and depth; NULL: as in the plan.
 current_curves <- function(si, given, until) {
   if (is.null(given)) return(list(x = list(), y = list()))
   layers <- if (!is.null(given$speed)) list(given) else given
   depths <- si$water$current$depth
   if (length(layers) != length(depths)) {
     abort_schedule("current", sprintf(
-      "has %d depths; it must have the plan's, which are %s m.", length(layers),
+      "has %d depths; it must have the depths of the plan: %s m.", length(layers),
       word_list(format(depths))
     ))
   }
@@ -268,8 +266,8 @@ current_curves <- function(si, given, until) {
   list(x = lapply(curves, `[[`, "x"), y = lapply(curves, `[[`, "y"))
 }
 
-# A current (curves of m/s and rad) along x and y: list(x, y), smooth from break to break. Water
-# that is turned at once pushes nothing; turned within a short time it would by its acceleration.
+# Returns list(x, y) for a current with speed [m/s] and direction [rad], smooth between breaks.
+# Breaks keep jumps as jumps: a fast smooth turn would cause forces from the water's acceleration.
 turned_current <- function(speed, toward, until) {
   until <- until + 2 * function_step
   breaks <- c(curve_breaks(speed, TRUE), curve_breaks(toward, TRUE))
@@ -287,7 +285,7 @@ turned_current <- function(speed, toward, until) {
     list(x = smooth_curve(time, s * cos(a)), y = smooth_curve(time, s * sin(a)))
   })
   before <- function(curve, way) {
-    # a jump where the tow begins: the water is settled in before it
+    # jump at time 0: the gear settles in the current before it
     first <- curve_at(speed, 0) * way(curve_at(toward, 0))
     if (first == curve$begin[1L]) return(curve)
     join_curves(list(straight_curve(c(-1, 0), rep(first, 2)), curve))
@@ -298,28 +296,28 @@ turned_current <- function(speed, toward, until) {
   )
 }
 
-# Ropes that may break. given: a list of list(rope, time, place) or list(rope), which goes at its
-# breaking load.
-rupture_events <- function(si, lattice, given) {
+# Returns the ropes that may break. `given`: list of list(rope, time, place). Without a time, the
+# rope breaks at its breaking load.
+rupture_events <- function(si, mesh, given) {
   lapply(given, function(event) {
     if (!is_text(event$rope) || !event$rope %in% names(si$ropes)) {
       abort_schedule("breaking", paste0(
-        "names the rope ", show_value(event$rope), "; this gear's are ",
+        "has the rope ", show_value(event$rope), "; the ropes of this gear are ",
         word_list(names(si$ropes)), "."
       ))
     }
-    bars <- rope_bars(lattice, event$rope)
-    place <- first_of(event$place, "middle")
+    bars <- rope_bars(mesh, event$rope)
+    place <- first_of(event$position, "middle")
     strength <- si$ropes[[event$rope]]$strength
     if (is.null(event$time) && is.na(strength)) {
       abort_schedule("breaking", paste0(
-        "gives no time for the rope ", event$rope, ", whose breaking load the plan does not know."
+        "needs a time for the rope ", event$rope, ": the plan does not give its breaking load."
       ))
     }
     time <- if (is.null(event$time)) Inf else schedule_number(event$time, "breaking$time", "time")
     list(
       rope = event$rope, bars = bars,
-      at = rope_bar(lattice, event$rope, place), time = time,
+      at = rope_bar(mesh, event$rope, place), time = time,
       strength = if (is.null(event$time)) as.double(strength) else Inf, broken = 0L, broken_at = 0
     )
   })

@@ -1,8 +1,7 @@
-# The `tow` section of a plan as the arguments of tow().
+# Section `tow` of a plan as arguments of tow().
 
-# Returns a list by argument; arguments that the plan leaves out are not in it.
 tow_section <- function(gear) {
-  # never a plan's section `towing`, which begins alike
+  # no partial match with the section `towing`
   tow <- gear_fields(gear)[["tow"]]
   if (is.null(tow)) return(list())
   for (name in intersect(c("speed", "course", "catch"), names(tow))) {
@@ -32,7 +31,7 @@ tow_section <- function(gear) {
   tow
 }
 
-# A list of rows, of which some fields may be missing, as a data frame: 0 for what is.
+# Converts a list of rows to a data frame; missing fields become 0.
 rows_table <- function(rows) {
   names <- unique(unlist(lapply(rows, names)))
   list2DF(lapply(setNames(names, names), function(name) {
@@ -40,7 +39,7 @@ rows_table <- function(rows) {
   }))
 }
 
-# A number, or a list of list(time, value), as tow() takes it.
+# Converts a list of list(time, value) to a data frame; numbers stay.
 schedule_table <- function(given) {
   if (!is.list(given)) return(given)
   data.frame(
@@ -48,7 +47,7 @@ schedule_table <- function(given) {
   )
 }
 
-# Height (m) of a regular swell by time (s), from its mean upwards.
+# Returns a function of time (s): height (m) of a regular swell, rising from 0.
 swell <- function(amplitude, period) {
   force(amplitude)
   force(period)

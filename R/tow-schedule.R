@@ -1,52 +1,66 @@
-# What changes with time while a gear is towed, as users give it.
-
 #' Schedule of a tow
 #'
-#' Describes what changes with time while [tow()] marches a gear: the towing speed and the course,
-#' the warps, the current, the catch and more. What a schedule leaves out is taken from the section
-#' `tow` of the gear's plan, and stays as in the plan where that leaves it out too.
+#' Defines the inputs of [tow()] that change over time, such as speed, course, warps, current and
+#' catch. The section `tow` of the gear's plan fills the gaps. All other inputs stay constant.
 #'
-#' A number that changes with time is one of
-#' - a constant: a number in SI, a text with a unit or an object of the package units;
-#' - a data frame with the columns `time` and `value`: straight between its rows, the last value for
-#'   good. Two rows of one time make a jump, which at time 0 follows the settled start;
-#' - a function of time in s that gives SI. It is evaluated every 0.1 s and smooth between, up to
-#'   where it jumps.
+#' @section Values over time:
+#' A changing value is a constant, a table or a function:
+#' - Constant: a number in SI, a string with a unit, or an object of the package units.
+#' - Table: a data frame with columns `time` and `value`, linear between its rows. The last value
+#'   stays. Two rows with the same time define a jump. At time 0 the gear settles in the conditions
+#'   before the jump.
+#' - Function of time in s that returns SI. It is sampled every 0.1 s, and its jumps are located.
+#'   The interpolant is smooth between them.
+#'
+#' @section Winch and controller:
+#' - `winch`: the warps follow `warp_out` up to `speed_limit` (m/s). They pay out if the tension at
+#'   their end on the vessel exceeds `tension_limit` (N).
+#' - `control`: called every `control_every` with the [measures()] of the present state and the time
+#'   (s). It returns the paying-out speed (m/s): one number, or one number per rope, by name.
+#'
+#' @section Vessel motion:
+#' `vessel_motion` is `list(response = , record = , at = , rising = )` with `response` or `record`:
+#' - `response`: response of the vessel to waves, a data frame or CSV file with one row per wave
+#'   `period` (s). Columns: `surge` (forward), `sway` (starboard), `heave` (up) in m per m of wave
+#'   amplitude; `roll` (starboard down), `pitch` (bow up), `yaw` (bow to starboard) in rad per m.
+#'   `surge_lag` to `yaw_lag` are lags in rad after the crest at the plan's origin, which moves with
+#'   the vessel. Values are linear between periods. Missing columns are 0.
+#' - `record`: measured motion, with the same columns by `time` (s), in m and rad. It starts
+#'   smoothly over `rising` (default 10 s).
+#' - `at`: centre of rotation, x, y and z (m). Default: the plan's origin.
+#'
+#' @section Catch:
+#' `catch` scales all pieces of role `catch`, and the volume, mass or blocked meshes of a [catch] in
+#' netting. The front of such a catch moves every 2 s, so that the netting behind it encloses the
+#' scheduled amount. The catch is as heavy as water and moves with the netting around it.
 #'
 #' @param speed Towing speed, m/s.
-#' @param course Course to starboard of that at the start, rad; it starts at 0.
-#' @param warp_out Length of warp out, m: one for all ropes of role `warp` or `purse_wire`, or a
-#'   list of them by rope or by `port` and `starboard`. At least 1 m.
-#' @param winch `list(speed_limit = , tension_limit = )` in m/s and N: warps follow `warp_out` no
-#'   faster, and pay out where their tension at the vessel, at the very end, exceeds the limit.
-#' @param control A function of `measures` (as [measures()] of the present state) and `time` that
-#'   gives the speed at which warps are paid out, m/s: one number, or numbers named by rope.
-#' @param control_every Time between calls of `control`, s or text; 10 s when `NULL`.
-#' @param current `list(speed = , toward = )` (m/s, rad), or a list of one such per depth of the
-#'   plan's current.
-#' @param heave Height of the towing points above where the plan has them, m; a sea state is a
-#'   function of time.
-#' @param vessel_motion How the vessel swings about its way: `list(response = , record = , at = ,
-#'   rising = )`. `response`: a data frame or CSV file with a row per `period` of waves (s) and any
-#'   of the columns `surge` (forwards), `sway` (to starboard), `heave` (up), m per m of the waves'
-#'   amplitude, `roll` (starboard down), `pitch` (bow up), `yaw` (bow to starboard), rad per m, and
-#'   `surge_lag` to `yaw_lag`, rad after the crest at the plan's origin, which moves with the
-#'   vessel; straight between periods. `record`: the same by `time` (s) in m and rad, smooth
-#'   between, which rises over `rising` (10 s). `at`: x, y and z (m) of the place that turns are
-#'   about, the plan's origin when left out.
-#' @param catch Share of the plan's catch that is in the codend: of its pieces of role `catch`, and
-#'   of the volume, mass or blocked meshes of a [catch] in netting, whose front is moved every 2 s
-#'   to where the netting behind it holds that much. Such a catch is as heavy as water and is moved
-#'   with the netting around it.
-#' @param breaking Ropes that break: a list of `list(rope = , time = , place = )`, place `"start"`,
-#'   `"middle"` or `"end"`; without a time, at the breaking load of the rope.
+#' @param course Change of course to starboard since the start, rad; 0 at time 0.
+#' @param warp_out Length of warp out, m, at least 1 m: one value for all ropes of role `warp` or
+#'   `purse_wire`, or a list by rope or by `port` and `starboard`.
+#' @param winch `list(speed_limit = , tension_limit = )` in m/s and N, see the section on winches.
+#' @param control `NULL`, or a function of `measures` and `time` that returns paying-out speeds,
+#'   m/s.
+#' @param control_every Time between calls of `control`, s or string. `NULL` (default): 10 s.
+#' @param current `list(speed = , toward = )` in m/s and rad, or a list with one such entry per
+#'   depth of the plan's current.
+#' @param heave Height of the towing points above the plan's position, m. Use a function for a
+#'   swell.
+#' @param vessel_motion Motion of the vessel about its track, see the section on vessel motion.
+#' @param catch Fraction of the plan's catch that is in the codend.
+#' @param breaking Ropes that break: a list of `list(rope = , time = , position = )`, with position
+#'   `"start"`, `"middle"` or `"end"`. Without a time, the rope breaks at its breaking load.
 #' @return A schedule of class `codend_schedule`: a list of the arguments. [tow()] checks them
 #'   against the gear. A wrong argument is an error of class `codend_error_argument`.
-#' @seealso [track_schedule()] for the schedule of a vessel's track.
+#' @seealso [tow()]; [track_schedule()] for the schedule of a vessel's track;
+#'   `vignette("motion", "codend")`.
 #' @examples
 #' faster <- tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
 #' faster
 #' tow("towed_cable", until = 60, every = 20, schedule = faster)
+#'
+#' # a trawl turns by 90 degrees in three minutes
+#' tow_schedule(course = data.frame(time = c(60, 240), value = c("0 deg", "90 deg")))
 #' @export
 tow_schedule <- function(speed = NULL, course = NULL, warp_out = NULL, winch = NULL,
                          control = NULL, control_every = NULL, current = NULL, heave = NULL,
@@ -67,7 +81,7 @@ tow_schedule <- function(speed = NULL, course = NULL, warp_out = NULL, winch = N
 print.codend_schedule <- function(x, ...) {
   given <- Filter(Negate(is.null), unclass(x))
   if (!length(given)) {
-    cat("Tow schedule: nothing changes but what the gear's plan says\n")
+    cat("Tow schedule: empty; only the plan's section `tow` applies\n")
     return(invisible(x))
   }
   cat("Tow schedule\n")
@@ -90,7 +104,7 @@ schedule_text <- function(value) {
   paste0(names(value), ifelse(single, paste(" =", value), ""), collapse = ", ")
 }
 
-# A schedule with what it leaves out taken from `planned`, a plan's section `tow`.
+# Fills the gaps of a schedule from `planned`, the section `tow` of a plan.
 with_planned <- function(schedule, planned) {
   open <- names(Filter(is.null, unclass(schedule)))
   schedule[open] <- unclass(do.call(tow_schedule, planned[intersect(open, names(planned))]))[open]
@@ -110,7 +124,6 @@ checked_winch <- function(winch) {
   winch
 }
 
-# A positive number in SI from a number or a text with a unit.
 tow_quantity <- function(value, name, dimension) {
   value <- given_value(value, name)
   si <- given_si(value, dimension, name)

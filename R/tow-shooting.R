@@ -1,38 +1,38 @@
-# A tow that starts with the gear lying bunched at the surface along the vessel's way, and lets
-# every node go when the vessel passes its place.
+# Start of a tow with the gear bunched at the surface along the vessel's track. Each node is
+# released when the vessel passes it.
 
-# Over this depth below the surface the whole of a gear lies bunched before it sinks, m.
+# Depth range of the bunched gear below the surface (m).
 bunched_depth <- 0.5
 
 shot_trajectory <- function(gear, si, given, until, nodes, netting) {
-  what <- tow_start(gear, si, build_lattice(si, nodes, netting), given, until)
-  position <- shot_position(si, what$lattice)
+  what <- tow_start(gear, si, build_mesh(si, nodes, netting), given, until)
+  position <- shot_position(si, what$mesh)
   add_start(what, position, c(0, 0, 0))
 }
 
-# How far along the rope every node lies, m.
-shot_reach <- function(si, lattice) {
-  pmin(pmax(lattice$hung[1, ], 0), si$ropes[[si$shooting$rope]]$length)
+# Returns the position of each node along the rope [m].
+shot_reach <- function(si, mesh) {
+  pmin(pmax(mesh$hung[1, ], 0), si$ropes[[si$shooting$rope]]$length)
 }
 
-# Positions (3 x nodes, m) of the gear as it is laid.
-shot_position <- function(si, lattice) {
-  hung <- lattice$hung
-  # What floats lies with the rest.
+# Returns the initial positions, 3 x nodes [m].
+shot_position <- function(si, mesh) {
+  hung <- mesh$hung
+  # floats get the same depth as weights
   depth <- abs(hung[3, ])
-  on_way <- vessel_way(si$shooting, si$ropes[[si$shooting$rope]]$length, shot_reach(si, lattice))
+  on_way <- vessel_path(si$shooting, si$ropes[[si$shooting$rope]]$length, shot_reach(si, mesh))
   position <- rbind(on_way, -depth * min(1, bunched_depth / max(depth)))
-  held <- lattice$mesh$held
-  position[, held] <- lattice$start[, held]
+  held <- mesh$model$held
+  position[, held] <- mesh$start[, held]
   position
 }
 
-# When the nodes of a gear that is shot are let go: list(node, time (s)); none where it is not, or
-# where a tow starts with all of it in the water.
-shooting_times <- function(si, lattice) {
-  if (is.null(lattice$hung) || isTRUE(lattice$let_go)) {
+# Returns the release times of nodes: list(node, time [s]). Empty if the gear is not shot or is
+# already in the water.
+shooting_times <- function(si, mesh) {
+  if (is.null(mesh$hung) || isTRUE(mesh$let_go)) {
     return(list(node = integer(), time = numeric()))
   }
-  free <- which(!lattice$mesh$held)
-  list(node = free, time = shot_reach(si, lattice)[free] / si$shooting$speed)
+  free <- which(!mesh$model$held)
+  list(node = free, time = shot_reach(si, mesh)[free] / si$shooting$speed)
 }

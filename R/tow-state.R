@@ -1,30 +1,31 @@
-# A moment of a trajectory, in the vessel's own axes.
-
-#' A moment of a tow
+#' State at a moment of a tow
 #'
-#' The state of a towed gear at one of the times that its trajectory keeps, as seen from the vessel:
-#' x aft, y to starboard, from the point that was the plan's origin at the start. Everything that
-#' reads a settled state reads it: [measures()], `summary()`, `plot()`, [view_3d()].
+#' Returns the state of a towed gear at a saved time, as seen from the vessel. All functions for
+#' settled states accept it, such as [measures()], `summary()`, `plot()` and [view_3d()].
 #'
-#' @param trajectory From [tow()].
-#' @param time s, or a text with a unit; the nearest time that is kept counts.
-#' @return A `codend_state` with the fields of a settled one and `time` (s) and `velocity` (3 x
-#'   nodes, m/s, relative to the vessel). Its net forces are what moves the gear, so they do not
-#'   vanish.
+#' x points aft and y to starboard. The origin moves with the vessel; at time 0 it is the plan's
+#' origin.
+#'
+#' @param trajectory A trajectory, from [tow()].
+#' @param time Time, s, or a string with a unit. The nearest saved time is used.
+#' @return A state of class `codend_state` with two further fields: `time` (s) and `velocity` (3 x
+#'   nodes, m/s, relative to the vessel). The net forces accelerate the gear, so they are not 0.
+#' @seealso [tow()], [measures()], [as.data.frame()][as.data.frame.codend_trajectory] for all times.
 #' @examples
-#' faster <- tow("towed_cable", until = 40, every = 20,
-#'   schedule = tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot"))))
-#' measures(state_at(faster, 40))
+#' state <- settle("midwater_trawl", nodes = 300)
+#' faster <- tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "4.5 knot")))
+#' trajectory <- tow(state, faster, until = 40, every = 20)
+#' measures(state_at(trajectory, "40 s"))[["total_drag_kN"]]
 #' @export
 state_at <- function(trajectory, time) {
   check_given("trajectory", "time")
   check_is_trajectory(trajectory)
   wanted <- schedule_number(time, "time", "time")
   ends <- range(trajectory$time)
-  # times are multiples of a step, to rounding
+  # saved times are multiples of a step, with rounding errors
   if (wanted < ends[1L] - 1e-6 || wanted > ends[2L] + 1e-6) {
-    abort_argument("{.arg time} is {.val {time}}; the tow was kept from {ends[1]} s to {ends[2]}
-      s.")
+    abort_argument("{.arg time} is {.val {time}}; it must be between {ends[1]} s and {ends[2]} s,
+      the times of the trajectory.")
   }
   k <- which.min(abs(trajectory$time - wanted))
   now <- conditions_at(trajectory, trajectory$time[k], trajectory$winch_length[, k])
@@ -32,10 +33,10 @@ state_at <- function(trajectory, time) {
   now$wake <- trajectory$wake[, k]
   now$catch_front <- trajectory$catch_front[, k]
   si <- si_at(trajectory, now)
-  lattice <- lattice_at(trajectory, now)
+  mesh <- mesh_at(trajectory, now)
   turned <- to_vessel(now$course)
   state <- new_state(
-    trajectory$gear, si, lattice,
+    trajectory$gear, si, mesh,
     as.vector(turned %*% (trajectory$position[, , k] - c(now$x, now$y, 0))),
     c(list(converged = TRUE, iterations = trajectory$report$iterations, residual = NA_real_),
       trajectory$report["steps"]),
@@ -47,7 +48,7 @@ state_at <- function(trajectory, time) {
   state
 }
 
-# What the measures of a moment are compared with, as compared_lattices() gives it.
+# Returns the comparison values for one moment, in the format of compared_meshes().
 compared_at <- function(trajectory, time) {
   compared <- trajectory$compared
   if (is.null(compared$time)) return(compared)
@@ -56,14 +57,14 @@ compared_at <- function(trajectory, time) {
   list(levels = list(level), values = if (time > compared$time[k] + 1e-6) compared$last)
 }
 
-# From axes over the ground to those of a vessel on a course (rad).
+# Returns the rotation from ground axes to the axes of a vessel with this course [rad].
 to_vessel <- function(course) {
   rbind(c(cos(course), -sin(course), 0), c(sin(course), cos(course), 0), c(0, 0, 1))
 }
 
-# Conditions of every kept time: a data frame of time, x, y (m, the vessel over the ground), x_rate,
-# y_rate, speed (m/s), course (rad), heave (m), in waves the elevation of the water there (m), and
-# per growing part its length (m) or share.
+# Returns a data frame: one row per saved time. Vessel over the ground: x, y [m], x_rate, y_rate,
+# speed [m/s], course [rad], heave [m]. In waves: elevation of the water there [m]. One column per
+# growing part: its length [m] or fraction.
 conditions_table <- function(trajectory) {
   scheduled_table(trajectory, trajectory$time,
     engine_schedule_at(trajectory$schedule, trajectory$time, as.double(trajectory$winch_length)))
@@ -77,7 +78,7 @@ scheduled_table <- function(what, time, found) {
     y_rate = velocity[2, ], speed = curve_at(what$curves$speed, time, after = TRUE),
     course = found$heading, heave = origin[3, ]
   )
-  waves <- what$lattice$mesh$water$waves
+  waves <- what$mesh$model$water$waves
   if (!is.null(waves)) {
     table$elevation <- engine_elevation(waves, table$x, table$y, as.double(time))
   }
@@ -90,12 +91,12 @@ scheduled_table <- function(what, time, found) {
   table
 }
 
-# The same of one time as a list, with the current over the ground (m/s along x and y, by depth)
-# where the schedule has one, and what the winches have out (winch_length, m, by growing part).
-# before: at a jump those before it.
+# Returns the same for one time as a list. It adds the scheduled current over the ground (m/s by
+# depth) and `winch_length`, the paid-out length (m) by growing part. `before`: TRUE for values
+# before a jump.
 conditions_at <- function(what, time, winch_length = winches_at_start(what$schedule),
                           before = FALSE) {
-  # the engine tells what is after a jump; so early (s) is before it and otherwise the same
+  # the engine returns values after a jump; 1e-9 s earlier it is still before it
   if (before) time <- time - 1e-9
   found <- engine_schedule_at(what$schedule, time, as.double(winch_length))
   c(
@@ -108,7 +109,7 @@ winches_at_start <- function(schedule) {
   vapply(schedule$growing, function(part) first_of(part$control$length, 0), 0)
 }
 
-# The gear's numbers at one time: towing speed, warps and current as they are, in the vessel's axes.
+# Returns the gear's numbers at one time, in the vessel's axes.
 si_at <- function(what, now) {
   si <- what$si
   si$towing$speed <- now$speed
@@ -130,29 +131,29 @@ si_at <- function(what, now) {
   si
 }
 
-# The lattice at one time, in the vessel's axes.
-lattice_at <- function(what, now) {
-  lattice <- what$lattice
+# Returns the mesh at one time, in the vessel's axes.
+mesh_at <- function(what, now) {
+  mesh <- what$mesh
   si <- si_at(what, now)
   ropes <- intersect(vapply(what$schedule$growing, `[[`, "", "name"), names(what$si$ropes))
-  lattice$built_lengths <- c(
-    lattice$built_lengths, vapply(setdiff(ropes, names(lattice$built_lengths)), function(rope) {
+  mesh$built_lengths <- c(
+    mesh$built_lengths, vapply(setdiff(ropes, names(mesh$built_lengths)), function(rope) {
       what$si$ropes[[rope]]$length
     }, 0)
   )
-  mesh <- lattice$mesh
-  changes <- scheduled_fields(mesh, what$schedule, now)
+  model <- mesh$model
+  changes <- scheduled_fields(model, what$schedule, now)
   changes$water <- list(x = si$water$current$x + now$speed, y = si$water$current$y)
   changes$water$waves <-
-    waves_from_vessel(mesh$water$waves, now$time, c(now$x, now$y), now$course)
+    waves_from_vessel(model$water$waves, now$time, c(now$x, now$y), now$course)
   if (!is.null(now$wake)) changes$wake <- now$wake
-  if (!is.null(si$ground)) changes$ground <- ground_from_vessel(mesh$ground, now)
-  if (length(now$catch_front)) lattice <- set_catch_front(lattice, now$catch_front[1L])
-  change_lattice(lattice, changes)
+  if (!is.null(si$ground)) changes$ground <- ground_from_vessel(model$ground, now)
+  if (length(now$catch_front)) mesh <- set_catch_front(mesh, now$catch_front[1L])
+  change_mesh(mesh, changes)
 }
 
-# Fields of a mesh that follow from its growing parts at one time and from its broken bars.
-scheduled_fields <- function(mesh, schedule, now) {
+# Returns the fields of a mesh that depend on growing parts and broken bars at one time.
+scheduled_fields <- function(model, schedule, now) {
   if (!length(schedule$growing) && !any(now$broken > 0)) return(list())
   still <- numeric(length(now$winch_length))
   broken <- integer(length(schedule$ruptures))
@@ -161,14 +162,14 @@ scheduled_fields <- function(mesh, schedule, now) {
     length = now$winch_length, since = still + now$time, speed = still, target_speed = still,
     near_limit = still > 0, broken = broken, broken_at = 0 * broken
   )
-  found <- engine_scheduled(mesh, schedule_as_done(schedule, done), now$time)
+  found <- engine_scheduled(model, schedule_as_done(schedule, done), now$time)
   c(found[c("mass", "load")], list(
     bars = found[c("rest", "multiplicity")], spheres = found[c("drag_area", "added_mass")],
     volumes = found["buoyancy"]
   ))
 }
 
-# The sea bed in the vessel's axes, where it passes by at the towing speed.
+# Returns the sea bed in the vessel's axes; it moves past at the towing speed.
 ground_from_vessel <- function(ground, now) {
   ground$height <- ground$height - sum(ground$normal * c(now$x, now$y, 0))
   ground$normal <- drop(to_vessel(now$course) %*% ground$normal)

@@ -1,14 +1,14 @@
-# How a vessel swings at its towing points: by its response to waves, or by a record.
+# Motion of a vessel at its towing points, from its response to waves or from a record.
 
-# In the order of the engine's Swing: ways of moving, and whether each is a length or an angle.
+# Degrees of freedom in the order of the engine's Swing, and their dimension.
 swing_ways <- c(
   surge = "length", sway = "length", heave = "length", roll = "angle", pitch = "angle",
   yaw = "angle"
 )
 
-# given: as tow()'s vessel_motion; waves: the gear's, or NULL. Returns what the engine's track has
-# as `swing`: list(centre (m), by_time = six curves or none, even, odd = six answers per wave or
-# none).
+# Returns the input `swing` of the engine's track: list(centre [m], by_time, even, odd). `by_time`:
+# six curves or empty; `even`, `odd`: six amplitudes per wave or empty. `given`: as `vessel_motion`
+# of tow_schedule(); `waves`: waves of the gear, or NULL.
 vessel_swing <- function(given, waves) {
   if (is.null(given)) return(NULL)
   known <- c("at", "response", "record", "rising")
@@ -23,7 +23,8 @@ vessel_swing <- function(given, waves) {
     schedule_number(at[[k]], sprintf("vessel_motion$at[%d]", k), "length")
   }, 0)
   if (!is.null(given$response) && is.null(waves)) {
-    abort_schedule("vessel_motion$response", "answers to waves; this gear's water has none.")
+    abort_schedule("vessel_motion$response", "needs waves; the plan of this gear has no
+      `water.waves`.")
   }
   answers <- if (!is.null(given$response)) wave_answers(given$response, waves)
   rising <- schedule_number(first_of(given$rising, 10), "vessel_motion$rising", "time")
@@ -35,7 +36,7 @@ vessel_swing <- function(given, waves) {
   )
 }
 
-# A column of a table in SI; 0 where the table has none.
+# Returns a column of a table in SI; 0 if it is missing.
 swing_column <- function(table, name, dimension, path) {
   if (is.null(table[[name]])) return(numeric(nrow(table)))
   vapply(seq_len(nrow(table)), function(k) {
@@ -45,7 +46,7 @@ swing_column <- function(table, name, dimension, path) {
 
 checked_swing_table <- function(table, first, more, path) {
   if (is_text(table)) {
-    if (!file.exists(table)) abort_file(table, "does not exist.")
+    if (!file.exists(table)) abort_file(table, "does not exist.", argument = path)
     table <- utils::read.csv(table, comment.char = "#")
   }
   known <- c(first, names(swing_ways), more)
@@ -59,14 +60,14 @@ checked_swing_table <- function(table, first, more, path) {
   table
 }
 
-# Answers per metre of a wave's height above the mean, interpolated between the periods of a table
-# and constant beyond them: matrices with a column per wave.
+# Returns amplitudes per metre of wave elevation, one column per wave. They are linear between the
+# periods of the table and constant beyond them.
 wave_answers <- function(table, waves) {
   path <- "vessel_motion$response"
   table <- checked_swing_table(table, "period", paste0(names(swing_ways), "_lag"), path)
   period <- swing_column(table, "period", "time", path)
   if (is.unsorted(period, strictly = TRUE) || period[1L] <= 0) {
-    abort_schedule(path, "must list its periods in order, each once, above 0.")
+    abort_schedule(path, "must have positive periods in increasing order, without duplicates.")
   }
   of_waves <- 2 * pi / waves$frequency
   at <- function(values) {
@@ -74,11 +75,11 @@ wave_answers <- function(table, waves) {
     stats::approx(period, values, of_waves, rule = 2)$y
   }
   both <- lapply(names(swing_ways), function(way) {
-    # lengths per metre are plain numbers
+    # lengths per metre are dimensionless
     dimension <- if (swing_ways[[way]] == "angle") "angle" else "number"
     size <- swing_column(table, way, dimension, path)
     lag <- swing_column(table, paste0(way, "_lag"), "angle", path)
-    # a crest passes where the angle of a wave, which falls with time, is 0
+    # the phase of a wave decreases with time and is 0 at a crest
     list(even = at(size * cos(lag)), odd = at(-size * sin(lag)))
   })
   list(
@@ -87,15 +88,15 @@ wave_answers <- function(table, waves) {
   )
 }
 
-# A record as six curves, which rise from nothing over a time (s).
+# Returns a record as six curves that start smoothly within `rising` seconds.
 record_curves <- function(table, rising) {
   path <- "vessel_motion$record"
   table <- checked_swing_table(table, "time", character(), path)
   time <- swing_column(table, "time", "time", path)
   if (length(time) < 2L || is.unsorted(time, strictly = TRUE)) {
-    abort_schedule(path, "must list two times or more in order, each once.")
+    abort_schedule(path, "must have at least two times in increasing order, without duplicates.")
   }
-  if (time[1L] > 0) abort_schedule(path, "must begin at time 0 or before.")
+  if (time[1L] > 0) abort_schedule(path, "must start at time 0 or earlier.")
   share <- if (rising > 0) pmin(pmax(time / rising, 0), 1) else as.double(time > 0)
   lapply(names(swing_ways), function(way) {
     value <- swing_column(table, way, swing_ways[[way]], path)

@@ -1,15 +1,12 @@
-# The vessel's track over the ground, from its speed and course.
-
-# Between these times (s) a turning vessel's track is one cubic; at 1 degree a second and 3 m/s that
-# is 1e-8 m off.
+# Length of cubic pieces in a turn (s). The error is 1e-8 m at 1 degree per second and 3 m/s.
 track_step <- 0.25
 
-# A track has knots at its multiples, s. So its pieces, to their last bits, are the same however far
-# a tow goes, and a tow that goes on is one that never stopped.
+# Spacing of fixed knots (s). They make the pieces independent of the end time, so that a continued
+# tow is identical to an uninterrupted one.
 track_span <- 600
 
-# speed (m/s), course (rad, to starboard of the start, which heads towards -x): curves.
-# Returns curves x and y (m) of the vessel's origin.
+# Returns curves x and y [m] of the vessel's origin. `speed`: curve [m/s]; `course`: curve [rad] to
+# starboard of the initial heading, which is -x.
 vessel_track <- function(speed, course, until) {
   last <- (floor(until / track_span) + 1) * track_span
   knots <- c(seq(0, last, by = track_span), speed$time, course$time, turning_knots(course, last))
@@ -23,7 +20,7 @@ vessel_track <- function(speed, course, until) {
   begin <- velocity(knots[-n], TRUE)
   end <- velocity(knots[-1L], FALSE)
   h <- diff(knots)
-  # Gauss's three points, so that a cubic of these ends and rates is right to its own order
+  # three Gauss points match the order of a cubic with these end rates
   at <- c(0.5 - sqrt(0.15), 0.5, 0.5 + sqrt(0.15))
   weight <- c(5, 8, 5) / 18
   moved <- 0
@@ -39,7 +36,7 @@ vessel_track <- function(speed, course, until) {
   list(x = curve(1L), y = curve(2L))
 }
 
-# Knots within the pieces of a course on which it turns.
+# Returns knots within the turning pieces of a course.
 turning_knots <- function(course, last) {
   turns <- course$begin_rate != 0 | course$end_rate != 0
   knots <- seq(0, last, by = track_step)

@@ -1,34 +1,33 @@
-# A trajectory: states of a gear at chosen times, over the ground, and what is needed to go on.
+# Class `codend_trajectory`: states over the ground at saved times, and data to continue.
 
-# What of a trajectory does not change as it is marched.
+# Fields that stay constant during time integration.
 trajectory_constants <- c(
-  "gear", "si", "lattice", "given", "schedule", "curves", "breaks", "compared",
+  "gear", "si", "mesh", "given", "schedule", "curves", "breaks", "compared",
   "method", "every"
 )
 
-# The constants of a trajectory, as a list.
 constants_of <- function(trajectory) {
-  kept <- intersect(setdiff(trajectory_constants, "lattice"), names(trajectory))
-  c(unclass(trajectory)[kept], list(lattice = trajectory$lattice))
+  kept <- intersect(setdiff(trajectory_constants, "mesh"), names(trajectory))
+  c(unclass(trajectory)[kept], list(mesh = trajectory$mesh))
 }
 
-# A trajectory has the recipe of its lattice, and a handle that holds it, as a state has.
+# A trajectory stores the recipe of its mesh; a handle caches the mesh itself.
 #' @export
 `[[.codend_trajectory` <- function(x, i, ...) {
-  if (!identical(i, "lattice")) return(.subset2(x, i))
+  if (!identical(i, "mesh")) return(.subset2(x, i))
   handle_value(.subset2(x, "handle"), function() {
-    lattice_of_recipe(.subset2(x, "si"), .subset2(x, "mesh"))
+    mesh_of_recipe(.subset2(x, "si"), .subset2(x, "recipe"))
   })
 }
 
-# What a march needs of the one before: see engine_tow().
+# Data for a continuation, see engine_tow().
 memory_fields <- c("now", "before", "steps", "caution", "step", "done")
 
-# what: the constants, as a list; frames: as the engine hands them over.
+# `what`: list of constants; `frames`: snapshots from the engine.
 gather_trajectory <- function(what, frames, end) {
   last <- frames[[length(frames)]]
   each <- function(pick) matrix(as.double(unlist(lapply(frames, pick))), ncol = length(frames))
-  n <- what$lattice$nodes
+  n <- what$mesh$nodes
   three <- function(x) array(x, c(3L, n, length(frames)))
   out <- c(what, list(
     time = vapply(frames, function(f) f$now$time, 0),
@@ -38,25 +37,25 @@ gather_trajectory <- function(what, frames, end) {
     end = end, report = last$report, memory = last[memory_fields]
   ))
   out$conditions <- conditions_table(out)
-  out$lattice <- NULL
-  out$mesh <- mesh_recipe(what$lattice)
+  out$mesh <- NULL
+  out$recipe <- mesh_recipe(what$mesh)
   out$handle <- engine_handle()
-  engine_fill_handle(out$handle, what$lattice)
+  engine_fill_handle(out$handle, what$mesh)
   out$conditions$energy_imbalance <- energy_imbalance(out$energy)
   out$conditions$energy_put_through <- out$energy[match("put_through", engine_energy_parts()), ]
   structure(out, class = "codend_trajectory")
 }
 
-# Goes on with a trajectory until a time. measured: a function(state) of what the user's control is
-# told; record: NULL, or a function(what, frames) that keeps frames and gives list(add =
-# function(frame), close = function(end)) for those that follow.
-march_trajectory <- function(trajectory, until, every, method, measured = NULL, record = NULL) {
+# Continues a trajectory until a time. `measured`: function(state) that returns the input of the
+# user's controller. `record`: NULL, or `function(what, frames)` that saves snapshots and returns
+# list(add = function(frame), close = function(end)) for further ones.
+integrate_trajectory <- function(trajectory, until, every, method, measured = NULL, record = NULL) {
   what <- constants_of(trajectory)
   what$method <- method
   what$every <- every
   past <- trajectory$memory
   if (is.na(past$step) || method$accuracy == 0) past$step <- method$step
-  # of the start, which a tow that goes on has too
+  # the node ordering follows from the initial shape, for identical results after a continuation
   past$energy <- trajectory$energy[, length(trajectory$time)]
   past$ordering <- as.vector(trajectory$position[, , 1L])
   stops <- tow_stops(past$now$time, until, every, what)
@@ -81,8 +80,8 @@ march_trajectory <- function(trajectory, until, every, method, measured = NULL, 
   report <- NULL
   tryCatch(
     {
-      mesh <- marched_mesh(what, trajectory)
-      report <- engine_tow(mesh, schedule_as_done(what$schedule, past$done), past, method,
+      model <- model_at_time(what, trajectory)
+      report <- engine_tow(model, schedule_as_done(what$schedule, past$done), past, method,
         stops, keep, steerer(what, measured, function() front), refill,
         tow_progress(past$now$time, until))
       end <- report$end
@@ -99,19 +98,19 @@ march_trajectory <- function(trajectory, until, every, method, measured = NULL, 
   out
 }
 
-# The mesh as the last of a trajectory's times left it.
-marched_mesh <- function(what, trajectory) {
+# Returns the mesh at the last time of a trajectory.
+model_at_time <- function(what, trajectory) {
   n <- length(trajectory$time)
-  lattice <- what$lattice
+  mesh <- what$mesh
   changes <- list(wake = trajectory$wake[, n])
   if (!is.null(what$si$catch)) {
-    lattice <- set_catch_front(lattice, trajectory$catch_front[1L, n])
-    changes$mass <- catch_masses(what$si, lattice, trajectory$catch_front[2L, n])
+    mesh <- set_catch_front(mesh, trajectory$catch_front[1L, n])
+    changes$mass <- catch_masses(what$si, mesh, trajectory$catch_front[2L, n])
   }
-  changed_mesh(lattice$mesh, changes)
+  changed_model(mesh$model, changes)
 }
 
-# Times at which steps end, and what happens there.
+# Returns the times at which steps must end, and the events at these times.
 tow_stops <- function(begun, until, every, what) {
   steps_to <- function(every) {
     first <- floor(begun / every + 1e-9) + 1
@@ -129,7 +128,7 @@ tow_stops <- function(begun, until, every, what) {
   )
 }
 
-# The schedule with its controlled lengths and ropes as they are.
+# Returns the schedule with the present controlled lengths and broken ropes.
 schedule_as_done <- function(schedule, done) {
   for (k in seq_along(schedule$growing)) {
     if (is.null(schedule$growing[[k]]$control)) next
@@ -141,13 +140,14 @@ schedule_as_done <- function(schedule, done) {
     schedule$ruptures[[k]]$broken <- done$broken[k]
     schedule$ruptures[[k]]$broken_at <- done$broken_at[k]
   }
-  # where contacts stick, once a march has begun
+  # contact points of sticking friction, once time integration has begun
   schedule$sticking$anchor <- as.double(done$anchor)
   schedule
 }
 
-# A function(frame) that asks the user's control for the speed of every growing part, m/s; measured:
-# as in march_trajectory(); front: a function that gives the catch's.
+# Returns a function(frame) that calls the user's controller for the speed of each growing part
+# [m/s]. `measured`: as in integrate_trajectory(); `front`: function that returns the front of the
+# catch.
 steerer <- function(what, measured, front) {
   control <- what$given$control
   names <- vapply(what$schedule$growing, `[[`, "", "name")
@@ -159,13 +159,13 @@ steerer <- function(what, measured, front) {
     good <- all(is.finite(found)) &&
       (length(found) == 1L || all(names %in% names(found)))
     if (!good) {
-      abort_schedule("control", "must give one finite speed in m/s, or one for each warp by name.")
+      abort_schedule("control", "must return one finite speed in m/s, or one for each warp by
+        name.")
     }
     if (length(found) == 1L) rep(as.double(found), length(names)) else as.double(found[names])
   }
 }
 
-# The frames that a trajectory was gathered from.
 trajectory_frames <- function(trajectory) {
   count <- length(trajectory$time)
   lapply(seq_len(count), function(k) {
@@ -182,8 +182,7 @@ trajectory_frames <- function(trajectory) {
   })
 }
 
-# A function(time, steps) that shows simulated time, step and time left once a run has taken two
-# seconds.
+# Returns a function(time, steps) that shows progress once a run has taken two seconds.
 tow_progress <- function(begun, until) {
   if (!cli::is_dynamic_tty()) return(function(time, steps) NULL)
   started <- proc.time()[["elapsed"]]
@@ -206,23 +205,23 @@ tow_progress <- function(begun, until) {
 }
 
 abort_stuck <- function(report, trajectory) {
-  where <- describe_node(trajectory$lattice, report$worst_node)
+  where <- describe_node(trajectory$mesh, report$worst_node)
   abort_not_converged(
     c(
-      "The motion stopped at {signif(report$time, 6)} s: no step down to 1e-7 s was found.",
-      "x" = "Worst at {where}. What is done is the condition's {.field trajectory}."
+      "The tow stopped at {signif(report$time, 6)} s: no step down to 1e-7 s converged.",
+      "x" = "Worst at {where}. The condition's {.field trajectory} has the completed part."
     ),
     report = report, trajectory = trajectory
   )
 }
 
 abort_unbalanced <- function(report, trajectory) {
-  where <- describe_node(trajectory$lattice, report$worst_node)
+  where <- describe_node(trajectory$mesh, report$worst_node)
   abort_as(c("energy", "not_converged"),
     c(
-      "The motion gains or loses energy at {signif(report$time, 6)} s that nothing puts in or takes
-      out: more than 2 % of what is put through, however short the steps.",
-      "x" = "Worst at {where}. What is done is the condition's {.field trajectory}.",
+      "The tow stopped at {signif(report$time, 6)} s: the energy balance is wrong by more than 2 %
+      of the energy put through, even with short steps.",
+      "x" = "Worst at {where}. The condition's {.field trajectory} has the completed part.",
       "i" = "Use a smaller {.arg accuracy}, or another {.arg scheme}."
     ),
     report = report, trajectory = trajectory, envir = environment()
