@@ -1,10 +1,13 @@
-// What the flume tank's page keeps: designs beside each other, steps back and on, and the address,
-// which carries them all.
+// Stored designs, undo and redo, and the page address, which encodes all designs.
 //
-// codendDesigns.open(words) opens what an address or a file says; .show(kept) lists what R keeps,
-// .shared(designs) what is in the folder that all share;
-// .moved() tells that something changed; .words(words, number) takes what R says of the designs;
-// .waits() returns whether the address is still to change.
+// `codendDesigns`:
+//   `open(words)` opens the designs that an address or a file encodes.
+//   `read()` opens the designs of the page address and returns false if it has no new ones.
+//   `moved()` schedules an update of the address.
+//   `words(said, number)` writes R's description of the designs to the address.
+//   `show(kept)` lists the stored designs.
+//   `shared(designs)` lists the designs of the shared folder.
+//   `waits()` returns true while the address is out of date.
 window.codendDesigns = (function () {
   'use strict';
 
@@ -21,7 +24,7 @@ window.codendDesigns = (function () {
       return reader.read().then(function (step) {
         if (step.done) return new Blob(parts).arrayBuffer();
         size += step.value.length;
-        // a few bytes may stand for very many
+        // A small compressed text can expand to an arbitrary size.
         if (size > largest) { reader.cancel(); throw new RangeError('too long'); }
         parts.push(step.value);
         return next();
@@ -47,7 +50,6 @@ window.codendDesigns = (function () {
     });
   }
 
-  // Of the address that the page was opened with; whether it carries a design.
   function read() {
     var found = window.location.hash.match(/^#d=([A-Za-z0-9_-]+)$/);
     if (!found || found[1] === mine) return false;
@@ -60,7 +62,7 @@ window.codendDesigns = (function () {
   }
   window.addEventListener('hashchange', read);
 
-  // words: {now, kept: [...], draft, own, units}.
+  // words: {now, kept: [...], draft, own, units}; missing parts become empty.
   function open(words) {
     if (words && words.units) window.codendPage.prefer(words.units);
     window.codendTalk.ask('words', {
@@ -69,7 +71,6 @@ window.codendDesigns = (function () {
     });
   }
 
-  // A moment after the last change.
   function moved() {
     window.clearTimeout(timer);
     timer = window.setTimeout(function () {
@@ -80,7 +81,7 @@ window.codendDesigns = (function () {
     }, 600);
   }
 
-  // said: null without a design.
+  // `said` is null without a design.
   function words(said, number) {
     if (said) said.units = window.codendPage.preferred();
     (said ? pack(said) : Promise.resolve(null)).then(function (text) {
@@ -105,7 +106,7 @@ window.codendDesigns = (function () {
   });
   document.addEventListener('keydown', function (event) {
     if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-    // a text that is being written has steps of its own
+    // Text fields have their own undo.
     if (/^(text|search)$/.test(event.target.type) || event.target.tagName === 'TEXTAREA') return;
     var key = event.key.toLowerCase();
     var name = key === 'z' ? (event.shiftKey ? 'redo' : 'undo') : key === 'y' ? 'redo' : null;
@@ -114,7 +115,7 @@ window.codendDesigns = (function () {
     step(name);
   });
 
-  // ---- kept designs -------------------------------------------------------------------------------
+  // ---- stored designs -----------------------------------------------------------------------------
 
   var first = null;
   function act(id, what, name) {
@@ -159,7 +160,7 @@ window.codendDesigns = (function () {
     moved();
   }
 
-  // ---- the folder that all share ------------------------------------------------------------------
+  // ---- the shared folder --------------------------------------------------------------------------
 
   function share(what, name, author) {
     window.codendPage.tell('shared_error', '');
@@ -183,7 +184,7 @@ window.codendDesigns = (function () {
         button('open_copy', function () {
           window.codendTalk.ask('shared_open', { author: one.author, name: one.name });
         });
-        // what takes the author's word stands beside it
+        // Removal requires the author's password, and only this panel has the password field.
         if (list.closest('#shared')) {
           button('remove', function () { share('take_out', one.name, one.author); });
         }

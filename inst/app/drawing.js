@@ -1,8 +1,12 @@
-// The net drawing in the flume tank, which is its editor: zoom and pan, click a number and type, drag the
-// lower edge of a panel to make it deeper.
+// The net drawing in the flume tank, which is also an editor. Users zoom and pan, click a number to
+// change it, or drag the lower edge of a panel to make it deeper.
 //
-// codendDrawing.show(text) shows an SVG; .want() asks for it where it is seen, once nobody types;
-// .wrong(paths) marks fields that do not fit; .seek(path) brings a part into sight as soon as it is drawn.
+// `codendDrawing`:
+//   `show(text)` shows an SVG.
+//   `want(moved)` requests a new drawing from R if it is visible and out of date.
+//   `wrong(paths)` marks fields with problems.
+//   `seek(path)` scrolls to a part now, or when it is next drawn.
+//   `opened()` resets the view for another plan.
 window.codendDrawing = (function () {
   'use strict';
 
@@ -23,7 +27,7 @@ window.codendDrawing = (function () {
     }, 250);
   }
 
-  // Texts of a plan may be anybody's: nothing in the drawing may run or load.
+  // Plans can come from strangers, so scripts and links are removed.
   function harmless(root) {
     root.querySelectorAll('script, foreignObject, iframe, image, use, animate, set, style, a')
       .forEach(function (one) { one.remove(); });
@@ -63,7 +67,7 @@ window.codendDrawing = (function () {
 
   // ---- zoom and pan -------------------------------------------------------------------------------
 
-  // As much of the sheet as leaves its letters legible, from the netting's corner on.
+  // Zooms so that the smallest letters are legible, and starts at the first panel.
   function open_view() {
     var place = find('drawing'), sizes = [].slice.call(svg().querySelectorAll('[data-path] text'))
       .map(function (one) { return Number(one.getAttribute('font-size')); });
@@ -91,7 +95,8 @@ window.codendDrawing = (function () {
     look();
   }
 
-  // share < 1 zooms in; x, y: what stays, as shares of the picture.
+  // `share` is a factor on the visible width, below 1 to zoom in. `x` and `y` are the fixed point
+  // as fractions of the picture.
   function zoom(share, x, y) {
     if (!box) return;
     share = Math.min(Math.max(share, 5 / box[2]), 1.3 * Math.max(whole[2], whole[3]) / box[2]);
@@ -106,7 +111,7 @@ window.codendDrawing = (function () {
     look();
   }
 
-  // Moves to a thing that is out of sight.
+  // Scrolls to an element that is out of sight.
   function bring(thing) {
     var b = thing.getBBox(), x = b.x + b.width / 2, y = b.y + b.height / 2;
     if (x > box[0] && y > box[1] && x < box[0] + box[2] && y < box[1] + box[3]) return;
@@ -191,7 +196,7 @@ window.codendDrawing = (function () {
 
   // ---- edits --------------------------------------------------------------------------------------
 
-  // Opens what is clicked: a number or a word to type in place, a part in the form.
+  // Edits a clicked element: a value in place, a part in the form.
   function change(thing) {
     var path = thing.dataset.path, field = window.codendForm.field(path), text = thing.querySelector('text');
     choose(thing);
@@ -202,13 +207,13 @@ window.codendDrawing = (function () {
     if (!text) grip(thing, path);
   }
 
-  // What shows the value of a field.
+  // Returns the elements that display the value of a field.
   function figures(path) {
     return [].slice.call(svg().querySelectorAll('[data-path="' + CSS.escape(path) + '"]'))
       .filter(function (one) { return one.querySelector('text'); });
   }
 
-  // What can be typed, part after part as one reads a paper drawing, each field once.
+  // Returns the editable elements in the order of the Tab key: part by part, each field once.
   function by_part() {
     var parts = [], seen = {};
     svg().querySelectorAll('[data-path]').forEach(function (one) {
@@ -275,7 +280,7 @@ window.codendDrawing = (function () {
     if (input.select) input.select();
   }
 
-  // The lower edge of a chosen panel can be dragged.
+  // Adds a handle to the lower edge of a chosen panel.
   var dragged = null;
   function grip(thing, path) {
     if (handle) handle.remove();
@@ -306,7 +311,7 @@ window.codendDrawing = (function () {
     if (one.deep !== one.about.deep) window.codendForm.edit(one.about.path, { value: one.deep, unit: '' });
   }
 
-  // ---- what does not fit --------------------------------------------------------------------------
+  // ---- problems -----------------------------------------------------------------------------------
 
   function mark() {
     if (!svg()) return;

@@ -1,6 +1,6 @@
-// Plans that a user opens, drops or types in the flume tank.
+// Opens plans from a file dialog, by drag and drop, or from the text area.
 //
-// codendFiles.showLine(path) marks the line of the plan's text that a path names.
+// codendFiles.showLine(path) selects the line of the plan text that `path` refers to.
 window.codendFiles = (function () {
   'use strict';
 
@@ -12,7 +12,7 @@ window.codendFiles = (function () {
     window.codendPage.tell('plan_file_error', why + ' ' + say('gear_stays'));
   }
 
-  // Sends what is in a file; its answer comes as any plan's.
+  // Saved designs are opened as such; other files are sent to R as plans.
   function open(file) {
     window.codendPage.tell('plan_file_error', '');
     if (file.size > largest) {
@@ -37,7 +37,7 @@ window.codendFiles = (function () {
     var input = event.target;
     if (!input.classList.contains('plan-file') || !input.files.length) return;
     open(input.files[0]);
-    // the same file chosen again is read again
+    // Otherwise the same file could not be chosen again.
     input.value = '';
   });
   document.addEventListener('dragover', function (event) {

@@ -1,23 +1,26 @@
-// The flume tank's form: every field of the plan, laid out from what R/flume-form.R makes of the
-// schema. What is moved is sent as changes of the plan that the form was made of.
+// The flume tank's form: all fields of the plan, from the description that R/flume-form.R makes of
+// the schema. Edits are sent to R as changes of the plan that the form shows.
 //
-// codendForm.show(message) lays it out; .open(path) shows the fields of a part; .answered(number) and
-// .refused(message) take R's answers; .offers(message) what may be added.
+// `codendForm`:
+//   `show(message)` builds the form.
+//   `open(path, quiet)` opens the part of a path.
+//   `answered(number)`, `refused(message)` handle R's replies.
+//   `offers(message)` lists the fields that can be added.
 window.codendForm = (function () {
   'use strict';
 
   var element = window.codendView.element, say = window.codendSay;
-  var form = null;       // R's message
-  var moved = {};        // changes by path that are not sent yet
-  var sent = null;       // the number of the question that waits for its answer
-  var typing = null;     // of a number that is being typed
-  var anew = false;      // whether a change that is not sent yet was made elsewhere
-  var last = null;       // the control that was moved last
-  var gesture = 0;       // of one movement, which is undone as one
-  var opened = {};       // groups and parts that are open, by title and path
-  var made = 0;          // controls, for their ids
+  var form = null;       // R's description of the form
+  var moved = {};        // unsent edits by path
+  var sent = null;       // number of the pending request
+  var typing = null;     // timer while a number is typed
+  var anew = false;      // true if R must send a new form with the reply
+  var last = null;       // control that was edited last
+  var gesture = 0;       // number of the present gesture, which undo reverts as one step
+  var opened = {};       // open groups and parts, by title or path
+  var made = 0;          // number of controls, for their ids
   var preferred = {};
-  // Units that a preferred one takes the place of: meshes stay in millimetres.
+  // Units that a preferred unit replaces. Mesh sizes stay in millimetres.
   var large = {
     length: ['m', 'metre', 'metres', 'meter', 'meters', 'fathom', 'fathoms', 'ft', 'foot', 'feet'],
     force: ['kN', 'tf', 'lbf', 'kgf'], speed: ['m/s', 'knot', 'knots', 'kn', 'kt', 'kts']
@@ -36,7 +39,7 @@ window.codendForm = (function () {
     return all;
   }
 
-  // In the unit that the user likes, where the field's is of that size.
+  // Returns the preferred unit of a field, or null if the unit of the field stays.
   function liked(field) {
     var wanted = preferred[field.dimension], sizes = large[field.dimension];
     if (!wanted || !sizes || sizes.indexOf(field.unit) < 0 || wanted === field.unit) return null;
@@ -103,7 +106,7 @@ window.codendForm = (function () {
     return row;
   }
 
-  // removable: whether the field may be taken out.
+  // removable: true if the user may delete the field.
   function control(field, removable) {
     made += 1;
     var id = 'control_' + made;
@@ -199,7 +202,7 @@ window.codendForm = (function () {
   // ---- the catalogue ------------------------------------------------------------------------------
 
   var known = null, own = [], listed = null;
-  // Rows of one's own that R keeps, and what lists them anew.
+  // Stores the user's own catalogue rows and refreshes an open list.
   function take_own(rows) {
     own = rows || [];
     if (listed) listed();
@@ -210,7 +213,7 @@ window.codendForm = (function () {
     window.codendTalk.tell('own', { number: Date.now(), rows: rows });
   }
 
-  // Asks for the figures of a row of one's own.
+  // Returns the form for a new catalogue row of the user.
   function own_form(kind) {
     var box = element('details', 'own-row'), fields = known.fields[kind], inputs = {};
     box.appendChild(element('summary', '', say('own_row')));
@@ -236,11 +239,11 @@ window.codendForm = (function () {
     return box;
   }
 
-  // Opens, in place of its button, what of the catalogue fits a part; `found` at most are shown.
+  // Replaces a button by a list of catalogue items that fit its part, at most `found`.
   function pick_from(button) {
     var found = 40, path = button.dataset.path, classes = button.dataset.classes.split(' ');
     known = known || JSON.parse(find('catalogue').textContent);
-    // one list at a time
+    // Only one list is open at a time.
     if (listed) listed.close();
     function fitting(things) {
       return things.filter(function (thing) { return classes.indexOf(thing['class']) >= 0; });
@@ -359,8 +362,8 @@ window.codendForm = (function () {
     });
   }
 
-  // Opens the part that a path leads to, or the nearest one around it; whether there is one.
-  // quiet: what has the focus keeps it.
+  // Opens the part of a path, or its nearest parent. Returns false if there is none.
+  // quiet: true leaves the keyboard focus unchanged.
   function open(path, quiet) {
     if (!form) return false;
     var steps = path.split('.'), found = null;
@@ -399,7 +402,7 @@ window.codendForm = (function () {
     return true;
   }
 
-  // ---- finding ------------------------------------------------------------------------------------
+  // ---- search -------------------------------------------------------------------------------------
 
   function search() {
     var words = say.bare(find('find_field').value).split(/\s+/).filter(Boolean);
@@ -433,8 +436,8 @@ window.codendForm = (function () {
     });
   }
 
-  // Fields of the plan with all these words, and those that it could have: in their names and labels, or
-  // at the beginning of what any language or the trade calls them.
+  // Returns the present and absent fields that match all words. Words match anywhere in names and
+  // labels, and at the start of synonyms in any language.
   function matches(words) {
     var found = { fields: [], absent: [] };
     function has(text, paths) {
@@ -466,7 +469,7 @@ window.codendForm = (function () {
     if (event.target.id === 'find_field') search();
   });
 
-  // ---- moving -------------------------------------------------------------------------------------
+  // ---- edits --------------------------------------------------------------------------------------
 
   function send() {
     if (sent || !Object.keys(moved).length) return;
@@ -488,7 +491,7 @@ window.codendForm = (function () {
     send();
   }
 
-  // Changes of parts go in their order, each a step of its own.
+  // Applies a change as an undo step of its own.
   function edit(path, what) {
     var one = {};
     one[path] = what;
@@ -506,7 +509,7 @@ window.codendForm = (function () {
     gesture += 1;
   }
 
-  // The other controls of the same field show the same.
+  // Copies an edit to the other controls of the same field.
   function mirror(box, edit) {
     controls_of(box.dataset.paths.split(' ')[0]).forEach(function (other) {
       if (other === box || other.dataset.kind !== box.dataset.kind) return;
@@ -520,7 +523,7 @@ window.codendForm = (function () {
     });
   }
 
-  // A slider goes as far as the number beside it.
+  // Extends the range of a slider to a typed value.
   function reach(slider, value) {
     if (!slider) return;
     if (value < Number(slider.min)) slider.min = value;
@@ -549,7 +552,7 @@ window.codendForm = (function () {
     change(box, edit);
   }
 
-  // Another unit says the same in other numbers.
+  // Converts the displayed numbers to another unit.
   function convert(box, unit) {
     var option = unit.selectedOptions[0], before = Number(unit.dataset.factor);
     var share = before / Number(option.dataset.factor);
@@ -610,7 +613,7 @@ window.codendForm = (function () {
     }
   });
 
-  // The name of a copy, or another name.
+  // Shows a text field for the name of a copy or for a new name.
   function ask_name(button, act) {
     var path = button.dataset.path, steps = path.split('.'), name = steps.pop(), parent = steps.join('.');
     var number = name.match(/^(.*?)(\d+)$/);
@@ -636,8 +639,8 @@ window.codendForm = (function () {
     input.focus();
   }
 
-  var adding = null;  // the button that asked what may be added
-  // What may be added stands in a list, by words; the one that is chosen becomes a control.
+  var adding = null;  // the button that requested the list of fields
+  // Lists the fields that can be added. The chosen field becomes a control.
   function offers(message) {
     var button = adding;
     if (button && (button.dataset.path !== message.path || button.dataset.title !== message.title)) return;
@@ -668,7 +671,7 @@ window.codendForm = (function () {
     } else select.focus();
   }
 
-  // ---- what is wrong ------------------------------------------------------------------------------
+  // ---- problems -----------------------------------------------------------------------------------
 
   function show_error(box, words) {
     var place = box.querySelector('.field-error');
@@ -681,7 +684,7 @@ window.codendForm = (function () {
     });
     return true;
   }
-  // Marks every field and part that keeps the draft from settling.
+  // Marks all fields and parts that prevent the draft from settling.
   var problems = [];
   function plain_path(path) { return (path || '').replace(/\[(\d+)\]/g, '.$1'); }
   function mark() {
@@ -705,7 +708,7 @@ window.codendForm = (function () {
     });
   }
 
-  // What R understood of typed numbers, and what it doubts.
+  // Displays R's interpretation of typed numbers, with its doubts.
   function echo(understood) {
     Object.keys(understood || {}).forEach(function (path) {
       var one = understood[path];
@@ -724,7 +727,7 @@ window.codendForm = (function () {
     });
   }
 
-  // What R says of the draft: {understood, problems, settling}.
+  // message: {understood, problems, settling}.
   function draft(message) {
     if (!form) return;
     if (!message.settling) {
@@ -752,7 +755,7 @@ window.codendForm = (function () {
     window.codendDrawing.seek(button.dataset.path);
   });
 
-  // A change that no plan can hold.
+  // Marks the control of a rejected edit. Returns false if no control shows it.
   function refused(message) {
     if (message.answers !== sent) return false;
     var boxes = message.path ? controls_of(plain_path(message.path)) : [];
@@ -782,7 +785,7 @@ window.codendForm = (function () {
     edit: edit,
     own: take_own,
     turn: function () { return form ? form.turn : null; },
-    // The field of a path as R describes it, with the unit that it is shown in, or null.
+    // Returns the field of a path in its displayed unit, or null.
     field: function (path) {
       var found = null;
       if (form) form.groups.forEach(function (one) {
@@ -801,8 +804,8 @@ window.codendForm = (function () {
         unit: like ? like.unit : found.unit || '', value: found.typed || shown(found.value),
         low: shown(found.low), high: shown(found.high) };
     },
-    // Fills a list with every control of a number, those that people change first before the others; the
-    // one that was chosen stays so, else the one whose path is like `first`.
+    // Fills a list with all numeric fields, frequently changed ones first. The selection stays; the
+    // default is the field whose path matches `first`.
     offer: function (select, first) {
       var groups = [element('optgroup', '', undefined, { label: say('changed_first') }),
         element('optgroup', '', undefined, { label: say('all_others') })];
@@ -833,7 +836,7 @@ window.codendForm = (function () {
     offers: offers,
     answered: answered,
     refused: refused,
-    // Whether everything that was moved has been answered.
+    // Returns true if no edit is pending.
     still: function () { return !sent && typing === null; }
   };
 }());

@@ -1,4 +1,4 @@
-// Where the flume tank begins: gears to choose from, a new one from a few numbers.
+// Start page of the flume tank: a gallery of gears, and a new gear from a few numbers.
 (function () {
   'use strict';
   function find(id) { return document.getElementById(id); }

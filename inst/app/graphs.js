@@ -1,7 +1,8 @@
-// Graphs of some of many measures: codendGraphs(place, select, first) lays those out that are chosen, in
-// `place`; `select` offers the others. first(words) gives the words of those that are looked at first.
-// .show(all, about) takes [{words, shown (the words in the page's language), values, errors}] and what codendView.graph() takes, with drawn(), which
-// is called after; .each(act) calls act(graph, measure, place of its value in words).
+// `codendGraphs(place, select, first)` draws graphs of the chosen measures in the element `place`;
+// `select` offers the others. `first(words)` returns the default choice. Methods:
+//   `show(all, about)` draws [{words, shown, values, errors}], with `shown` in the page's language.
+//   `about` is as in codendView.graph(), plus `drawn()`, which is called after each drawing.
+//   `each(act)` calls act(graph, measure, element for the present value).
 window.codendGraphs = function (place, select, first) {
   'use strict';
   var element = window.codendView.element, say = window.codendSay;
@@ -67,7 +68,7 @@ window.codendGraphs = function (place, select, first) {
         lay_out();
         return;
       }
-      // what somebody is about to press stays
+      // Graphs are redrawn in place, so that buttons stay under the pointer.
       drawn.forEach(function (one) {
         one[1] = measures[words.indexOf(one[1].words)];
         one[0].draw(one[1]);

@@ -1,7 +1,9 @@
-// The flume tank's page: takes what R sends and gives it to whom it concerns.
+// The flume tank's page: passes R's messages to the modules.
 //
-// codendPage.tell(id, words) writes words into a place that is hidden without any; .gallery(yes) shows
-// the gallery or the design; .prefer(units) and .preferred() are the units that the user likes.
+// `codendPage`:
+//   `tell(id, words)` writes a message into an element, or hides it if there is none.
+//   `gallery(yes)` shows the gallery or the design.
+//   `prefer(units)`, `preferred()` set and return the user's units.
 window.codendPage = (function () {
   'use strict';
 
@@ -21,13 +23,13 @@ window.codendPage = (function () {
     find('gallery').hidden = !yes;
     find('design').hidden = !!yes;
     find('gears').setAttribute('aria-expanded', String(!!yes));
-    // so that Shiny makes what is seen, and no more
+    // Shiny then computes visible outputs only.
     $(find('design')).trigger(yes ? 'hidden' : 'shown');
-    // at once: what is laid out next keeps to where the page stands
+    // The jump is instant, because the form's layout restores the present scroll position.
     window.scrollTo({ top: 0, behavior: 'instant' });
   }
 
-  // Only what stands still is said aloud.
+  // After a series of changes, screen readers announce the last one only.
   function read_out(words) {
     window.clearTimeout(speaking);
     speaking = window.setTimeout(function () { find('said').textContent = words; }, 700);
@@ -52,7 +54,7 @@ window.codendPage = (function () {
     window.codendDesigns.moved();
   });
 
-  // Another language is another page, of the same design.
+  // The page is loaded again in another language, with the same design.
   document.addEventListener('change', function (event) {
     if (event.target.id !== 'language') return;
     var address = new URL(window.location.href);
@@ -60,7 +62,7 @@ window.codendPage = (function () {
     window.location.assign(address.href);
   });
 
-  // ---- texts that R makes once nothing moves ------------------------------------------------------
+  // ---- requests when idle -------------------------------------------------------------------------
 
   function want_texts() {
     window.clearTimeout(wanted);
@@ -72,7 +74,7 @@ window.codendPage = (function () {
     }, 400);
   }
 
-  // ---- answers ------------------------------------------------------------------------------------
+  // ---- replies ------------------------------------------------------------------------------------
 
   function notes(all) {
     var list = find('noted');
@@ -93,7 +95,7 @@ window.codendPage = (function () {
   function listen() {
     window.codendTank.listen();
     Shiny.addCustomMessageHandler('flume_picture', function (message) {
-      // the gear that the tank opens with answers nothing: what the address had refused stays told
+      // The first gear is not a reply, so errors about the address stay visible.
       var answering = opened || message.answers;
       opened = true;
       tell('refused', '');
@@ -115,7 +117,8 @@ window.codendPage = (function () {
       window.codendTow.design(message.towed);
       want_texts();
     });
-    // A shape that a slider passes through; the rest of it follows. bytes: R/flume-picture.R.
+    // Intermediate shape while a slider moves; other outputs follow. R/flume-picture.R defines the
+    // bytes.
     Shiny.addCustomMessageHandler('flume_moved', function (bytes) {
       var size = new DataView(bytes).getUint32(0, true), at = 4 + size;
       var told = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, size)));
@@ -169,7 +172,7 @@ window.codendPage = (function () {
       if (message.settling || message.form) window.codendDrawing.want(true);
       window.codendDesigns.moved();
     });
-    Shiny.addCustomMessageHandler('flume_slopes', function (message) {
+    Shiny.addCustomMessageHandler('serve_sensitivities', function (message) {
       window.codendSlopes.show(message.fields);
     });
     Shiny.addCustomMessageHandler('flume_varied', window.codendVary.show);
@@ -198,7 +201,7 @@ window.codendPage = (function () {
     Shiny.addCustomMessageHandler('flume_drawing', function (message) {
       window.codendDrawing.show(message.svg);
     });
-    // Where the plan has the part that was clicked in the tank: the form shows it, without a jump of the page.
+    // Shows the part that was clicked in the tank, without a jump of the page.
     Shiny.addCustomMessageHandler('flume_part', function (message) {
       if (!window.codendForm.open(message.path, true)) return;
       var panel = find('controls'), part = panel.querySelector('.marked');
@@ -211,7 +214,6 @@ window.codendPage = (function () {
     });
   }
 
-  // What WebGL has painted is taken at once, as an address of its own.
   document.addEventListener('click', function (event) {
     if (event.target.id !== 'save_picture') return;
     var link = document.createElement('a');

@@ -1,8 +1,10 @@
-// What a little more of a field would do, beside the measures: how much more of which field is chosen
-// here, R finds the slopes.
+// Effects of a small change of a field, next to the measures. The user chooses field and change; R
+// computes the derivatives.
 //
-// codendSlopes.show(fields) takes what R found, with what it has found already; .stale() tells that the
-// design has changed.
+// `codendSlopes`:
+//   `show(fields)` adds R's results to the known ones.
+//   `stale()` discards all results after a change of the design.
+//   `form()` updates the list of fields.
 window.codendSlopes = (function () {
   'use strict';
 
@@ -16,7 +18,7 @@ window.codendSlopes = (function () {
     window.codendTalk.tell('slopes_wanted', { paths: paths, number: Date.now() });
   }
 
-  // Asks for the chosen field, where it is looked at and not known, once nothing moves.
+  // Requests derivatives of the chosen field if it is visible and unknown, after pending requests.
   function want() {
     window.clearTimeout(timer);
     if (!find('more_of').open) return;
@@ -61,7 +63,7 @@ window.codendSlopes = (function () {
     var table = element('table', 'table table-sm flume-table'), body = element('tbody'), kinks = false;
     one.measures.forEach(function (words, k) {
       var change = one.slope[k] * more;
-      // what nothing moves is left out
+      // Measures that the field does not affect are omitted.
       if (Math.abs(change) < 1e-9) return;
       var row = element('tr');
       row.appendChild(element('th', '', words + ' (' + one.units[k] + ')', { scope: 'row' }));

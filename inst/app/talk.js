@@ -1,13 +1,17 @@
-// What the flume tank's page asks R for, and that it waits: one design at a time, always with the
-// latest values, and other questions as they come.
+// Requests of the flume tank's page to R, and the display of pending ones.
 //
-// codendTalk.ask(name, what, words) asks; .answered(number) ends the waiting of one; .busy(id, words)
-// and .free(id) tell of what runs beside; .waits() says whether something is waited for.
+// `codendTalk`:
+//   `ask(name, what, words)` sends a request that has a reply and returns its number.
+//   `tell(name, what)` sends a message without a reply.
+//   `next(words)` returns the number of an expected reply.
+//   `answered(number)` marks a request as complete.
+//   `busy(id, words)`, `free(id)` start and end the display of a background task.
+//   `waits()` returns true while anything is pending.
 window.codendTalk = (function () {
   'use strict';
 
   var say = window.codendSay, number = 0, pending = {}, shown = null;
-  var told = 300;  // ms after which somebody who waits is told so
+  var told = 300;  // ms before a pending request is displayed
 
   function find(id) { return document.getElementById(id); }
 
@@ -54,14 +58,12 @@ window.codendTalk = (function () {
   });
 
   return {
-    // The number under which an answer will come.
     next: next,
     ask: function (name, what, words) {
       var mine = next(words || say('settling'));
       Shiny.setInputValue(name, { number: mine, asked: what }, { priority: 'event' });
       return mine;
     },
-    // Without an answer to wait for.
     tell: function (name, what) { Shiny.setInputValue(name, what, { priority: 'event' }); },
     answered: free,
     busy: busy,

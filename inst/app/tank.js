@@ -1,8 +1,10 @@
-// The gear in the flume tank: the viewer, and three flat figures that it draws, with axes around them.
-// x is aft, y to starboard, z up; metres.
+// The gear in the flume tank: the viewer and three projections with axes. The axes are x aft, y to
+// starboard, z up (m).
 //
-// codendTank.listen() makes the viewer; .picture(message) shows what R/flume-picture.R made, .moved(part)
-// a shape that the gear passes through.
+// `codendTank`:
+//   `listen()` creates the viewer.
+//   `picture(message)` shows the scenes of R/flume-picture.R.
+//   `moved(part)` shows an intermediate shape.
 window.codendTank = (function () {
   'use strict';
 
@@ -35,13 +37,13 @@ window.codendTank = (function () {
     return { context: context, width: width, height: height };
   }
 
-  // Height of the sea bed.
+  // Returns the height of the seabed (m).
   function bed_at(x, y) {
     var n = about.bed.normal;
     return (about.bed.height - n[0] * x - n[1] * y) / n[2];
   }
 
-  // Returns whether there was anything to paint on.
+  // Returns false if the canvas has no size.
   function paint_plane(name) {
     var page = open(document.getElementById('plane_' + name));
     if (!page) return false;
@@ -101,7 +103,7 @@ window.codendTank = (function () {
     return true;
   }
 
-  // Once nothing moves: the eye is on the tank, and they cost as much as it does.
+  // Waits until the gear stops moving, because the projections cost as much as the 3D view.
   function repaint_planes() {
     window.clearTimeout(timer);
     timer = window.setTimeout(function () {
@@ -109,12 +111,12 @@ window.codendTank = (function () {
       if (!viewer || !about) return;
       if (viewer.hastens()) { repaint_planes(); return; }
       var painted = Object.keys(planes).map(paint_plane).some(Boolean);
-      // they were drawn on the tank's own canvas
+      // The projections were drawn on the tank's own canvas.
       if (painted) viewer.redraw();
     }, 120);
   }
 
-  // A click on a part of the gear asks R where the plan has it.
+  // Requests from R the plan path of a clicked part.
   function listen_clicks(canvas) {
     var from = null;
     canvas.addEventListener('pointerdown', function (event) { from = [event.clientX, event.clientY]; });
@@ -154,7 +156,7 @@ window.codendTank = (function () {
       repaint_planes();
     },
     viewer: function () { return viewer; },
-    // What tests and measurements read: a position, and whether a picture is still to be painted.
+    // For tests and measurements: a node position, and whether a picture is pending.
     point: function (k) { return viewer.point(k); },
     waits: function () { return !viewer || viewer.waits() || timer !== null; }
   };

@@ -1,7 +1,8 @@
-// A tow of the design on screen: what is asked of it, its picture with the slider of time, its graphs.
+// A tow of the present design: its inputs, its view with a time slider, and its graphs.
 //
-// codendTow.show(scene) plays what R found; .design(planned) tells that another design is on screen and
-// whether its plan has a tow of its own.
+// `codendTow`:
+//   `show(scene)` plays a computed tow.
+//   `design(planned)` marks the tow as out of date; planned: true if the new plan defines a tow.
 window.codendTow = (function () {
   'use strict';
 
@@ -29,7 +30,7 @@ window.codendTow = (function () {
     window.codendTalk.tell('tow_wanted', said);
   }
 
-  // What is looked at first: at most one of a kind.
+  // Default graphs: the first measure that matches each pattern.
   var first = [/door spread|spread/, /mouth height|height/, /tension/, /depth/, /energy imbalance/];
   function choose(all) {
     return first.map(function (kind) {

@@ -1,14 +1,16 @@
-// Measures against a field of the design: what is varied is chosen here, R settles it.
+// Measures against a field of the design. The user chooses the range; R settles the gears.
 //
-// codendVary.show(message) draws what was found so far; .stale() tells that another design is on screen;
-// .form() that the form has been laid out.
+// `codendVary`:
+//   `show(message)` draws the results so far.
+//   `stale()` marks the results as out of date after a change of the design.
+//   `form()` updates the list of fields.
 window.codendVary = (function () {
   'use strict';
 
   var say = window.codendSay, graphs = null, field = '', running = false;
   function find(id) { return document.getElementById(id); }
 
-  // The chosen field's range, as its slider has it.
+  // Sets the range to the limits of the field's slider.
   function ends() {
     var select = find('vary_field');
     if (select.value === field) return;

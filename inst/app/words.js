@@ -1,14 +1,15 @@
-// The words of the flume tank's page in its language, from inst/app/words.csv.
+// Translations of the flume tank's page, from inst/app/words.csv.
 //
-// codendSay(key, values) is the text of a key with the values of its places, {n: 3} for {n}; without such
-// a key the key itself. .field(name), .path(path), .measure('door spread (m)') and .unit(unit) say what
-// plans and measures name; .sought(paths) gives what fields are called in any language, .bare(text) a
-// text in small letters without accents, for who looks for one. The viewer says its own words and the
-// roles of parts by it.
+// codendSay(key, values) returns the string of a key, with {n} replaced by values.n. Unknown keys
+// are returned unchanged. Methods:
+//   `field(name)`, `path(path)`, `measure('door spread (m)')`, `unit(unit)` translate names.
+//   `sought(paths)` returns the names of fields in all languages, for the search.
+//   `bare(text)` returns the text in lower case without accents.
+// This file also replaces `codendView.say`, which the viewer uses.
 window.codendSay = (function () {
   'use strict';
 
-  // a script in the head may ask first once the page is there
+  // Scripts in the head run before the page exists.
   var given = null;
   function known() {
     given = given || JSON.parse(document.getElementById('words').textContent);
