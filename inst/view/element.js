@@ -1,8 +1,8 @@
-// Makes elements of a page for the viewer and the tank: codendView.element(name, className, words,
-// attributes); attributes that are undefined are left out.
+// codendView.element(name, className, words, attributes) returns a new HTML element. Undefined
+// attributes are omitted.
 window.codendView = window.codendView || {};
-// codendView.say(words, values) is what a page says for English words, {n} filled by the value n: the words
-// themselves, unless the page has others (inst/app/words.js).
+// `codendView.say(words, values)` returns the displayed string for English words, with {n} replaced
+// by values.n. inst/app/words.js replaces it by a translation.
 window.codendView.say = function (words, values) {
   'use strict';
   return words.replace(/\{(\w+)\}/g, function (place, name) {

@@ -1,4 +1,4 @@
-// A gear for the viewer: reads a scene's numbers and keeps the shapes that are drawn of it.
+// A gear in the viewer: reads the numbers of a scene and updates its drawn shapes.
 window.codendView = window.codendView || {};
 window.codendView.gear = function (materials) {
   'use strict';
@@ -20,7 +20,7 @@ window.codendView.gear = function (materials) {
     return given instanceof Int32Array ? given : new Int32Array(bytes(given));
   }
 
-  // Whole numbers of 16 bits: n series of differences in time, deflated, as n series of numbers.
+  // Decodes n series of 16-bit integers from deflated differences in time. sign: true if signed.
   function series(part, sign) {
     var raw = T.unzlibSync(new Uint8Array(bytes(part.text))), size = raw.length / 2;
     var out = sign ? new Int16Array(size) : new Uint16Array(size), times = size / part.count;
@@ -31,7 +31,7 @@ window.codendView.gear = function (materials) {
     return { of: out, times: times };
   }
 
-  // Places at kept times: of(k, share) gives those a share of the way from time k to the next.
+  // Positions at stored times. `of(k, share)` interpolates between time k and the next.
   function places(part) {
     if (part.floats !== undefined) {
       var fixed = floats(part.floats);
@@ -52,7 +52,7 @@ window.codendView.gear = function (materials) {
     };
   }
 
-  // Values at kept times: of(k).
+  // Values at stored times, from signed square roots in 12 bits; -32768 is NaN.
   function values(part) {
     if (!part) return null;
     if (part.floats !== undefined) {
@@ -71,14 +71,14 @@ window.codendView.gear = function (materials) {
     };
   }
 
-  // ---- what joins the points --------------------------------------------------------------------
+  // ---- geometry ---------------------------------------------------------------------------------
 
-  // Triangles of all panels: the points at their corners, the mesh and the drawn coordinates there, the
-  // values that hold for each (three places among those of cells and of points of clouds), their part and
-  // the twine coordinates in a unit of their drawn ones.
+  // Returns the triangles of all panels. Corners have a node, mesh coordinates and drawn
+  // coordinates. Triangles have three indices of values (of cells or points of clouds), a part, and
+  // the number of mesh coordinates per drawn coordinate.
   function surfaces(panels) {
     var points = [], mesh = [], drawn = [], at = [], part = [], scale = [], full = [], base = 0, front = [];
-    // 1 where a catch lies behind a triangle, else 0; keeps the edges that lie at the catch's front.
+    // Returns 1 if a triangle encloses the catch, else 0. Stores the edges at its front.
     function filled(panel, point, uv, corners) {
       if (typeof panel.full !== 'number') return 0;
       var beyond = corners.map(function (corner) {
@@ -119,7 +119,7 @@ window.codendView.gear = function (materials) {
         for (var c = 0; c + 1 < columns; c++) {
           var a = r * columns + c, b = a + 1, d = a + columns, e = d + 1;
           var cell = r * (columns - 1) + c;
-          // mirror images of a panel are divided as mirror images
+          // Mirrored panels have mirrored diagonals.
           if (2 * c + 2 <= columns) {
             add(a, b, e, cell, cell, cell);
             add(a, e, d, cell, cell, cell);
@@ -131,7 +131,7 @@ window.codendView.gear = function (materials) {
       }
       base += (columns - 1) * (rows - 1);
     });
-    // the fish at the front, one fan of them
+    // A fan of triangles shows the fish at the front of the catch.
     front.forEach(function (edge) {
       points.push(front[0].ends[0], edge.ends[0], edge.ends[1]);
       mesh.push(0.2, 0.2, 0.4, 0.3, 0.3, 0.4);
@@ -147,14 +147,14 @@ window.codendView.gear = function (materials) {
     };
   }
 
-  // How many bars of one family a triangle has.
+  // Returns the number of bars of one family in a triangle.
   function bars_in(mesh, t) {
     var a = 6 * t;
     return Math.abs((mesh[a + 2] - mesh[a]) * (mesh[a + 5] - mesh[a + 1]) -
       (mesh[a + 4] - mesh[a]) * (mesh[a + 3] - mesh[a + 1])) / 2;
   }
 
-  // Numbers of the corners of triangles, the same for all corners at one point of one part.
+  // Returns a number for every corner. Corners at one node of one part share a number.
   function spots(points, part) {
     var known = new Map();
     return Int32Array.from(points, function (point, corner) {
@@ -171,11 +171,11 @@ window.codendView.gear = function (materials) {
     return made;
   }
 
-  // Most lines whose tubes are written out, corner by corner; more are instances of one tube. A
-  // renderer without a graphics card draws instances one by one.
+  // Above this number of lines, tubes are instances. Renderers without a graphics card draw
+  // instances one by one, so fewer lines have their tubes in the buffer.
   var mostWritten = 1000;
 
-  // Ropes as tubes: of each line in `values` what the shader reads, by name.
+  // Builds the tubes of ropes. `values` contains the shader inputs of each line by name.
   function tubes_of(ends, part, thickness) {
     var lines = ends.length / 2, tube = new T.CylinderGeometry(1, 1, 1, 8, 1, true), made;
     tube.rotateX(Math.PI / 2);
@@ -204,7 +204,7 @@ window.codendView.gear = function (materials) {
       ropes.values[name] = new Float32Array(3 * lines);
     });
     for (var k = 0; k < lines; k++) ropes.values.about[3 * k] = thickness[part[k]] / 2;
-    // Hands values over to be drawn.
+    // Copies values to the buffers.
     ropes.tell = function (names) {
       names.forEach(function (name) {
         var value = ropes.values[name], out = read[name].array;
@@ -221,7 +221,6 @@ window.codendView.gear = function (materials) {
     return ropes;
   }
 
-  // Buffers of netting and ropes for what the scene joins.
   function lay_out() {
     if (gear.netting) {
       gear.netting.geometry.dispose();
@@ -244,7 +243,7 @@ window.codendView.gear = function (materials) {
       for (var c = 0; c < 3; c++) {
         made.about.array[9 * t + 3 * c] = Math.min(thick, 0.5) + made.full[t];
       }
-      // triangles with the same meshes, drawn alike
+      // Groups triangles with the same bar length and scale.
       var key = bar.toPrecision(3) + ' ' + made.scale[t].toPrecision(3);
       if (!alike.has(key)) alike.set(key, { triangles: [], bars: 0, length: bar, scale: made.scale[t] });
       alike.get(key).triangles.push(t);
@@ -270,9 +269,9 @@ window.codendView.gear = function (materials) {
     lay_out_marks();
   }
 
-  // ---- pieces -----------------------------------------------------------------------------------
+  // ---- components -------------------------------------------------------------------------------
 
-  // A plate of 1 by 1 in x and y, bent towards z.
+  // Returns a plate of 1 by 1 in x and y, bent towards z.
   function plate(bend, thick) {
     var made = new T.BoxGeometry(1, 1, thick, 10, 1, 1), at = made.getAttribute('position');
     for (var i = 0; i < at.count; i++) {
@@ -283,7 +282,7 @@ window.codendView.gear = function (materials) {
     return made;
   }
 
-  // A hull of length 1 from its stern at the origin to its bow at -x, its deck above z = 0.
+  // Returns a hull of length 1: stern at the origin, bow at x = -1, deck above z = 0.
   function hull() {
     var deck = new T.Shape();
     deck.moveTo(0, -0.13);
@@ -295,7 +294,7 @@ window.codendView.gear = function (materials) {
     var made = new T.ExtrudeGeometry(deck, { depth: 0.15, bevelEnabled: false, curveSegments: 8 });
     var at = made.getAttribute('position');
     for (var i = 0; i < at.count; i++) {
-      // narrow at the keel, with a sheer to the bow
+      // The hull is narrow at the keel and rises towards the bow.
       var up = at.getZ(i) / 0.15, x = at.getX(i);
       at.setY(i, at.getY(i) * (0.45 + 0.55 * up));
       at.setX(i, x * (0.9 + 0.1 * up));
@@ -305,7 +304,6 @@ window.codendView.gear = function (materials) {
     return made;
   }
 
-  // Several geometries as one.
   function joined(all) {
     var corners = [], normals = [], index = [];
     all.forEach(function (one) {
@@ -327,7 +325,7 @@ window.codendView.gear = function (materials) {
   }
   function ring(radius, thick, arc) { return new T.TorusGeometry(radius, thick, 6, 18, arc || 2 * Math.PI); }
 
-  // A board: a foil in two parts with a slot between them, ribs behind, a shoe below.
+  // Returns a board: two foils with a slot between them, ribs behind, and a shoe below.
   function board() {
     function foil(x, wide, bend) { return plate(bend, 0.035).scale(wide, 0.94, 1).translate(x, 0.02, 0); }
     return joined([
@@ -336,28 +334,27 @@ window.codendView.gear = function (materials) {
       box(0, -0.475, 0.03, 1, 0.06, 0.16)
     ]);
   }
-  // A float with its seam and the ears that it is tied by.
+  // Returns a float with its seam and two ears.
   function float() {
     return joined([
       new T.SphereGeometry(1, 18, 12), ring(1, 0.06).rotateX(Math.PI / 2),
       ring(0.2, 0.07).translate(1.12, 0, 0), ring(0.2, 0.07).translate(-1.12, 0, 0)
     ]);
   }
-  // A sinker: a drum with rounded ends and an eye.
+  // Returns a drum with rounded ends and an eye.
   function sinker() {
     return joined([
       new T.CylinderGeometry(0.72, 0.72, 0.9, 16), new T.CylinderGeometry(0.45, 0.72, 0.28, 16).translate(0, 0.59, 0),
       new T.CylinderGeometry(0.72, 0.45, 0.28, 16).translate(0, -0.59, 0), ring(0.26, 0.09).translate(0, 0.95, 0)
     ]).rotateX(Math.PI / 2);
   }
-  // A clump of chain: links, heaped.
+  // Returns a heap of chain links.
   function clump() {
     return joined([0, 1, 2, 3, 4, 5, 6].map(function (k) {
       return ring(0.5, 0.19).scale(1, 1.5, 1).rotateZ(k * 1.1).rotateX(k * 0.9)
         .translate(0.35 * Math.cos(2.4 * k), 0.35 * Math.sin(2.4 * k), 0.2 * k - 0.6);
     }));
   }
-  // A hook below the end of its line.
   function hook() {
     return joined([
       new T.CylinderGeometry(0.09, 0.09, 1.5, 6).rotateX(Math.PI / 2).translate(0.5, 0, -0.6),
@@ -365,11 +362,11 @@ window.codendView.gear = function (materials) {
       new T.CylinderGeometry(0.09, 0.02, 0.5, 6).rotateX(Math.PI / 2).translate(-0.5, 0, -1.15)
     ]);
   }
-  // The end of a beam trawl's shoe: a runner, turned up ahead.
+  // Returns the end of a beam trawl's shoe: a runner that is turned up at the front.
   function runner() {
     return joined([box(0, 0, -0.5, 1.6, 0.9, 0.2), box(-1.1, 0, -0.25, 0.8, 0.9, 0.2).rotateY(0.25)]);
   }
-  // A full bag: longer than wide, in lobes between the lines that hold it.
+  // Returns a full bag, longer than wide, with lobes between its lines.
   function bag() {
     var made = new T.SphereGeometry(1, 32, 18), at = made.getAttribute('position');
     for (var i = 0; i < at.count; i++) {
@@ -392,7 +389,7 @@ window.codendView.gear = function (materials) {
     return shapes;
   }
 
-  // Shape of a role, and the fewest pixels of its half.
+  // Shape of each role, and its minimum half size (pixels).
   var roles = {
     otter_board: ['plate', 7], kite: ['cloth', 6], canvas: ['cloth', 6], float: ['float', 2.6],
     hammer: ['clump', 5], weight: ['sinker', 4.5], sinker: ['sinker', 1.6], catch: ['bag', 4],
@@ -400,7 +397,7 @@ window.codendView.gear = function (materials) {
     shoe_end: ['runner', 2.6]
   };
 
-  // All pieces and vessels in one buffer, so that many small things are drawn at once.
+  // All components and vessels share one buffer, because one draw call is faster than many.
   function lay_out_marks() {
     var made = shapesOnce(), marks = told.marks, bodies = [], corners = 0, sides = 0;
     function body(shape, colour) {
@@ -443,7 +440,7 @@ window.codendView.gear = function (materials) {
     gear.scene.add(mesh);
   }
 
-  // Every body where its matrix has it.
+  // Applies the matrix of each body to its vertices.
   function place_bodies() {
     var position = gear.bodies.position, normal = gear.bodies.normal;
     gear.bodies.all.forEach(function (one) {
@@ -459,8 +456,8 @@ window.codendView.gear = function (materials) {
     position.needsUpdate = normal.needsUpdate = true;
   }
 
-  // Two directions in the plate of a piece that lifts and has no attitude of its own: upright and at
-  // 30 degrees to the flow where it lifts sideways, else across it and leaning 45 degrees to lift.
+  // Returns two directions in the plate of a component without an attitude of its own. Plates with
+  // sideways lift are upright, at 30 degrees to the flow. Others lie across it, at 45 degrees.
   function symbolPlate(way) {
     var c = Math.cos(Math.PI / 6), h = Math.SQRT1_2;
     return [
@@ -469,7 +466,7 @@ window.codendView.gear = function (materials) {
     ];
   }
 
-  // size: metres that a pixel spans at a place.
+  // size: function of a position that returns metres per pixel.
   gear.place_marks = function (size) {
     var at = gear.at, boards = gear.corners, marks = told.marks;
     var x = new T.Vector3(), y = new T.Vector3(), z = new T.Vector3(), m = new T.Vector3();
@@ -495,7 +492,7 @@ window.codendView.gear = function (materials) {
         x.multiplyScalar(grow);
         y.multiplyScalar(grow);
         z.crossVectors(x, y).normalize().multiplyScalar(x.length());
-        // the hollow side meets the water
+        // The hollow side faces the flow.
         var out = { port: [0, -1, 0], starboard: [0, 1, 0], down: [0, 0, -1] }[marks.direction[i]];
         if (z.dot(new T.Vector3().fromArray(out || [0, 0, 1])) < 0) z.negate();
       } else {
@@ -532,11 +529,11 @@ window.codendView.gear = function (materials) {
     place_bodies();
   };
 
-  // ---- places and colours -----------------------------------------------------------------------
+  // ---- positions and colours --------------------------------------------------------------------
 
-  // Takes a part of a scene over what is known already.
+  // Merges a part of a scene into the known scene.
   gear.take = function (part) {
-    // another gear may have no netting
+    // Another gear may have no netting.
     if (part.ropes) told.opening = told.angle = null;
     Object.keys(part).forEach(function (name) { told[name] = part[name]; });
     gear.source = {
@@ -551,7 +548,7 @@ window.codendView.gear = function (materials) {
     gear.move(0, 0);
   };
 
-  // Everything to a share of the way from kept time k to the next.
+  // Moves the gear to the fraction `share` between stored time k and the next.
   gear.move = function (k, share) {
     var p = gear.points = gear.source.points.of(k, share);
     gear.at = gear.source.places.of(k, share);
@@ -569,7 +566,7 @@ window.codendView.gear = function (materials) {
         net.position.array[9 * t + 3 * corner] = p[at];
         net.position.array[9 * t + 3 * corner + 1] = p[at + 1];
         net.position.array[9 * t + 3 * corner + 2] = p[at + 2];
-        // of two panels that meet with opposite sides the first decides
+        // Panels may meet with opposite normals; the first one determines the sign.
         var sign = normal[at] * x + normal[at + 1] * y + normal[at + 2] * z < 0 ? -1 : 1;
         normal[at] += sign * x;
         normal[at + 1] += sign * y;
@@ -581,7 +578,7 @@ window.codendView.gear = function (materials) {
       for (var axis = 0; axis < 3; axis++) net.normal.array[3 * i + axis] = normal[from + axis];
     }
     net.position.needsUpdate = net.normal.needsUpdate = true;
-    // twines lie closer where meshes are less open
+    // Twines are closer together in less open meshes.
     net.alike.forEach(function (one) {
       var all = one.triangles.reduce(function (sum, t) { return sum + area[t]; }, 0);
       var gap = Math.max(all / Math.max(one.bars * one.length, 1e-12), 0.05 * one.length);
@@ -608,7 +605,7 @@ window.codendView.gear = function (materials) {
       set(rope.wayTo, l, dx, dy, dz);
       var joined = l > 0 && ends[2 * l - 1] === ends[2 * l];
       if (joined) {
-        // neighbours share their direction where they meet, unless the rope turns sharply there
+        // Neighbours share their direction at the joint, unless the rope turns sharply there.
         var w = rope.wayTo, at3 = 3 * (l - 1);
         var sx = w[at3] + dx, sy = w[at3 + 1] + dy, sz = w[at3 + 2] + dz;
         var sum = Math.hypot(sx, sy, sz);
@@ -638,12 +635,12 @@ window.codendView.gear = function (materials) {
   }
   function put(colour, out, at) { for (var c = 0; c < 3; c++) out[at + c] = colour[c]; }
 
-  // Slack twine shouts only where colours show nothing else.
+  // Slack twine is muted if the colours show another quantity.
   gear.slack_colour = function (mode) {
     return mode === 'slack' ? told.colours.slack : told.colours.slack_muted;
   };
 
-  // Colours at the present moment. mode: tension, slack, mesh_opening, mesh_angle or drag.
+  // Updates the colours. mode: tension, slack, mesh_opening, mesh_angle or drag.
   gear.colour = function (mode) {
     var k = gear.moment, scales = told.scales[mode] || {}, ropes = gear.ropes, net = gear.netting;
     var shows = mode === 'tension' || mode === 'slack', loose = rgb(gear.slack_colour(mode));
@@ -651,12 +648,12 @@ window.codendView.gear = function (materials) {
     var drag = gear.drag = gear.values.drag.of(k);
     for (var l = 0; l < ropes.part.length; l++) {
       var value = mode === 'drag' ? drag[ropes.part[l]] : tension[l], out = ropes.values.colour;
-      // a seam is coloured as its netting is
+      // Seams have the colours of netting.
       var of = told.parts.kind[ropes.part[l]] === 'netting' ? 'netting' : 'rope';
       var slack = shows && tension[l] === 0;
       ropes.values.about[3 * l + 1] = (slack ? 1 : 0) + 2 * told.parts.form[ropes.part[l]];
       if (slack) put(loose, out, 3 * l);
-      // a beam or a strut
+      // Beams and struts in compression.
       else if (shows && tension[l] < 0) put(quiet, out, 3 * l);
       else if (mode === 'slack') put(taut, out, 3 * l);
       else if (!scales.rope || !scales[of]) put(quiet, out, 3 * l);
@@ -668,7 +665,7 @@ window.codendView.gear = function (materials) {
     var whole = mode === 'mesh_opening' ? gear.values.opening : mode === 'mesh_angle' &&
       gear.values.angle;
     whole = whole && whole.of(k);
-    // Of three places the mean of those that have a value, or 0 where most of them are slack.
+    // Returns the mean of the known positive values at three indices, or 0 if most are slack.
     function mean(all, t) {
       if (net.at[3 * t] === net.at[3 * t + 1]) return all[net.at[3 * t]];
       var sum = 0, known = 0, slack = 0;
@@ -686,7 +683,7 @@ window.codendView.gear = function (materials) {
     }
     colour_family(net.u, net.colourU.array, 1);
     colour_family(net.v, net.colourV.array, 2);
-    // Colours of one family of twines: at each point the mean of the triangles around it.
+    // Colours one family of twines. Each point has the mean of its adjacent triangles.
     function colour_family(tension, out, place) {
       var count = 1 + net.spot.reduce(function (most, spot) { return Math.max(most, spot); }, -1);
       var number = new Float32Array(count), taut_ = new Float32Array(count), sum = new Float32Array(count);
@@ -711,14 +708,14 @@ window.codendView.gear = function (materials) {
       for (c = 0; c < net.spot.length; c++) {
         spot = net.spot[c];
         for (k = 0; k < 3; k++) out[3 * c + k] = colours[3 * spot + k];
-        // dashes only where colours show nothing else
+        // Only this mode shows slack as dashes.
         net.about.array[3 * c + place] = mode === 'slack' ? 1 - taut_[spot] / number[spot] : 0;
       }
     }
     net.colourU.needsUpdate = net.colourV.needsUpdate = net.about.needsUpdate = true;
   };
 
-  // Opening and angle of the meshes in a triangle, now.
+  // Returns the present opening (%) and angle (degrees) of the meshes in a triangle.
   gear.meshes = function (t) {
     function one(name) {
       var all = gear.values[name];
@@ -727,12 +724,12 @@ window.codendView.gear = function (materials) {
     return { opening: one('opening'), angle: one('angle') };
   };
 
-  // Where designs are aligned, now: the bosom, which is the head line's place furthest aft, and the
-  // middle of the towing points, each [x, y, z] or missing.
+  // Returns the present alignment points {bosom, towing}, each [x, y, z] or missing. The bosom is
+  // the aftmost point of the headline; `towing` is the mean of the towing points.
   gear.places_to_align = function () {
     var found = {}, p = gear.points, ropes = gear.ropes, marks = told.marks;
     for (var l = 0; l < ropes.part.length; l++) {
-      if (told.parts.role[ropes.part[l]] !== 'head_line') continue;
+      if (told.parts.role[ropes.part[l]] !== 'headline') continue;
       [2 * l, 2 * l + 1].forEach(function (end) {
         var i = 3 * ropes.ends[end];
         if (!found.bosom || p[i] > found.bosom[0]) found.bosom = [p[i], p[i + 1], p[i + 2]];
@@ -749,8 +746,8 @@ window.codendView.gear = function (materials) {
     return found;
   };
 
-  // Ranges {low, high} at all times of the whole gear, of its netting with the pieces next to it, and of
-  // both with the otter boards; the last two are null without netting.
+  // Returns bounding boxes {low, high} over all times: of the whole gear, of its netting with
+  // adjacent components, and of both with the otter boards. The last two are null without netting.
   gear.ranges = function () {
     function of(chosen, source) {
       var low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -772,7 +769,7 @@ window.codendView.gear = function (materials) {
     var all = Array.from({ length: gear.points.length / 3 }, function (_, i) { return i; });
     var marks = gear.marks.map(function (_, i) { return i; });
     var net = of(Array.from(new Set(gear.netting.point)), gear.source.points);
-    // what stands no further away than a sixth of the net belongs to it, as the shoes of a beam do
+    // Components within a sixth of the net's size belong to the net, such as the shoes of a beam.
     var near = net && Math.max.apply(null, net.high.map(function (v, k) { return v - net.low[k]; })) / 6;
     var beside = marks.filter(function (i) {
       var one = net && of([i], gear.source.places);

@@ -1,4 +1,4 @@
-// Round numbers between two, about `wanted` of them.
+// Returns about `wanted` round numbers between low and high.
 window.codendView = window.codendView || {};
 window.codendView.ticks = function (low, high, wanted) {
   'use strict';
@@ -13,11 +13,17 @@ window.codendView.ticks = function (low, high, wanted) {
   return out;
 };
 
-// A measure by time, or by anything else: codendView.graph(host, about) draws it in an SVG of its own.
-// about: times (of the values), range (first and last of them), ends (words of these) or axis (words
-// under numbers), seek(time), if given, which is called where it is clicked or dragged. The value
-// under the pointer is shown. .draw(one) takes list(words, values, errors); .mark(time) moves the line
-// of the moment; .png() is a promise of the picture's address.
+// codendView.graph(host, about) draws a measure against time or another variable as an SVG.
+// `about` contains:
+//   `times` of the values.
+//   `range`: first and last time.
+//   `ends` or `axis`: labels of the two ends, or one label below numbers.
+//   `unit` of the times.
+//   `seek(time)` is optional and is called on click and drag.
+// Methods:
+//   `draw(one)` draws {words, values, errors}.
+//   `mark(time)` moves the time cursor.
+//   `png()` returns a promise of a data URL.
 window.codendView.graph = function (host, about) {
   'use strict';
   var space = 'http://www.w3.org/2000/svg', left = 48, right = 10, top = 8, foot = about.axis ? 34 : 16;
@@ -45,7 +51,7 @@ window.codendView.graph = function (host, about) {
     var plain = String(Number(x.toPrecision(4)));
     return plain.length > 7 ? x.toExponential(1) : plain;
   }
-  // what is not known comes as null
+  // JSON has no NaN, so unknown values are null.
   function number(value) { return value === null || value === undefined ? NaN : Number(value); }
 
   function axes(marks) {
@@ -128,7 +134,7 @@ window.codendView.graph = function (host, about) {
     var time = about.range[0] + (about.range[1] - about.range[0]) * (x - left) / (wide - left - right);
     return Math.min(Math.max(time, about.range[0]), about.range[1]);
   }
-  // The value nearest to the pointer.
+  // Displays the value nearest to the pointer.
   function hover(event) {
     if (!tip || !shown) return;
     var time = time_at(event), best = -1;
@@ -152,12 +158,12 @@ window.codendView.graph = function (host, about) {
     hover(event);
   });
   svg.addEventListener('pointerleave', function () { if (tip) tip.textContent = ''; });
-  // of another width it is drawn anew, with words of the same size
+  // Labels keep their size, so another width requires a new drawing.
   new window.ResizeObserver(function () {
     if (shown && svg.clientWidth && svg.clientWidth !== wide) draw(shown);
   }).observe(svg);
 
-  // Three pixels for one of the page, on white, with the measure's words above.
+  // Renders at three times the size, on white, with the measure's name as the title.
   function png() {
     var copy = svg.cloneNode(true), scale = 3, head = 20, image = new Image();
     copy.setAttribute('width', wide);

@@ -1,11 +1,11 @@
-// Materials of the viewer: shaders for ropes, netting, solids, the sea bed, the water and its surface, and
-// what they share (codendView.materials()).
+// Shaders of the viewer for ropes, netting, solid bodies, seabed, water and its surface.
+// `codendView.materials()` returns them with their shared uniforms.
 window.codendView = window.codendView || {};
 window.codendView.rgb = function (hex) {
   return [1, 3, 5].map(function (at) { return parseInt(hex.slice(at, at + 2), 16) / 255; });
 };
-// Colours of the kept designs over which another is drawn, told apart by readers who see no red or green
-// (after Okabe and Ito, Color Universal Design, 2008).
+// Colours of stored designs, distinguishable without red and green vision (after Okabe and Ito,
+// Color Universal Design, 2008).
 window.codendView.kept_colour = function (k) {
   return ['#7F8B95', '#0072B2', '#D55E00', '#009E73', '#CC79A7', '#56B4E9', '#8C6D00', '#000000'][k % 8];
 };
@@ -13,7 +13,7 @@ window.codendView.materials = function () {
   'use strict';
   var T = window.THREE, rgb = window.codendView.rgb;
 
-  // Colours of the water from the surface down, and of the bed and the squares on it.
+  // Colours of the water from the surface down, and of the bed and its grid.
   var waters = ['#F1F9FB', '#CCE6EF', '#A9CDDE'], sands = ['#E6DAC0', '#CBB98F'];
   function glsl(hex) { return 'vec3(' + rgb(hex).map(function (v) { return v.toFixed(4); }).join(', ') + ')'; }
 
@@ -27,7 +27,7 @@ window.codendView.materials = function () {
   var head = [
     'uniform float pixel, spacing, flat_, ratio, fogNear, fogFar, fogMost, paper, waterTop, waterSpan, ghost;',
     'uniform vec3 ahead, light, ghostColour;',
-    // the water's colour at a height: it darkens with depth
+    // Returns the colour of the water at height z.
     'float depthShare(float z) { return clamp((waterTop - z) / waterSpan, 0.0, 1.0); }',
     'vec3 waterAt(float z) {',
     '  float deep = depthShare(z);',
@@ -35,7 +35,7 @@ window.codendView.materials = function () {
     '  water = mix(water, ' + glsl(waters[2]) + ', max(2.0 * deep - 1.0, 0.0));',
     '  return mix(water, vec3(1.0), paper);',
     '}',
-    // what is further away, and deeper, has more of the water's colour; where: away, height
+    // Distant and deep points take the colour of the water. where: distance, height.
     'vec3 inWater(vec3 colour, vec2 where) {',
     '  vec3 seen = colour * (1.0 - 0.10 * (1.0 - paper) * depthShare(where.y));',
     '  return mix(seen, waterAt(where.y), fogMost * smoothstep(fogNear, fogFar, where.x));',
@@ -53,7 +53,8 @@ window.codendView.materials = function () {
     });
   }
 
-  // Relief of sand, its patches and a net of light, as a texture that repeats: noise of fixed seed.
+  // Returns a repeating texture from noise of a fixed seed: relief of sand (red), patches (green)
+  // and a net of light (blue).
   var made = null;
   function sand() {
     if (made) return made;
@@ -62,7 +63,7 @@ window.codendView.materials = function () {
       seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
       return seed / 4294967296;
     }
-    // smooth noise that repeats: octaves of lattices of chance
+    // Returns smooth noise that repeats: octaves of random values on grids.
     function noise(first, octaves) {
       var sum = new Float32Array(n * n), high = 1;
       for (var o = 0, cells = first; o < octaves; o++, cells *= 2, high *= 0.55) {
@@ -104,7 +105,7 @@ window.codendView.materials = function () {
     return made;
   }
 
-  // The water behind everything.
+  // The water behind the gear.
   var around = material([
     'varying vec3 vRay;',
     'void main() {',
@@ -117,7 +118,7 @@ window.codendView.materials = function () {
     'void main() {',
     '  vec3 ray = normalize(vRay);',
     '  float z = cameraPosition.z + away * ray.z;',
-    // shafts of light, which lean and fade with depth
+    // Shafts of light lean and fade with depth.
     '  float turn = atan(ray.y, ray.x) * 1.9 + 0.6 * ray.z;',
     '  float shafts = texture2D(grain, vec2(turn, 0.31)).g - texture2D(grain, vec2(0.37 * turn, 0.77)).g;',
     '  float high = 1.0 - depthShare(z);',
@@ -127,10 +128,11 @@ window.codendView.materials = function () {
     depthWrite: false, depthTest: false, uniforms: { away: { value: 1 }, grain: { value: sand() } }
   });
 
-  // Ropes: a tube along each line, at least some pixels thick; dashes where slack. Near by a rope
-  // shows its lay, a chain its links, ground gear its discs; seams are as thin as twine.
+  // Ropes are tubes along their lines, with a minimum width in pixels and dashes where slack. Close
+  // up, the pattern shows the lay of ropes, links of chain and discs of ground gear. Seams are as
+  // thin as twine.
   var ropeMaterial = material([
-    // about: radius, whether slack and twice its form, metres along
+    // about: radius (m), slack (0 or 1) + 2 * form, distance along the rope (m)
     'attribute vec3 from, to, wayFrom, wayTo, colour, about;',
     'varying vec3 vColour, vNormal, vAlong; varying vec2 vWhere; varying float vSlack, vForm;',
     'void main() {',
@@ -149,7 +151,7 @@ window.codendView.materials = function () {
     '  vNormal = side * position.x + out_ * position.y;',
     '  vColour = colour;',
     '  float along = about.z + position.z * length(to - from);',
-    // in dashes, in diameters, across
+    // vAlong: distance along the rope in dashes and in diameters, position across it
     '  vAlong = vec3(along / (9.0 * ratio * size), along / max(2.0 * about.x, 1e-4), position.x);',
     '  gl_Position = projectionMatrix * viewMatrix * vec4(p + radius * vNormal, 1.0);',
     '}'
@@ -160,7 +162,7 @@ window.codendView.materials = function () {
     '  vec3 n = normalize(vNormal);',
     '  float lit = dot(n, light), grain = 1.0, w = fwidth(vAlong.y), seen = 1.0 - smoothstep(0.2, 0.6, w);',
     '  if (vForm == 1.0) {',
-    // links of five diameters, in turns flat and on edge
+    // Links of chain alternate between flat and on edge.
     '    float at = fract(vAlong.y / 4.0), turned = step(0.5, fract(vAlong.y / 8.0));',
     '    float off = abs(vAlong.z), ends = abs(at - 0.5);',
     '    if (seen > 0.5) {',
@@ -180,15 +182,15 @@ window.codendView.materials = function () {
     '}'
   ].join('\n'));
 
-  // Netting: a surface with the twines of its meshes, at whole mesh coordinates. Panels whose twines lie
-  // closer than `spacing` (m) show fewer, at multiples of a power of two of their drawn coordinates
-  // (R/scene-drawn.R): the whole panel alike, so that its pattern never changes within it. A film is as
-  // dense as the twine that is left out. Behind the front of a catch fish fill the meshes.
-  // `core`: what covers, first; then the soft edges.
+  // Netting is a surface with twines at integer mesh coordinates. If twines are closer than
+  // `spacing` (m), the whole panel shows fewer: at multiples of a power of two of the drawn
+  // coordinates (R/scene-drawn.R). A translucent film replaces the omitted twine. Fish fill the
+  // meshes behind the front of a catch. core: true for opaque pixels (drawn first), false for soft
+  // edges.
   function netting(core) {
     return material([
-      // gap: metres between twines, and between those at whole drawn coordinates; about: thickness of a twine in meshes,
-      // and 1 where filled; whether slack, of both families
+      // gap: distance between twines (m), at integer mesh and at integer drawn coordinates.
+      // about: twine thickness in meshes, plus 1 if filled with catch; slack of both families.
       'attribute vec3 colourU, colourV; attribute vec2 mesh, drawn, gap; attribute vec3 about;',
       'varying vec3 vU, vV, vNormal, vLines; varying vec2 vMesh, vWhere; varying vec4 vAbout;',
       'void main() {',
@@ -203,7 +205,7 @@ window.codendView.materials = function () {
     ].join('\n'), [
       '#define CORE ' + (core ? 1 : 0),
       'varying vec3 vU, vV, vNormal, vLines; varying vec2 vMesh, vWhere; varying vec4 vAbout;',
-      // how much of a pixel a twine covers, and how round it is there: x across the twines; w: of a pixel
+      // Returns the covered fraction of a pixel and its shading. x: across the twines; w: pixel size.
       'vec2 cover(float x, float w, float thick, float along, float slack) {',
       '  float k = floor(vLines.z), f = vLines.z - k, step_ = exp2(k);',
       '  float fine = abs(fract(x / step_ + 0.5) - 0.5) * step_ / w;',
@@ -211,10 +213,10 @@ window.codendView.materials = function () {
       '  float half_ = max(0.5 * thick / w, (slack > 0.5 ? 0.42 : 0.6) * ratio);',
       '  float fade = 1.0 - smoothstep(0.85, 1.0, f);',
       '  float c = max(clamp(half_ + 0.5 - coarse, 0.0, 1.0), clamp(half_ + 0.5 - fine, 0.0, 1.0) * fade);',
-      // twines that nearly touch are a film
+      // Twines that nearly touch form a film.
       '  float close = w / step_;',
       '  c = mix(c, min(half_ * close * (1.0 + fade), 0.48), smoothstep(0.35, 0.8, close * ratio));',
-      // dashes of half a drawn mesh
+      // Dashes mark slack twine.
       '  if (slack > 0.5 && fract(along / step_ * 0.5) > 0.62) c = 0.0;',
       '  float off = min(min(fine, coarse) / half_, 1.0);',
       '  return vec2(c, 1.0 - smoothstep(1.2, 3.0, half_) * 0.45 * off * off);',
@@ -241,7 +243,7 @@ window.codendView.materials = function () {
       '  vec3 colour = mix(0.5 * (vU + vV), twine, alpha > 0.02 ? 1.0 : 0.0) * lit;',
       '  float whole = alpha + (1.0 - alpha) * film;',
       '  if (full > 0.5) {',
-      // flanks of fish, silver with darker backs, two meshes long
+      // Fish have silver flanks with darker backs and are two meshes long.
       '    vec2 at = vMesh * vec2(0.5, 0.5) + vec2(0.25 * floor(vMesh.y), 0.0);',
       '    vec2 fish = fract(at) - 0.5;',
       '    float back = smoothstep(-0.5, 0.5, fish.x + fish.y);',
@@ -283,8 +285,8 @@ window.codendView.materials = function () {
     '}'
   ].join('\n'), { side: T.DoubleSide });
 
-  // The sea bed (ground), sand with the shadow of the gear, or the water's surface with its waves, both
-  // with squares of a round size that fade away from the gear.
+  // Returns the seabed with the gear's shadow (ground = true) or the water surface with waves. Both
+  // have a grid that fades away from the gear.
   function sheet(ground, strength) {
     var colour = ground ? sands[0] : '#9CC6E0', line = ground ? sands[1] : '#6FA3C6';
     return material([
@@ -306,7 +308,7 @@ window.codendView.materials = function () {
       '  float on = max(clamp(0.5 * ratio + 0.5 - d.x, 0.0, 1.0) * (1.0 - smoothstep(0.12, 0.5, w.x)),',
       '    clamp(0.5 * ratio + 0.5 - d.y, 0.0, 1.0) * (1.0 - smoothstep(0.12, 0.5, w.y)));',
       '  float fade = 1.0 - smoothstep(0.35, 1.0, length(vAt - middle) / reach);',
-      // no edge where the sheet ends close to the eye
+      // The sheet fades close to the eye to hide its edge.
       '  if (flat_ < 0.5) fade *= smoothstep(0.02, 0.25, vWhere.x / fogNear);',
       '  vec2 at = vAt / square;',
       '  vec3 wide = texture2D(grain, mat2(0.8, -0.6, 0.6, 0.8) * at * 0.23).rgb;',

@@ -1,12 +1,12 @@
-// Time in the viewer: a slider with a button that plays, keys (space plays and stops, comma and full
-// stop step between kept times, Home and End go to the ends) and a graph of a measure.
+// Time controls of the viewer: slider, play button, keys and a graph of a measure. Space plays and
+// pauses; comma and full stop step between stored times; Home and End go to the ends.
 window.codendView = window.codendView || {};
-// options: graph (whether it has one), moved(time), which is called at every moment that is shown.
-// .seek(time) stops at a moment; .end() takes all away.
+// options: graph (false hides the graph), moved(time) (called for every displayed time).
+// Returns {show(time), seek(time), end()}: `seek` also pauses, `end` removes the controls.
 window.codendView.motion = function (host, viewer, told, options) {
   'use strict';
   var element = window.codendView.element, say = window.codendView.say, times = told.times, last = times.length - 1;
-  var longest = 20;  // seconds in which a whole tow plays, unless it is shorter
+  var longest = 20;  // s, maximum playback time
 
   host.classList.add('moves');
   var bar = element('div', 'view-time');
@@ -62,7 +62,6 @@ window.codendView.motion = function (host, viewer, told, options) {
 
   function toggle() { if (playing) stop(); else play(); }
 
-  // To the kept time before or after.
   function step(by) {
     stop();
     var k = frame_of(now);
@@ -81,14 +80,14 @@ window.codendView.motion = function (host, viewer, told, options) {
       ' ': toggle, ',': function () { step(-1); }, '.': function () { step(1); },
       Home: function () { stop(); show(times[0]); }, End: function () { stop(); show(times[last]); }
     }[event.key];
-    // A focused button takes its own space bar.
+    // The space bar activates a focused button.
     if (!act || event.key === ' ' && event.target.tagName === 'BUTTON') return;
     event.preventDefault();
     act();
   }
   host.addEventListener('keydown', press);
   var keys = host.querySelector('.view-keys'), added = [];
-  [[say('space'), say('play, pause')], [', .', say('a kept time back, on')],
+  [[say('space'), say('play, pause')], [', .', say('previous, next saved time')],
     ['Home, End', say('start, end')]].forEach(function (one) {
     ['kbd', 'span'].forEach(function (name, k) {
       added.push(element(name, '', one[k]));
@@ -117,7 +116,6 @@ window.codendView.motion = function (host, viewer, told, options) {
     draw();
   }
 
-  // Takes it all away, for another motion.
   function end() {
     stop();
     host.removeEventListener('keydown', press);

@@ -1,4 +1,4 @@
-// The button that copies a report's plan.
+// Copies the plan of a report to the clipboard.
 window.addEventListener('load', function () {
   document.querySelectorAll('[data-copies]').forEach(function (button) {
     var said = button.nextElementSibling;

@@ -1,18 +1,23 @@
-// Saves what the viewer shows: a picture of high resolution (PNG), and a video of a turn around the gear
-// or of its tow (WebM), with or without the words around the picture.
+// Saves the view: a high-resolution picture (PNG) or a video (WebM) of a turn or of the tow, with
+// or without labels.
 window.codendView = window.codendView || {};
-// host: the viewer's element; viewer: its own; parts: canvas, words() (elements over the picture),
-// draw(ratio) (draws with so many pixels for one of the page, words apart), name() (of files).
-// .picture(wide, worded) makes a canvas so many pixels wide; .film(kind, seconds, wide, worded)
-// resolves to a Blob.
+// `host` is the element of the viewer, `viewer` its functions that are used here.
+// `parts` contains:
+//   `canvas` of the gear.
+//   `words()` returns the elements over the picture.
+//   `draw(ratio)` draws the gear with `ratio` pixels per CSS pixel.
+//   `name()` returns the file name.
+// Methods:
+//   `picture(wide, worded)` returns a canvas `wide` pixels wide.
+//   `film(kind, seconds, wide, worded)` returns a promise of a Blob.
 window.codendView.save = function (host, viewer, parts) {
   'use strict';
   var element = window.codendView.element, say = window.codendView.say, turnSeconds = 12, towSeconds = 20;
   var kinds = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 
-  // ---- words as pixels --------------------------------------------------------------------------
+  // ---- labels as pixels -------------------------------------------------------------------------
 
-  // Draws elements of the page on a canvas as the page shows them: grounds, texts, strips and keys.
+  // Draws page elements on a canvas: backgrounds, text, colour strips and legend symbols.
   function draw_words(context, ratio) {
     var frame = host.getBoundingClientRect();
     function box_of(one) {
@@ -55,7 +60,6 @@ window.codendView.save = function (host, viewer, parts) {
         context.roundRect(box.x, box.y, box.wide, box.tall, parseFloat(style.borderTopLeftRadius) || 0);
       }
       context.fill();
-      // the sides of its border
       [
         ['Left', 0, 0, 0, 1], ['Right', 1, 0, 1, 1], ['Top', 0, 0, 1, 0], ['Bottom', 0, 1, 1, 1]
       ].forEach(function (side) {
@@ -81,7 +85,6 @@ window.codendView.save = function (host, viewer, parts) {
     context.restore();
   }
 
-  // Draws the picture on a canvas of its own, `wide` pixels wide.
   function compose(made, worded) {
     var ratio = made.width / host.clientWidth;
     parts.draw(ratio);
@@ -91,7 +94,7 @@ window.codendView.save = function (host, viewer, parts) {
   }
   function sheet(wide) {
     var made = document.createElement('canvas'), tall = wide * host.clientHeight / host.clientWidth;
-    // videos take even sizes alone
+    // Videos require even sizes.
     made.width = 2 * Math.round(wide / 2);
     made.height = 2 * Math.round(tall / 2);
     return made;
@@ -103,7 +106,7 @@ window.codendView.save = function (host, viewer, parts) {
     viewer.release();
     return made;
   }
-  // Pixels across of a picture whose longer side has so many.
+  // Returns the width of a picture whose longer side has `longer` pixels.
   function across(longer) {
     return Math.round(longer * Math.min(1, host.clientWidth / host.clientHeight));
   }
@@ -138,7 +141,7 @@ window.codendView.save = function (host, viewer, parts) {
         frame(share);
         tell(say('{n} % is recorded.', { n: Math.round(100 * share) }));
         if (share < 1) window.requestAnimationFrame(next);
-        // the last frame is to be seen
+        // The delay lets the last frame be recorded.
         else window.setTimeout(function () { if (recorder.state !== 'inactive') recorder.stop(); }, 150);
       }
       recorder.start();
@@ -167,7 +170,7 @@ window.codendView.save = function (host, viewer, parts) {
     picture(across(3840), worded.checked).toBlob(function (blob) { hand_over(blob, '.png'); }, 'image/png');
   }
   function save_film(kind) {
-    // pressed once more it ends
+    // A second click stops the recording.
     if (filming) { filming.stop(); return; }
     var times = viewer.times(), lasts = kind === 'tow' ?
       Math.min(times[times.length - 1] - times[0], towSeconds) : turnSeconds;

@@ -1,24 +1,26 @@
-// The viewer of codend's pages: a gear in three dimensions, settled or in motion, alone or beside
-// another. What it takes (scenes) is made in R/scene-gear.R; how a gear is drawn is in gear.js and
-// materials.js. x is aft, y to starboard, z up; metres.
+// The 3D viewer of codend's pages: one gear or several designs, settled or in motion. R/scene-gear.R
+// makes scenes; gear.js and materials.js draw them. The axes are x aft, y to starboard, z up (m).
 //
-// codendView.viewer(host, options) fills the element `host`. options: title (whether the gear's name
-// stands over the picture), colour (what colours show at first). The viewer has
-//   show(now, kept)       takes a scene, or what of it has changed, and designs beside it: [{key, name,
-//                         scene}], the scene whole at first, then what is about all
-//   pass(part)            takes a shape that the gear passes through, and draws that at once
-//   choose(what, value)   focus (net, whole), from (bow, above, side, astern), colour, compare (off,
-//                         over, beside), align (bosom, towing)
-//   seek(s)               shows a moment of what moves
-//   look({turn})          turns the eye (radians, as at first)
-//   frame({turn, rise, near, focus})  shows the net from an angle, at `near` times the distance that shows all
-//                         of it; focus: whole gear, or boards for the net with its otter boards
-//   picture(wide, worded)  the picture as a canvas so many pixels wide (as it is), with or without words
-//   film(kind, seconds, wide, worded)  a video of a turn or a tow, as a promise of a Blob; see save.js
-//   flat(...)             draws the gear flat on a part of another canvas
-// options.changed is called after a choice; options.passing says whether another shape is on its way;
-// options.still says whether a still for paper is kept;
-// options.graph and options.moved are those of motion.js.
+// `codendView.viewer(host, options)` fills the element `host`. It returns null without WebGL.
+// Options:
+//   `title` is true to show the gear's name over the picture.
+//   `colour` is the initial quantity that colours show.
+//   `wheel` is true if the mouse wheel always zooms.
+//   `changed()` is called after a choice.
+//   `passing()` returns true while another shape is expected.
+//   `still` is false to omit the picture for printing.
+//   `graph` and `moved(time)` are options of motion.js.
+// Methods:
+//   `show(now, kept)` shows a scene, or its changed parts, and stored designs [{key, name, scene}].
+//   `pass(part)` shows an intermediate shape.
+//   `choose(what, value)` sets focus (net, whole), from (bow, above, side, astern), colour, compare
+//     (off, over, beside) or align (bosom, towing).
+//   `seek(s)` moves to a time.
+//   `look({turn})` turns the camera (radians).
+//   `frame({turn, rise, near, focus})` shows the net from an angle, at `near` times the fitted
+//     distance. focus: whole for the gear, boards for the net with its otter boards.
+//   `picture(wide, worded)` and `film(kind, seconds, wide, worded)` are described in save.js.
+//   `flat(...)` draws a projection on another canvas.
 window.codendView = window.codendView || {};
 window.codendView.viewer = function (host, options) {
   'use strict';
@@ -34,7 +36,7 @@ window.codendView.viewer = function (host, options) {
     renderer = new T.WebGLRenderer({ canvas: canvas, antialias: true, alpha: true });
   } catch (error) {
     host.appendChild(element('p', 'view-none',
-      say('This browser shows no WebGL, which the gear in three dimensions takes.')));
+      say('This browser does not support WebGL, which the 3D view needs.')));
     return null;
   }
   T.ColorManagement.enabled = false;
@@ -49,15 +51,14 @@ window.codendView.viewer = function (host, options) {
   var choice = {
     focus: 'net', from: 'bow', compare: 'off', align: 'bosom', colour: options.colour || 'tension'
   };
-  // Direction of the eye from the middle of the gear: angle from x aft towards y, and upwards,
-  // radians.
+  // Camera directions: angle from x towards y, and elevation (radians).
   var directions = {
     bow: [-2.05, 0.3], above: [-Math.PI / 2, Math.PI / 2], side: [-Math.PI / 2, 0.06],
     astern: [0, 0.06]
   };
   var camera = {
     turn: directions.bow[0], rise: directions.bow[1], away: 1, at: [0, 0, 0],
-    // where in the picture what is looked at stands, in halves of it from its middle
+    // position of the target in the picture, in half sizes from the centre
     across: 0, up: 0
   };
   var perspective = new T.PerspectiveCamera(28, 1, 0.1, 100);
@@ -67,7 +68,7 @@ window.codendView.viewer = function (host, options) {
     mesh_angle: say('Mesh angle'), drag: say('Drag')
   };
 
-  // ---- what is looked at ------------------------------------------------------------------------
+  // ---- focus ------------------------------------------------------------------------------------
 
   function join(one, other) {
     if (!one || !other) return one || other;
@@ -84,22 +85,21 @@ window.codendView.viewer = function (host, options) {
     return range.low.map(function (v, k) { return (v + range.high[k]) / 2; });
   }
 
-  // The gears in the picture.
   function compared() {
     if (choice.compare === 'off') return [gears.now];
     return kept.map(function (one) { return one.gear; }).concat(gears.now);
   }
 
-  // How far (m) a gear is moved for its bosom or towing point to meet that of the present one; level
-  // where heights above a bed compare.
+  // Returns the displacement (m) that aligns a gear with the present one. It is horizontal above a
+  // bed, because heights are comparable there.
   function shift_of(gear) {
     if (gear === gears.now) return [0, 0, 0];
     var at = gear.places_to_align()[choice.align], to = gears.now.places_to_align()[choice.align];
     return at && to ? [to[0] - at[0], to[1] - at[1], told.bed ? 0 : to[2] - at[2]] : [0, 0, 0];
   }
 
-  // What is looked at. It follows the gear only when it leaves, so that a gear that grows is seen to
-  // grow.
+  // Returns the bounding box in focus. It changes only if the gear leaves it or becomes much
+  // smaller, so that growth stays visible.
   var held = {};
   function focus() {
     var key = choice.focus;
@@ -133,7 +133,7 @@ window.codendView.viewer = function (host, options) {
   }
   function dot(a, b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-  // Some points of what is looked at, pieces with their radius; of a range that is held, its corners.
+  // Returns the points in focus, with the radius of components. In motion, returns the box corners.
   function outline(range) {
     var corners = [], found = [];
     for (var k = 0; k < 8; k++) {
@@ -157,8 +157,8 @@ window.codendView.viewer = function (host, options) {
     return found.length ? found : corners;
   }
 
-  // What words and buttons take of the picture along some of its sides, pixels. Each of them takes the
-  // strip that costs least; half of the picture stays free whatever they take.
+  // Returns the margins (pixels) that labels and buttons take at the given sides. Each element
+  // takes the side that costs least; at least half of the picture stays free.
   function taken_along(sides) {
     var width = host.clientWidth || 1, height = host.clientHeight || 1;
     var taken = { left: 0, right: 0, top: 0, bottom: 0 }, frame = host.getBoundingClientRect();
@@ -184,8 +184,8 @@ window.codendView.viewer = function (host, options) {
     return taken;
   }
 
-  // The part of the picture that words and buttons leave free: half its width and height over those
-  // of the picture, and how far its middle is from the picture's middle, in halves of that.
+  // Returns the part of the picture that labels and buttons leave free: fractions of width and
+  // height, and the offset of its centre in half sizes of the picture.
   function free_part() {
     if (choice.compare === 'beside') return { wide: 0.9, tall: 0.75, across: 0, up: 0 };
     var width = host.clientWidth || 1, height = host.clientHeight || 1;
@@ -197,8 +197,8 @@ window.codendView.viewer = function (host, options) {
     };
   }
 
-  // From where the eye sees all of a range in the part of the picture that is free: {at: the middle of
-  // that, away}.
+  // Returns the target and distance of a camera that sees a whole range in the free part:
+  // {at, away}.
   function sight(range, turn, rise, aspect, free) {
     var way = axes(turn, rise), at = middle(range), away = 0, points = outline(range);
     var tall = Math.tan(perspective.fov * Math.PI / 360), wide = tall * aspect;
@@ -213,7 +213,7 @@ window.codendView.viewer = function (host, options) {
         ));
       });
       away = Math.max(away, 1e-3);
-      // where they lie in the picture decides on its middle
+      // The projected points determine the centre.
       points.forEach(function (point) {
         var d = [point[0] - at[0], point[1] - at[1], point[2] - at[2]], radius = point[3] || 0;
         var near = 1 - dot(d, way.eye) / away;
@@ -234,7 +234,7 @@ window.codendView.viewer = function (host, options) {
     return box.width / box.height;
   }
 
-  // Looks at the focus from where the eye is, from as far as is needed.
+  // Fits the focus into the picture without a turn of the camera.
   function aim() {
     var free = free_part(), found = sight(focus(), camera.turn, camera.rise, aspect(), free);
     camera.at = found.at;
@@ -243,9 +243,9 @@ window.codendView.viewer = function (host, options) {
     camera.up = free.up;
   }
 
-  // From the bow, unless from another side the eye can come much nearer: from ahead, where a trawl
-  // hides most of itself, only if it comes nearer still. From high above for what hangs deep and
-  // narrow, which leaves a picture empty beside it.
+  // Starts from the bow, unless another direction allows a much shorter distance. The front view
+  // has the largest penalty, because a trawl hides most of itself there. The high view suits gears
+  // that hang deep and narrow.
   function first_look() {
     var range = focus(), a = aspect(), free = free_part(), best = null;
     [['bow', directions.bow, 1], ['quarter', [-1.2, 0.3], 1.4], ['front', [-2.75, 0.22], 1.8],
@@ -258,7 +258,7 @@ window.codendView.viewer = function (host, options) {
     press('from', best[1][0]);
   }
 
-  // Anew, as at first; the scale's own words take room that is known only then.
+  // Resets the view. Labels of the scale take space that is known only after the first aim.
   function look_again() {
     held = {};
     first_look();
@@ -298,14 +298,13 @@ window.codendView.viewer = function (host, options) {
     return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
   }
 
-  // Height of the bed.
+  // Returns the height of the bed (m).
   function bed_at(x, y) {
     var n = told.bed.normal;
     return (told.bed.height - n[0] * x - n[1] * y) / n[2];
   }
 
-  // The gear's shadow on the bed: how much of the sun it takes, as seen from the sun, once for every
-  // shape. Sun: where it stands.
+  // Renders the gear's shadow on the bed as seen from the sun, once per shape. sun: its direction.
   var cast = null, shaded = null, sun = [-0.34, 0.30, 0.89], sunCamera = new T.OrthographicCamera();
   sunCamera.matrixAutoUpdate = sunCamera.matrixWorldAutoUpdate = false;
   function cast_shadow(gear) {
@@ -317,7 +316,7 @@ window.codendView.viewer = function (host, options) {
       });
     }
     var range = gear.range[choice.focus] || gear.range.whole, at = middle(range), n = told.bed.normal;
-    // down the sun's way to the bed
+    // Points are projected to the bed along the sun's rays.
     var along = n[0] * sun[0] + n[1] * sun[1] + n[2] * sun[2];
     function fall(p) { return (dot(n, p) - told.bed.height) / along; }
     var reach = 0.62 * longest(range) + 0.35 * Math.abs(fall(range.high));
@@ -372,10 +371,10 @@ window.codendView.viewer = function (host, options) {
     bedMesh.visible = !!told.bed;
   }
 
-  // Pixels between twines that are drawn.
+  // Minimum distance of drawn twines (pixels).
   var twine_gap = 14;
 
-  // The eye, for a picture of so many pixels up.
+  // Sets the camera for a picture of this size (pixels).
   function set_eye(width, height) {
     var way = axes(camera.turn, camera.rise), range = gears.now.range.whole, size = longest(range);
     perspective.aspect = width / height;
@@ -399,14 +398,14 @@ window.codendView.viewer = function (host, options) {
     var reach = longest(focus()), shown = focus();
     shared.fogNear.value = camera.away - 0.1 * reach;
     shared.fogFar.value = camera.away + 3.5 * reach;
-    // the water is lightest at the surface, or above what hangs far below it
+    // The water is lightest at the surface, or above a gear that hangs far below it.
     shared.waterTop.value = told.water && shown.high[2] > -0.5 * reach ? 0 : shown.high[2] + 0.3 * reach;
     shared.waterSpan.value = 1.1 * Math.max(shared.waterTop.value - shown.low[2], 0.5 * reach);
     materials.around.uniforms.away.value = camera.away;
     light(way);
   }
 
-  // From above and behind the eye's left shoulder.
+  // Places the light above and behind the camera's left shoulder.
   function light(way) {
     shared.light.value.set(0, 0, 0);
     [0, 1, 2].forEach(function (k) {
@@ -420,7 +419,7 @@ window.codendView.viewer = function (host, options) {
     return shared.pixel.value * shared.ratio.value * perspective.position.distanceTo(place);
   }
 
-  // ghost: the one colour that it has, or null. The eye moves the other way for a gear that is moved.
+  // ghost: uniform colour, or null. The opposite displacement of the camera moves the gear.
   function draw_gear(gear, eye, ghost, size) {
     var by = shift_of(gear), from = eye.position.clone();
     shared.ghost.value = ghost ? 0.85 : 0;
@@ -433,7 +432,7 @@ window.codendView.viewer = function (host, options) {
     eye.updateMatrixWorld();
   }
 
-  // The kept designs over which the present one is drawn, each in its colour.
+  // Draws the stored designs, each in its colour.
   function draw_kept(eye, size) {
     kept.forEach(function (one, k) { draw_gear(one.gear, eye, view.kept_colour(k), size); });
   }
@@ -454,8 +453,8 @@ window.codendView.viewer = function (host, options) {
     });
   }
 
-  // While a gear passes through shapes a slow renderer draws them in fewer pixels; how slow it is the
-  // first of them tell.
+  // While shapes change, a slow renderer draws at lower resolution. The first pictures measure the
+  // drawing time (ms).
   var hasty = null, coarse = 0.5, slow = 30, times = [], quickest = Infinity;
   function hasten() {
     window.clearTimeout(hasty);
@@ -467,22 +466,22 @@ window.codendView.viewer = function (host, options) {
   }
   function take_time(began) {
     var gl = renderer.getContext();
-    // waits until all is drawn
+    // This call waits until drawing is complete.
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     times.push(performance.now() - began);
     if (times.length > 1) quickest = Math.min(quickest, times[times.length - 1]);
   }
 
-  // Whether the gear passes through shapes and the renderer is slow.
+  // Returns true if shapes are changing and the renderer is slow.
   function too_slow() { return hasty && quickest > slow && quickest < Infinity; }
 
-  // Pixels of the canvas for one of the page.
+  // Canvas pixels per CSS pixel.
   var ratio = 1;
   function draw(given) {
     var width = canvas.clientWidth, height = canvas.clientHeight;
     if (!width || !height || !gears.now) return false;
     ratio = given || (window.devicePixelRatio || 1) * (too_slow() ? coarse : 1);
-    // a canvas of another size waits for all that was drawn before
+    // A change of size waits for all earlier drawing, so it happens only if needed.
     if (canvas.width !== Math.floor(width * ratio) || canvas.height !== Math.floor(height * ratio)) {
       renderer.setDrawingBufferSize(width, height, ratio);
     }
@@ -496,7 +495,7 @@ window.codendView.viewer = function (host, options) {
       renderer.setScissorTest(true);
       renderer.setScissor(box.left, foot, box.width, box.height);
       renderer.setViewport(box.left, foot, box.width, box.height);
-      // the first picture and shapes that pass wait for no shadow, unless the renderer is known to be quick
+      // The first picture and intermediate shapes have no shadow, unless the renderer is fast.
       if (!shared.paper.value && (given || !hasty || quickest <= slow)) cast_shadow(box.gear);
       shared.ratio.value = ratio;
       set_eye(box.width, box.height);
@@ -533,7 +532,7 @@ window.codendView.viewer = function (host, options) {
     if (options.painted) options.painted();
   }
 
-  // ---- words around the picture -----------------------------------------------------------------
+  // ---- labels around the picture ----------------------------------------------------------------
 
   var title = element('div', 'view-title');
   var bar = element('div', 'view-bar'), legend = element('div', 'view-legend');
@@ -560,7 +559,7 @@ window.codendView.viewer = function (host, options) {
   function group(words) { return element('div', 'view-group', undefined, { role: 'group', 'aria-label': words }); }
 
   var groups = { focus: group(say('Look at')), from: group(say('Look from')), compare: group(say('Kept designs')) };
-  var names = [];  // of designs side by side
+  var names = [];  // labels of designs side by side
   [['net', say('Net'), 'n'], ['whole', say('Whole gear'), 'g']].forEach(function (one) {
     groups.focus.appendChild(button('focus', one[0], one[1], one[2]));
   });
@@ -572,8 +571,8 @@ window.codendView.viewer = function (host, options) {
     groups.compare.appendChild(button('compare', one[0], one[1], one[2]));
   });
   var colours = element('select', 'view-colour', undefined, {
-    'aria-label': say('What the colours show'),
-    title: say('{words} (key {key})', { words: say('What the colours show'), key: 'c' })
+    'aria-label': say('Colours'),
+    title: say('{words} (key {key})', { words: say('Colours'), key: 'c' })
   });
   colours.addEventListener('change', function () { choose('colour', colours.value); });
   var align = element('select', 'view-colour', undefined, {
@@ -592,7 +591,7 @@ window.codendView.viewer = function (host, options) {
   keys.hidden = true;
   [[say('drag, arrows'), say('turn')], [say('wheel, two fingers, + and -'), say('zoom')],
     [say('right button, Shift'), say('move')], ['1 2 3 4', say('bow, above, side, astern')],
-    ['n, g', say('net, whole gear')], ['c', say('next colours')], ['0', say('look again')], ['s', say('save')],
+    ['n, g', say('net, whole gear')], ['c', say('next colours')], ['0', say('reset view')], ['s', say('save')],
     [say('pointer'), say('names and values')]].forEach(function (one) {
     keys.appendChild(element('kbd', '', one[0]));
     keys.appendChild(element('span', '', one[1]));
@@ -666,7 +665,7 @@ window.codendView.viewer = function (host, options) {
       } else {
         key.appendChild(element('span', 'entry', say('nothing is slack')));
       }
-      if (any(function (x) { return x < 0; })) entry(say('pushing'), '#4A545C', 'line');
+      if (any(function (x) { return x < 0; })) entry(say('in compression'), '#4A545C', 'line');
     }
     if (choice.colour === 'slack') entry(say('taut'), '#5F7482', 'line');
     if (!scales.rope && choice.colour.indexOf('mesh') === 0) entry(say('rope'), '#4A545C', 'line');
@@ -682,7 +681,7 @@ window.codendView.viewer = function (host, options) {
     legend.appendChild(key);
   }
 
-  // Whether any tension is such, now.
+  // Returns true if `such` is true for any present tension.
   function any(such) {
     var gear = gears.now;
     return [gear.rope_tension, gear.netting.u, gear.netting.v].some(function (all) {
@@ -695,7 +694,7 @@ window.codendView.viewer = function (host, options) {
     return [box.left + box.width * (p.x + 1) / 2, box.top + box.height * (1 - p.y) / 2, p.z];
   }
 
-  // Words in the picture, each where its place is seen.
+  // Places the labels in the picture and hides labels out of sight.
   function place_words() {
     var width = canvas.clientWidth, height = canvas.clientHeight, box = boxes(width, height)[0];
     var range = focus(), at = middle(range), size = longest(range);
@@ -727,7 +726,7 @@ window.codendView.viewer = function (host, options) {
     return box;
   }
 
-  // A length at the middle of what is looked at.
+  // Updates the scale at the camera target, the flow arrow and the grid size.
   function tell_scale() {
     var box = boxes(canvas.clientWidth, canvas.clientHeight)[0];
     var metres = 2 * Math.tan(perspective.fov * Math.PI / 360) * camera.away / box.height;
@@ -752,7 +751,7 @@ window.codendView.viewer = function (host, options) {
     }
   }
 
-  // ---- numbers in words -------------------------------------------------------------------------
+  // ---- formatted numbers ------------------------------------------------------------------------
 
   function three(x) {
     if (!isFinite(x)) return '';
@@ -766,7 +765,7 @@ window.codendView.viewer = function (host, options) {
 
   // ---- the pointer ------------------------------------------------------------------------------
 
-  // Where everything is on the screen; made when it is asked for.
+  // Returns screen positions of nodes and components (x and y in pixels, depth), on demand.
   var seen = null;
   function on_screen() {
     if (seen) return seen;
@@ -792,7 +791,7 @@ window.codendView.viewer = function (host, options) {
     return seen;
   }
 
-  // What is under a place on the screen: {kind, number, share} or null.
+  // Returns the element at a screen position: {kind, number, share} or null.
   function under(x, y) {
     var gear = gears.now, at = on_screen(), p = at.points, best = null;
     gear.marks.forEach(function (mark, i) {
@@ -841,7 +840,7 @@ window.codendView.viewer = function (host, options) {
       heading = plain(parts.name[part]);
       var seam = parts.kind[part] === 'netting';
       note = seam ? say('seam') : say(plain(parts.role[part] || 'rope'));
-      row(say('tension'), tension > 0 ? force(tension) : tension < 0 ? say('pushes {force}', { force: force(-tension) }) :
+      row(say('tension'), tension > 0 ? force(tension) : tension < 0 ? say('compression {force}', { force: force(-tension) }) :
         say('slack'));
       if (tension > 0 && parts.strength[part]) {
         row(say('of breaking load'), three(100 * tension / parts.strength[part]) + ' %');
@@ -891,7 +890,7 @@ window.codendView.viewer = function (host, options) {
     tip.style.top = Math.max(4, Math.min(y + 14, host.clientHeight - tip.offsetHeight - 4)) + 'px';
   }
 
-  // ---- hands ------------------------------------------------------------------------------------
+  // ---- pointer, wheel and keys ------------------------------------------------------------------
 
   function look(place) {
     press('from', null);
@@ -907,7 +906,7 @@ window.codendView.viewer = function (host, options) {
   function zoom_by(factor, x, y) {
     var before = camera.away, size = longest(gears.now.range.whole);
     camera.away = Math.min(Math.max(before / factor, camera.fit / 400), 8 * size + 4 * camera.fit);
-    // towards what is under the pointer
+    // The zoom is centred on the pointer.
     if (x !== undefined) {
       var way = axes(camera.turn, camera.rise), up = canvas.clientHeight;
       var metres = 2 * Math.tan(perspective.fov * Math.PI / 360) / up * (before - camera.away);
@@ -953,7 +952,7 @@ window.codendView.viewer = function (host, options) {
     compared().forEach(function (gear) { gear.colour(choice.colour); });
   }
 
-  // Where the designs in the picture can be aligned.
+  // Offers the alignment points of the gear.
   function offer_align() {
     var places = gears.now ? gears.now.places_to_align() : {};
     align.hidden = choice.compare === 'off' || !places.bosom || !places.towing;
@@ -962,7 +961,7 @@ window.codendView.viewer = function (host, options) {
   }
 
   var fingers = {}, apart = 0, hovering = null, chosen = false;
-  // Inside a page the wheel belongs to the page until the picture is clicked.
+  // The wheel scrolls the page until the picture is clicked, unless the picture fills the window.
   function wheel_is_ours() {
     return chosen || host.clientHeight > window.innerHeight - 60 || options.wheel;
   }
@@ -1004,7 +1003,7 @@ window.codendView.viewer = function (host, options) {
     var was = fingers[event.pointerId];
     delete fingers[event.pointerId];
     apart = 0;
-    // a tap tells what is there
+    // A tap shows the values at its position.
     if (was && event.type === 'pointerup' &&
       Math.hypot(event.clientX - was[2], event.clientY - was[3]) < 4) {
       var box = canvas.getBoundingClientRect();
@@ -1048,9 +1047,9 @@ window.codendView.viewer = function (host, options) {
     act[0](act[1], act[2]);
   });
 
-  // ---- paper ------------------------------------------------------------------------------------
+  // ---- printing ---------------------------------------------------------------------------------
 
-  // WebGL keeps no picture after it has drawn: draw and take it at once, on white.
+  // WebGL discards a picture after drawing, so it is copied immediately, on white.
   function on_white() {
     hasty = null;
     shared.paper.value = 1;
@@ -1063,23 +1062,23 @@ window.codendView.viewer = function (host, options) {
     repaint();
     return address;
   }
-  // once the page is laid out for paper the picture has no size, and the last one stays
+  // In print layout the picture has no size, so the last still stays.
   function for_paper() {
     var made = on_white();
     if (made) still.src = made;
   }
   window.addEventListener('beforeprint', for_paper);
-  // some browsers print without saying so first
+  // Some browsers print without a prior event.
   var stillTimer = null;
   function later() {
     window.clearTimeout(stillTimer);
     stillTimer = window.setTimeout(for_paper, 1500);
   }
 
-  // ---- flat figures -----------------------------------------------------------------------------
+  // ---- projections ------------------------------------------------------------------------------
 
-  // Draws the gear flat, as seen from `plane` (turn, rise), to fill `box` (left, top, width, height,
-  // pixels) of another canvas with `scale` pixels per metre around `at`. Returns whether it did.
+  // Draws the gear as seen from `plane` (turn, rise) into `box` (left, top, width, height, pixels)
+  // of another canvas, with `scale` pixels per metre around `at`. Returns false if it drew nothing.
   function flat(context, plane, box, at, scale) {
     var width = Math.min(box.width, canvas.clientWidth), height = Math.min(box.height, canvas.clientHeight);
     if (!gears.now || width < 2 || height < 2) return false;
@@ -1140,7 +1139,7 @@ window.codendView.viewer = function (host, options) {
     if (!kept.length) choice.compare = 'off';
   }
 
-  // Keeps a gear in sight that leaves it.
+  // Fits the view again if the gear leaves the focus, at the same zoom.
   function follow() {
     var before = held[choice.focus];
     if (focus() === before) return;
@@ -1166,7 +1165,7 @@ window.codendView.viewer = function (host, options) {
       }
       groups.compare.hidden = !kept.length;
       offer_align();
-      // Without netting there is nothing but the whole gear.
+      // Without netting, only the whole gear can be in focus.
       var net = groups.focus.querySelector('[data-value="net"]');
       net.disabled = !gears.now.range.net;
       if (!gears.now.range.net && choice.focus === 'net') {
@@ -1200,7 +1199,7 @@ window.codendView.viewer = function (host, options) {
       repaint();
       if (options.still !== false) later();
     },
-    // Scales and words stay until the rest is known.
+    // Scales and labels stay until show() updates them.
     pass: function (part) {
       hasten();
       take_now(part);
@@ -1232,11 +1231,11 @@ window.codendView.viewer = function (host, options) {
     focus: function () { return focus(); },
     gear: function () { return gears.now; },
     choice: choice,
-    // What tests and measurements read: a position, pictures painted, and whether one waits;
+    // For tests and measurements: a node position, whether a picture is pending, picture count.
     point: function (k) { return Array.from(gears.now.points.slice(3 * k, 3 * k + 3)); },
     waits: function () { return waiting || hasty !== null; },
     painted: function () { return drawn; },
-    // where in the picture what is looked at lies: left, top, right and bottom, pixels
+    // bounds of the focus in the picture: left, top, right and bottom (pixels)
     reach: function () {
       var box = boxes(canvas.clientWidth, canvas.clientHeight)[0], found = [Infinity, Infinity, -Infinity, -Infinity];
       outline(focus()).forEach(function (point) {
@@ -1251,7 +1250,7 @@ window.codendView.viewer = function (host, options) {
     under: function (x, y) { return under(x, y); }
   };
 
-  // A narrow picture has smaller words and its buttons in a row of their own.
+  // Narrow pictures have smaller labels, and buttons in a row of their own.
   function fold() {
     host.classList.toggle('narrow', host.clientWidth < 640);
     host.classList.toggle('titled', !!options.title);
@@ -1261,7 +1260,7 @@ window.codendView.viewer = function (host, options) {
   new window.ResizeObserver(function () {
     fold();
     if (!gears.now) return;
-    // a new shape of the page is looked at anew
+    // A new shape of the page requires a new fit.
     if (Math.abs(canvas.clientWidth - width) > 40) {
       var zoom = camera.away / (camera.fit || 1), at = camera.at;
       aim();
