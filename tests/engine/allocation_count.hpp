@@ -1,4 +1,4 @@
-// How often operator new has been called in this program so far.
+// Returns the number of calls of operator new in this program so far.
 #pragma once
 
 namespace codend {

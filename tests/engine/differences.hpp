@@ -1,11 +1,11 @@
-// Matrices of an assembly as dense ones, and by differences of its forces.
+// Matrices of an assembly as dense matrices, and by finite differences of its forces.
 #pragma once
 
 #include <Eigen/Core>
 #include <vector>
 
-#include "meshes.hpp"
 #include "model/assembly.hpp"
+#include "node_graph.hpp"
 
 namespace codend {
 
@@ -17,7 +17,7 @@ inline Dense dense(const Assembly& assembly, const std::vector<double>& values) 
   return dense(assembly.pattern(), values);
 }
 
-// -dF/dy on the free nodes by differences; y is x or v, force(F) fills 3 per node.
+// Returns -dF/dy on the free nodes by differences; y is x or v, force(F) fills 3 values per node.
 template <class Force>
 Dense by_differences(const Assembly& assembly, std::vector<double>& y, Force force) {
   const std::vector<int>& free = assembly.free_nodes();

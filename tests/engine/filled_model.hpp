@@ -1,10 +1,10 @@
-// A model of bars that a test fills by hand, in air.
+// A model of bars in air that tests fill by hand.
 #pragma once
 
 #include <vector>
 
-#include "march/motion.hpp"
 #include "model/model.hpp"
+#include "motion/motion.hpp"
 
 namespace codend {
 

@@ -1,14 +1,14 @@
-// A small gear of netting and its lattices, for tests.
+// A small gear of netting and its meshes, for tests.
 #pragma once
 
 #include <cmath>
 
-#include "gear/lattice.hpp"
+#include "gear/mesh.hpp"
 
 namespace codend {
 
-// A tapered panel that hangs from a line between two points, with a rope along its right edge and
-// floats along its lower one.
+// A tapered panel hung from a line between two points, with a rope along its right edge and floats
+// along its lower edge.
 inline Gear hanging_panel(bool bars, MeshOrientation orientation, NettingDrag drag) {
   Gear gear;
   gear.density = 1025;
@@ -59,17 +59,17 @@ inline Gear hanging_panel(bool bars, MeshOrientation orientation, NettingDrag dr
   return gear;
 }
 
-// Free nodes of a skeleton go nowhere in particular.
+// Moves the free nodes of a skeleton to arbitrary positions.
 inline void scatter(const Strings& strings, double* x) {
   for (std::size_t k = 0; k < strings.load.size(); ++k) {
     if (!strings.held[k / 3]) x[k] = std::sin(static_cast<double>(k));
   }
 }
 
-inline Lattice lattice_of(const Gear& gear, double nodes, const FromShape& from = {}) {
+inline Mesh mesh_of(const Gear& gear, double nodes, const FromShape& from = {}) {
   Fineness fineness;
   fineness.nodes = nodes;
-  return build_lattice(gear, fineness, from, scatter);
+  return build_mesh(gear, fineness, from, scatter);
 }
 
 }  // namespace codend

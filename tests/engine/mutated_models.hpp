@@ -1,18 +1,18 @@
-// Models that nobody would write: texts of random models, damaged at random and read again. One is
-// refused with an InputError, or taken and then used: evaluated, settled for some steps and moved.
+// Damages the text of random models and reads them. Reading must throw an InputError, or return a
+// model that can be evaluated, settled for some steps and moved.
 #pragma once
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "march/schemes.hpp"
+#include "motion/schemes.hpp"
 #include "random_model.hpp"
 #include "text_writer.hpp"
 
 namespace codend {
 
-// The k-th random model as a text, with elements of every kind and its place and speed.
+// The k-th random model as text, with elements of every kind, its position and its velocity.
 struct ModelText {
   explicit ModelText(std::uint64_t k) {
     Random random(k);
@@ -23,7 +23,7 @@ struct ModelText {
     wanted.cells = wanted.blended = wanted.openings = wanted.bends = wanted.contacts = 2;
     wanted.plates = wanted.volumes = 1;
     hexagonal = k % 2 == 0;
-    // of a random model the lengths are drawn after such a rope took its own
+    // the lengths of a random model are drawn after the sliding rope took its own
     wanted.sliding = hexagonal ? 1 : 0;
     wanted.axial_stiffness = 1000.0;
     wanted.layered = random.below(2) == 1;
@@ -34,7 +34,7 @@ struct ModelText {
     Specimen specimen(random, wanted);
     x = specimen.x;
     v = specimen.v;
-    // these two are not read
+    // these two fields are not read
     specimen.model.ground.onset = Ground{}.onset;
     specimen.model.ground.slip = Ground{}.slip;
     Assembly assembly(specimen.model);
@@ -65,7 +65,7 @@ struct ModelText {
   }
   std::string text;
   std::vector<double> x, v;
-  std::vector<double> force;  // at these; where no cell was made hexagonal
+  std::vector<double> force;  // at x and v; empty if cells were made hexagonal
   bool hexagonal = false;
 };
 
@@ -77,16 +77,16 @@ inline const std::vector<std::string>& odd_words() {
       "whole",       "list",  "#",     "ropes"};
   return words;
 }
-constexpr std::size_t odd_numbers = 12;  // the first of them
+constexpr std::size_t odd_numbers = 12;  // of these strings, the first 12
 
-// A text with one to three places changed.
+// A text with one to three changes.
 inline std::string damaged(std::string text, Random& random) {
   const auto below = [&](std::size_t n) {
     return static_cast<std::size_t>(random.below(static_cast<int>(n)));
   };
   for (int k = 1 + random.below(3); k > 0 && text.size() > 2; --k) {
     const std::size_t at = below(text.size());
-    // the word and the line around it
+    // the token and its line
     const std::size_t from = text.find_last_of(" \n", at) + 1;
     const std::size_t to = std::min(text.find_first_of(" \n", at), text.size());
     const std::size_t length = to > from ? to - from : 0;
@@ -114,7 +114,7 @@ inline std::string damaged(std::string text, Random& random) {
       case 6:
         text.replace(from, length, odd_words()[below(odd_words().size())]);
         break;
-      // most often a number becomes another, so that it is read
+      // most often a number becomes another number, so that it can be read
       default:
         text.replace(from, length, odd_words()[below(odd_numbers)]);
     }
@@ -122,12 +122,12 @@ inline std::string damaged(std::string text, Random& random) {
   return text;
 }
 
-// Reads a text and uses what it holds. Returns whether it was taken; throws what is not InputError.
+// Reads a text and uses its model. Returns true if it was accepted; rethrows all but InputError.
 inline bool try_text(const ModelText& of, const std::string& text) {
   try {
     Model model = read_fields<Model>(TextSource(text));
     model.prepare();
-    // positions of the model as it was, or repeated for others
+    // the original positions, repeated for additional nodes
     const std::size_t n = 3 * static_cast<std::size_t>(model.nodes);
     if (n == 0 || n > 300) return true;
     std::vector<double> x(n), v(n);

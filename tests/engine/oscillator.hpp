@@ -1,12 +1,12 @@
-// A model whose motion has a closed form, by which every time scheme is measured.
+// A model with an analytical solution to measure every time scheme.
 #pragma once
 
 #include "filled_model.hpp"
 
 namespace codend {
 
-// 1 kg (node 1) between two bars that are both taut within 0.5 m of the middle: a linear spring of
-// 100 N/m along x, so 10 rad/s. In vacuum; begins 0.1 m from the middle.
+// 1 kg (node 1) between two bars, both taut within 0.5 m of the middle: a linear spring of 100 N/m
+// along x, hence 10 rad/s. In vacuum; starts 0.1 m from the middle.
 struct Oscillator : FilledModel {
   Oscillator() {
     material(50.0);

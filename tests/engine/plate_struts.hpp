@@ -7,8 +7,9 @@
 
 namespace codend {
 
-// Bars of 1e7 N that also push, without drag, between nodes 0, 1 and 2, as long as these places are
-// apart (m): the only bars and material of the model.
+// Adds bars of 1e7 N that carry compression and have no drag, between nodes 0, 1 and 2. The
+// distances between these positions are their lengths (m). They are the model's only bars
+// and material.
 inline void join_by_struts(Model& model, const std::array<Vector, 3>& at) {
   TwineMaterial strut;
   strut.axial_stiffness = 1e7;

@@ -1,4 +1,4 @@
-// Random models and states, for tests that hold one side of the engine against another.
+// Random models and states, for tests that compare two parts of the engine.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace codend {
 
-// The same numbers with every compiler, unlike std::uniform_real_distribution.
+// Returns the same numbers with every compiler, unlike std::uniform_real_distribution.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : source_(seed) {}
@@ -41,23 +41,23 @@ struct Ingredients {
   double diameter = 0.002;       // m, of lines
   double axial_stiffness = 1.0;  // N
   double damping = 0.0;          // c over L0, N s/m
-  bool paid_out = false;         // bars at some speed each (check_derivatives())
+  bool paid_out = false;         // bars with a pay-out speed each (check_derivatives())
   double density = 1025.0;       // kg/m3, of the water
-  double current = 1.0;          // m/s, each component at most
+  double current = 1.0;          // m/s, maximum of each component
   NettingScreenLaw screen_law = NettingScreenLaw::loland;
   bool layered = false;  // a current that varies with depth
   bool free_surface = false;
   bool waves = false;   // so long that the flow hardly changes along x and y
   bool wake = false;    // a flow slowed by netting, differently at every point
-  bool struts = false;  // every other bar also pushes
-  // What friction gives (m) before what sticks to the ground slips; 0: nothing sticks.
+  bool struts = false;  // every other bar carries compression
+  // Elastic friction displacement (m) before slip; 0: no sticking friction.
   double slip_distance = 0.0;
-  bool multiplied = false;  // components of force, by multipliers
+  bool multiplied = false;  // force components with multipliers
 };
 
-// Twelve nodes (two of them held) and four tied points in a box of 2 m, moving at random, with
-// elements between random points. Lines are taut or slack by 3 % at least, so that a small
-// difference does not step over their kink.
+// Twelve nodes (two fixed) and four tied points in a box of 2 m, moving at random, with elements
+// between random points. Lines are taut or slack by 3 % or more, so that a small difference does
+// not cross their kink.
 class Specimen {
  public:
   Specimen(Random& random, const Ingredients& wanted) {
@@ -137,7 +137,7 @@ class Specimen {
     }
   }
 
-  // To anchors that are up to half a metre off.
+  // Adds friction anchors up to half a metre away.
   void stick(Random& random, double give) {
     model.ground.slip_distance = give;
     Assembly assembly(model);
@@ -147,7 +147,7 @@ class Specimen {
     ChangingModel(model, assembly).set_anchors(anchor);
   }
 
-  // Soft, so that its forces are of the size of drag, and of a slope.
+  // Soft ground, so that its forces are as large as drag; inclined.
   void ground() {
     Ground bed;
     bed.present = true;
@@ -233,7 +233,7 @@ class Specimen {
       const bool smooth = s >= wanted.bodies + wanted.knots;
       points(random, 1, model.spheres.node);
       model.spheres.drag_area.push_back(random.between(0.01, 0.1));
-      // smooth ones from the Stokes flow to beyond the drag crisis
+      // smooth spheres, from Stokes flow to beyond the drag crisis
       model.spheres.diameter.push_back(s < wanted.bodies ? 0.0
                                        : smooth          ? std::pow(10.0, random.between(-5.0, 0.0))
                                                          : random.between(1e-5, 1e-2));
@@ -266,7 +266,7 @@ class Specimen {
     }
   }
 
-  // Twine coordinates of a triangle of 3 bars or so.
+  // Twine coordinates of a triangle of about 3 bars.
   static void corners(Random& random, std::vector<double>& twine) {
     const double turn = random.between(0.0, 6.28);
     for (const double angle : {turn, turn + 1.6, turn + 3.9}) {
@@ -275,7 +275,7 @@ class Specimen {
     }
   }
 
-  // Corners of a cell of 3 bars or so and their twine coordinates; every fourth has three corners.
+  // Corners of a cell of about 3 bars and their twine coordinates; every fourth has three corners.
   void cell(Random& random, std::vector<int>& node, std::vector<double>& twine) {
     points(random, 4, node);
     const bool pointed = random.below(4) == 0;
@@ -303,7 +303,7 @@ class Specimen {
     }
     for (int e = 0; e < wanted.screens; ++e) {
       cell(random, model.screens.node, model.screens.twine);
-      // solidities from some 0.01 to beyond the laws' range
+      // solidities from about 0.01 to beyond the range of the drag models
       model.screens.twine_area.push_back(random.between(0.01, 0.5));
       model.screens.overlap.push_back(random.below(2) ? 0.25 : 0.0);
       model.screens.diameter.push_back(wanted.diameter);
@@ -339,7 +339,7 @@ class Specimen {
     Assembly assembly(model);
     std::vector<double> strain;
     assembly.move_to(x.data(), v.data());
-    assembly.strain(strain);  // of lines with rest 1: length - 1
+    assembly.strain(strain);  // of lines with rest length 1: length - 1
     auto clear = [&](std::initializer_list<double> lengths) {
       const double low = *std::min_element(lengths.begin(), lengths.end());
       const double high = *std::max_element(lengths.begin(), lengths.end());
@@ -351,7 +351,7 @@ class Specimen {
       }
     };
     for (int b = 0; b < model.bars.count(); ++b) model.bars.rest[b] = clear({1.0 + strain[b]});
-    // Three ropes of four taut, by a tenth or so.
+    // Three of four ropes are taut by about 10 %.
     for (std::size_t r = 0; r < model.sliding.size(); ++r) {
       const SlidingRope& rope = model.sliding[r];
       double length = 0.0;
@@ -374,7 +374,8 @@ class Specimen {
   }
 };
 
-// Drag (N) of one line of vector e (m) and rest length 1 m in water that flows past it at u (m/s).
+// Drag (N) of one line of vector e (m) and rest length 1 m in water with the relative velocity u
+// (m/s).
 inline Vector line_drag(const TwineMaterial& material, const Vector& e, const Vector& u) {
   Model model;
   model.nodes = 2;
@@ -393,7 +394,7 @@ inline Vector line_drag(const TwineMaterial& material, const Vector& e, const Ve
   return at(found.reported("bar_drag").data(), 0);
 }
 
-// The four laws of cylinders, each with its own numbers.
+// The four drag models of cylinders, with different coefficients.
 inline std::vector<CylinderLaw> cylinder_laws() {
   return {{CylinderLawKind::constant, 1.2, 0.1, 0.02, 0.0},
           {CylinderLawKind::takagi, 0.0, 0.0, 0.0, 0.0},

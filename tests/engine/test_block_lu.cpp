@@ -14,7 +14,7 @@
 
 #include "allocation_count.hpp"
 #include "base/pi.hpp"
-#include "meshes.hpp"
+#include "node_graph.hpp"
 #include "solve/block_lu.hpp"
 #include "solve/flushed_denormals.hpp"
 
@@ -23,21 +23,21 @@ namespace {
 using codend::BlockLU;
 using codend::BlockPattern;
 using codend::each_block;
-using codend::Mesh;
+using codend::NodeGraph;
 using codend::pi;
 using codend::Precision;
 using codend::random_vector;
 
-// Backward error |b - A x| / (|A| |x|), greatest norms. Gaussian elimination leaves about
-// (rows of a front) x (growth of the pivots) x 1.1e-16; fronts here have at most 300 rows and
-// growth stays below 20 on these matrices, which gives 1e-12 rounded up.
+// Backward error |b - A x| / (|A| |x|) in maximum norms. Gaussian elimination leaves about (rows of
+// a front) x (growth of the pivots) x 1.1e-16. Fronts here have at most 300 rows and the growth is
+// below 20 on these matrices, which gives 1e-12, rounded up.
 constexpr double backward_error = 1e-12;
 
-Mesh chain(int n) { return codend::grid(1, n); }
+NodeGraph chain(int n) { return codend::grid(1, n); }
 
-// Triangles, not level.
-Mesh sheet(int rows, int columns) {
-  Mesh mesh = codend::grid(rows, columns);
+// Triangles that are not level.
+NodeGraph sheet(int rows, int columns) {
+  NodeGraph mesh = codend::grid(rows, columns);
   for (int k = 0; k < mesh.nodes(); ++k) {
     const int i = k / columns, j = k % columns;
     mesh.places[3 * k + 2] = std::sin(0.3 * i + 0.2 * j);
@@ -46,8 +46,8 @@ Mesh sheet(int rows, int columns) {
   return mesh;
 }
 
-Mesh tube(int rows, int around) {
-  Mesh mesh;
+NodeGraph tube(int rows, int around) {
+  NodeGraph mesh;
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < around; ++j) {
       const double angle = 2 * pi * j / around;
@@ -59,9 +59,9 @@ Mesh tube(int rows, int around) {
   return mesh;
 }
 
-// A warp that branches into bridles, each branching again, the tips hung to the edge of a sheet.
-Mesh ropes_and_sheet() {
-  Mesh mesh = sheet(20, 17);
+// A warp with bridles that branch again, their ends joined to the edge of a sheet.
+NodeGraph ropes_and_sheet() {
+  NodeGraph mesh = sheet(20, 17);
   const auto rope = [&](int from, int nodes) {
     for (int i = 0; i < nodes; ++i) {
       const int next = mesh.add(-i, 0.1 * from, 0);
@@ -81,16 +81,16 @@ Mesh ropes_and_sheet() {
   return mesh;
 }
 
-// A ring tied to every node of one end of a tube: one dense row, as at a cod-end's ring.
-Mesh tube_with_ring() {
-  Mesh mesh = tube(12, 50);
+// A ring tied to every node of one end of a tube: one dense row, as at a codend's ring.
+NodeGraph tube_with_ring() {
+  NodeGraph mesh = tube(12, 50);
   const int ring = mesh.add(-1, 0, 0);
   for (int j = 0; j < 50; ++j) mesh.join(ring, j);
   return mesh;
 }
 
-Mesh complete(int n) {
-  Mesh mesh;
+NodeGraph complete(int n) {
+  NodeGraph mesh;
   for (int i = 0; i < n; ++i) {
     mesh.add(i % 2, i % 3, 0);
     for (int j = 0; j < i; ++j) mesh.join(i, j);
@@ -98,8 +98,8 @@ Mesh complete(int n) {
   return mesh;
 }
 
-Mesh apart(const Mesh& a, const Mesh& b) {
-  Mesh mesh = a;
+NodeGraph apart(const NodeGraph& a, const NodeGraph& b) {
+  NodeGraph mesh = a;
   const int shift = a.nodes();
   mesh.places.insert(mesh.places.end(), b.places.begin(), b.places.end());
   for (std::vector<int> row : b.neighbours) {
@@ -109,8 +109,8 @@ Mesh apart(const Mesh& a, const Mesh& b) {
   return mesh;
 }
 
-// Random blocks. Each diagonal block has its heavy entries off its own diagonal, so that a solver
-// without pivoting breaks down.
+// Random blocks. Diagonal blocks have their large entries off the diagonal, so that a solver
+// without pivoting fails.
 std::vector<double> random_values(const BlockPattern& pattern, unsigned seed) {
   std::vector<double> values = random_vector(9 * pattern.column.size(), seed);
   each_block(pattern, values, [](int i, int j, double* block) {
@@ -134,11 +134,11 @@ Eigen::SparseMatrix<double> to_eigen(const BlockPattern& pattern,
 
 // A matrix on a mesh, and a right side.
 struct Problem {
-  Mesh mesh;
+  NodeGraph mesh;
   BlockPattern pattern = mesh.pattern();
   std::vector<double> values, b = random_vector(3 * pattern.n, 4), x = b;
 
-  explicit Problem(Mesh of) : mesh(std::move(of)), values(random_values(pattern, 7)) {}
+  explicit Problem(NodeGraph of) : mesh(std::move(of)), values(random_values(pattern, 7)) {}
   void analyse(BlockLU& lu) const { lu.analyse(pattern, mesh.places.data()); }
   std::vector<double> solution(BlockLU& lu) const {
     REQUIRE(lu.factorise(values.data()));
@@ -197,7 +197,7 @@ void check_against_sparse_lu(const Problem& of) {
   CHECK(in_place == solved);
 }
 
-void check_against_sparse_lu(const Mesh& mesh) { check_against_sparse_lu(Problem(mesh)); }
+void check_against_sparse_lu(const NodeGraph& mesh) { check_against_sparse_lu(Problem(mesh)); }
 
 }  // namespace
 
@@ -217,19 +217,19 @@ TEST_CASE("block LU agrees with Eigen::SparseLU") {
   }
 }
 
-TEST_CASE("block LU needs no help from coordinates") {
+TEST_CASE("block LU solves meshes whose nodes coincide") {
   SUBCASE("all nodes coincide") {
-    Mesh mesh = sheet(24, 25);
+    NodeGraph mesh = sheet(24, 25);
     std::fill(mesh.places.begin(), mesh.places.end(), 1.5);
     check_against_sparse_lu(mesh);
   }
   SUBCASE("some nodes coincide") {
-    Mesh mesh = apart(sheet(15, 14), sheet(15, 14));
+    NodeGraph mesh = apart(sheet(15, 14), sheet(15, 14));
     for (int i = 0; i < 14; ++i) mesh.join(i, 15 * 14 + i);
     check_against_sparse_lu(mesh);
   }
   SUBCASE("scattered at random") {
-    Mesh mesh = tube(25, 20);
+    NodeGraph mesh = tube(25, 20);
     mesh.places = random_vector(mesh.places.size(), 3);
     check_against_sparse_lu(mesh);
   }
@@ -237,7 +237,7 @@ TEST_CASE("block LU needs no help from coordinates") {
 
 namespace {
 
-// Every edge a spring, as rope against slack twine, with a nonsymmetric part of a tenth.
+// Every edge is a spring, like rope next to slack twine, with a non-symmetric part of 10 %.
 Problem springs_seven_decades_apart() {
   Problem out(ropes_and_sheet());
   const auto stiffness = [](int i, int j) { return std::max(i, j) >= 20 * 17 ? 1e7 : 1.0; };
@@ -247,11 +247,11 @@ Problem springs_seven_decades_apart() {
 
 }  // namespace
 
-TEST_CASE("block LU bears stiffnesses seven decades apart") {
+TEST_CASE("block LU solves stiffnesses seven decades apart") {
   check_against_sparse_lu(springs_seven_decades_apart());
 }
 
-TEST_CASE("block LU in single precision refines to the residual asked for") {
+TEST_CASE("block LU in single precision refines to the requested residual") {
   Problem of(ropes_and_sheet());
   SUBCASE("random blocks") {}
   SUBCASE("stiffnesses seven decades apart") { of = springs_seven_decades_apart(); }
@@ -267,16 +267,16 @@ TEST_CASE("block LU in single precision refines to the residual asked for") {
     const double reached =
         lu.solve_refined(of.pattern, of.values.data(), of.b.data(), tolerance, of.x.data());
     CHECK(reached <= tolerance);
-    // the two sum up rows in different orders: some ten terms, each as large as |A| |x| at most
+    // The two sum rows in different orders: about ten terms of at most |A| |x|.
     const double rounding = 10 * 1.1e-16 * greatest_row_sum(matrix) * x.lpNorm<Eigen::Infinity>() /
                             b.lpNorm<Eigen::Infinity>();
     CHECK(std::abs(residual() - reached) <= rounding);
   }
   lu.solve(of.b.data(), of.x.data());
-  CHECK(residual() > 1e-11);  // so that refinement had something to do
+  CHECK(residual() > 1e-11);  // otherwise refinement was not tested
 }
 
-TEST_CASE("refinement ends where it gains no more") {
+TEST_CASE("refinement ends when the residual stops falling") {
   Problem of(sheet(9, 8));
   BlockLU lu;
   of.analyse(lu);
@@ -300,8 +300,8 @@ TEST_CASE("refinement ends where it gains no more") {
   }
 }
 
-TEST_CASE("block LU gives equal bytes with one thread and two") {
-  // large enough for two threads, and the last part for a front of its own in both
+TEST_CASE("block LU gives identical bytes with one and two threads") {
+  // large enough for two threads; the last part has a separate front in both
   Problem of(apart(sheet(150, 140), tube_with_ring()));
   SUBCASE("of common numbers") {}
   SUBCASE("of couplings whose products are denormal in single precision") {
@@ -318,13 +318,13 @@ TEST_CASE("block LU gives equal bytes with one thread and two") {
   }
 }
 
-TEST_CASE("denormal numbers in single-precision factors count as zero, and nowhere else") {
-  const Mesh mesh = chain(2);
+TEST_CASE("single-precision factorisation rounds denormal numbers to zero, double does not") {
+  const NodeGraph mesh = chain(2);
   const BlockPattern pattern = mesh.pattern();  // blocks 11, 12, 21, 22
   std::vector<double> values(36, 0);
   for (const int block : {0, 3})
     for (int k = 0; k < 3; ++k) values[9 * block + 4 * k] = 1;
-  values[9] = values[18] = 1e-40;  // the least float of full precision is 1.2e-38
+  values[9] = values[18] = 1e-40;  // the smallest normal float is 1.2e-38
   const std::vector<double> b = {1e10, 0, 0, 0, 0, 0};
   const auto second = [&](Precision precision) {
     BlockLU lu(precision);
@@ -342,8 +342,8 @@ TEST_CASE("denormal numbers in single-precision factors count as zero, and nowhe
 #endif
 }
 
-TEST_CASE("a symmetric matrix is definite above its least eigenvalue, and not below it") {
-  for (const Mesh& mesh : {tube(5, 8), sheet(9, 7), tube_with_ring()}) {
+TEST_CASE("definiteness test changes at the smallest eigenvalue of a symmetric matrix") {
+  for (const NodeGraph& mesh : {tube(5, 8), sheet(9, 7), tube_with_ring()}) {
     const Problem of(mesh);
     const Eigen::MatrixXd dense(to_eigen(of.pattern, of.values));
     const Eigen::MatrixXd symmetric = 0.5 * (dense + dense.transpose());
@@ -365,11 +365,11 @@ TEST_CASE("a symmetric matrix is definite above its least eigenvalue, and not be
   }
 }
 
-TEST_CASE("two threads report a singular matrix") {
+TEST_CASE("block LU with two threads reports a singular matrix") {
   const Problem of(sheet(150, 140));
   BlockLU lu(Precision::double_precision, 2);
   of.analyse(lu);
-  for (int node : {0, 10500, 20999}) {  // in both threads' subtrees and about the first separator
+  for (int node : {0, 10500, 20999}) {  // in both threads' subtrees and near the first separator
     std::vector<double> values = of.values;
     empty_row(of.pattern, values, node);
     CHECK_FALSE(lu.factorise(values.data()));
@@ -377,7 +377,7 @@ TEST_CASE("two threads report a singular matrix") {
   CHECK(lu.factorise(of.values.data()));
 }
 
-TEST_CASE("block LU pauses, and stops where the pause throws") {
+TEST_CASE("block LU calls the pause and stops when it throws") {
   const Problem of(sheet(220, 200));
   std::vector<double> x = of.b;
   BlockLU plain(Precision::single_precision);
@@ -394,7 +394,7 @@ TEST_CASE("block LU pauses, and stops where the pause throws") {
     CHECK_THROWS_WITH(of.analyse(lu), "stopped");
     pauses = stop_at = 0;
     of.analyse(lu);
-    CHECK(pauses >= 2);  // before the first cut of 44,000 nodes and those of its halves
+    CHECK(pauses >= 2);  // before the first cut of 44,000 nodes and before the cuts of both halves
     pauses = 0;
     REQUIRE(lu.factorise(of.values.data()));
     const int all = pauses;
@@ -411,7 +411,7 @@ TEST_CASE("block LU pauses, and stops where the pause throws") {
   }
 }
 
-TEST_CASE("block LU takes one thread or two") {
+TEST_CASE("block LU throws unless threads is one or two") {
   for (int threads : {-1, 0, 3})
     CHECK_THROWS_WITH_AS(
         BlockLU(Precision::double_precision, threads),
@@ -419,12 +419,12 @@ TEST_CASE("block LU takes one thread or two") {
         std::invalid_argument);
 }
 
-TEST_CASE("block LU gives equal bytes on repeated runs") {
+TEST_CASE("block LU gives identical bytes on repeated runs") {
   const Problem of(ropes_and_sheet()), small(chain(9));
   BlockLU lu, anew;
   of.analyse(lu);
   const std::vector<double> first = of.solution(lu);
-  // nothing may be left over from another matrix, nor from another pattern
+  // no data of another matrix or pattern may remain
   REQUIRE(lu.factorise(random_values(of.pattern, 12).data()));
   CHECK(of.solution(lu) == first);
   small.analyse(anew);
@@ -448,7 +448,7 @@ TEST_CASE("block LU reports a singular matrix") {
     });
   }
   SUBCASE("a part that floats freely") {
-    // a chain of equal springs without support; whole numbers, so the last pivot is exactly zero
+    // an unsupported chain of equal springs; integers make the last pivot exactly zero
     each_block(of.pattern, values, [](int i, int j, double* block) {
       const bool end = i == 100 || i == 104;
       for (int q = 0; i >= 100 && q < 9; ++q) block[q] = q % 4 != 0 ? 0 : j != i ? -1 : end ? 1 : 2;
@@ -461,7 +461,7 @@ TEST_CASE("block LU reports a singular matrix") {
   CHECK(lu.factorise(of.values.data()));
 }
 
-TEST_CASE("block LU allocates only when it analyses") {
+TEST_CASE("block LU allocates only during analysis") {
   Problem of(apart(tube_with_ring(), sheet(140, 145)));
   const auto check = [&](Precision precision, int threads) {
     BlockLU lu(precision, threads);
@@ -479,7 +479,7 @@ TEST_CASE("block LU allocates only when it analyses") {
   check(Precision::single_precision, 2);
 }
 
-TEST_CASE("block LU takes an empty matrix") {
+TEST_CASE("block LU accepts an empty matrix") {
   BlockPattern pattern;
   pattern.row_start.push_back(0);
   BlockLU lu;
@@ -489,8 +489,8 @@ TEST_CASE("block LU takes an empty matrix") {
   CHECK(lu.figures().fronts == 0);
 }
 
-TEST_CASE("block LU refuses a pattern that breaks its description") {
-  const Mesh mesh = sheet(4, 4);
+TEST_CASE("block LU rejects an invalid pattern") {
+  const NodeGraph mesh = sheet(4, 4);
   BlockPattern pattern = mesh.pattern();
   const char* fault = "";
   SUBCASE("offsets") {
@@ -506,7 +506,7 @@ TEST_CASE("block LU refuses a pattern that breaks its description") {
     fault = "block pattern: row 15 has a column outside the matrix";
   }
   SUBCASE("mirror") {
-    // row 0 reaches node 15, which does not answer
+    // row 0 has an entry for node 15, but row 15 has none for node 0
     pattern.column[pattern.row_start[1] - 1] = 15;
     fault = "block pattern: row 0 has an entry without its mirror image";
   }
@@ -519,9 +519,9 @@ TEST_CASE("block LU refuses a pattern that breaks its description") {
   CHECK_THROWS_WITH_AS(lu.analyse(pattern, mesh.places.data()), fault, std::invalid_argument);
 }
 
-TEST_CASE("figures of block LU count what is stored") {
-  // one front: 3n pivots and no boundary, so L and U fill a square and nothing is stacked
-  const Mesh mesh = complete(4);
+TEST_CASE("block LU figures count the stored entries") {
+  // one front: 3n pivots without boundary, so L and U fill a square and the stack is empty
+  const NodeGraph mesh = complete(4);
   BlockLU lu;
   lu.analyse(mesh.pattern(), mesh.places.data());
   CHECK(lu.figures().fronts == 1);

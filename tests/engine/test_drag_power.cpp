@@ -1,5 +1,5 @@
-// What the water does to a body: it takes energy from it, and stays finite at every
-// state where a direction is lost.
+// Forces of the water on bodies: they dissipate energy, and remain finite at every state where a
+// direction is undefined.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,8 +15,8 @@ struct Power {
   double total, size;
 };
 
-// Power of all forces on the nodes but of what holds the twist of netting, which gives its energy
-// back, and the sum of its terms' sizes.
+// Power of all forces on the nodes and the sum of the absolute terms. The twist stiffness of
+// netting is excluded because it is elastic.
 Power power(Specimen& s) {
   Assembly assembly(s.model);
   std::vector<double> force(s.x.size());
@@ -33,7 +33,7 @@ Power power(Specimen& s) {
   return out;
 }
 
-// Without tension, so that only the water acts.
+// No tension, so that only water forces act.
 Ingredients still_water() {
   Ingredients wanted;
   wanted.axial_stiffness = 0.0;
@@ -48,7 +48,7 @@ bool all_finite(const std::vector<double>& values) {
   return true;
 }
 
-// Forces, derivatives and masses of a model at a state.
+// Returns true if forces, derivatives and masses of a model at a state are finite.
 bool is_finite(Specimen& s) {
   Assembly assembly(s.model);
   std::vector<double> force(s.x.size()), values(9 * assembly.pattern().column.size()),
@@ -73,10 +73,10 @@ void each_law(Check check) {
 
 }  // namespace
 
-TEST_CASE("drag in still water takes energy from every line") {
+TEST_CASE("drag in still water dissipates energy of every line") {
   Random random(20260421);
   each_law([&](const CylinderLaw& law, SlackDrag slack) {
-    // One line each, so that no line can hide behind another; Re from 1e-2 to 2e6.
+    // One line each, so that errors of two lines cannot cancel; Re from 1e-2 to 2e6.
     for (const double diameter : {1e-8, 1e-5, 1e-4, 1e-3, 0.03, 0.3, 2.0}) {
       for (int repeat = 0; repeat < 10; ++repeat) {
         Ingredients wanted = still_water();
@@ -94,7 +94,7 @@ TEST_CASE("drag in still water takes energy from every line") {
   });
 }
 
-TEST_CASE("drag in still water takes energy from bodies, knots, screens and blended netting") {
+TEST_CASE("drag in still water dissipates energy of bodies, knots, screens, blended netting") {
   Random random(20260422);
   for (int Ingredients::*kind :
        {&Ingredients::bodies, &Ingredients::knots, &Ingredients::screens, &Ingredients::blended}) {
@@ -111,7 +111,7 @@ TEST_CASE("drag in still water takes energy from bodies, knots, screens and blen
   }
 }
 
-TEST_CASE("plates in still water lose energy, at every angle of attack") {
+TEST_CASE("plates in still water lose energy at every angle of attack") {
   Random random(20260425);
   for (int repeat = 0; repeat < 50; ++repeat) {
     Ingredients wanted = still_water();
@@ -126,7 +126,7 @@ TEST_CASE("plates in still water lose energy, at every angle of attack") {
   }
 }
 
-TEST_CASE("friction takes energy from what slides, and the ground pushes only outward") {
+TEST_CASE("friction dissipates energy and the ground pushes only outwards") {
   Random random(20260426);
   for (int repeat = 0; repeat < 50; ++repeat) {
     Ingredients wanted = still_water();
@@ -163,13 +163,13 @@ TEST_CASE("lift in still water does no work") {
   }
 }
 
-TEST_CASE("forces, derivatives and masses are finite where directions are lost") {
+TEST_CASE("forces, derivatives and masses remain finite at undefined directions") {
   struct Extreme {
     const char* name;
     double current;                      // m/s
-    void (*move)(double* x, double* v);  // of one node
+    void (*move)(double* x, double* v);  // moves one node
   };
-  // 1e-50: cubes of speeds are still numbers.
+  // 1e-50: the cube of the speed is still a nonzero number.
   const Extreme extremes[] = {
       {"no flow", 0.0, [](double*, double* v) { v[0] = v[1] = v[2] = 0.0; }},
       {"flow along all lines", 0.0,
@@ -211,7 +211,7 @@ TEST_CASE("forces, derivatives and masses are finite where directions are lost")
   }
 }
 
-TEST_CASE("drag does not jump where a line goes slack or loses its length") {
+TEST_CASE("drag is continuous where a line becomes slack or loses its length") {
   TwineMaterial material;
   material.diameter = 0.002;
   const Vector u(0.4, -0.3, 1.0), axis = Vector(1.0, 2.0, -0.5).normalized();
@@ -221,12 +221,12 @@ TEST_CASE("drag does not jump where a line goes slack or loses its length") {
     const double size = drag(1.0).norm();
     CHECK((drag(1.0 + 1e-9) - drag(1.0 - 1e-9)).norm() < 1e-8 * size);
     CHECK((drag(1e-9) - drag(0.0)).norm() < 1e-8 * size);
-    // Without length there is no axis: drag is along the flow.
+    // A line of zero length has no axis: drag acts along the flow.
     CHECK(drag(0.0).cross(u).norm() < 1e-12 * size);
   }
 }
 
-TEST_CASE("added mass does not jump where a line goes slack, and has no direction without length") {
+TEST_CASE("added mass is continuous at slack and isotropic at zero length") {
   TwineMaterial material;
   material.diameter = 0.02;
   material.volume_per_length = 3e-4;
@@ -239,7 +239,7 @@ TEST_CASE("added mass does not jump where a line goes slack, and has no directio
   const int from = line.node(Vector::Zero()), to = line.node(Vector::Zero());
   line.bar(from, to, 2.0, 0);
   model.prepare();
-  // Of one end: half of what the line displaces.
+  // Each end has half of the water that the line displaces.
   const double water = 0.5 * 2.0 * material.volume_per_length * model.water.density;
   auto mass = [&](const Vector& along, double length) -> Block {
     Assembly assembly(model);
@@ -254,10 +254,10 @@ TEST_CASE("added mass does not jump where a line goes slack, and has no directio
   const Matrix straight = water * (Matrix::Identity() - 0.9 * axis * axis.transpose());
   CHECK((mass(axis, 2.0) - straight).norm() < 1e-12 * water);
   CHECK((mass(axis, 2.0 - 1e-9) - straight).norm() < 1e-8 * water);
-  // Pieces in all directions alike: the mean over the sphere of cos^2 is a third.
+  // Directions are uniformly distributed: the mean of cos^2 over the sphere is 1/3.
   CHECK((mass(axis, 1e-9) - water * 0.7 * Matrix::Identity()).norm() < 1e-8 * water);
   CHECK((mass(axis, 1e-9) - mass(other, 1e-9)).norm() < 1e-8 * water);
-  // What the line has of mass does not depend on how it lies.
+  // The trace of the mass does not depend on the shape.
   for (const double length : {0.0, 0.5, 1.5, 2.0}) {
     CHECK(mass(axis, length).trace() == doctest::Approx(2.1 * water).epsilon(1e-12));
   }

@@ -1,4 +1,4 @@
-// What is read of a model by name, and what is refused, from a text of its arrays.
+// Reads models by field name from a text of arrays, and checks error messages.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace codend;
 
-// Lines of a text by the arrays that they name: the type, how many values, and these.
+// Lines of a text by array name: type, number of values, values.
 using Lines = std::map<std::string, std::string>;
 
 // A weight of 100 N on a rope of 2 m and 5000 N, in vacuum; all other arrays are empty.
@@ -37,7 +37,7 @@ Lines weight_on_rope() {
                  {"plates", "list 0"},
                  {"sliding", "list 0"}};
   for (const FieldRow& row : field_table<Model>()) {
-    // groups that a model may go without, and those above
+    // optional groups of a model, and the fields above
     if (row.kind.empty() || row.kind == "ties" || row.kind == "water" || row.kind == "ground" ||
         row.kind == "plates" || row.kind == "plates.polar" || row.kind == "sliding") {
       continue;
@@ -61,7 +61,7 @@ Model read(const Lines& lines) {
   return read_fields<Model>(TextSource(text));
 }
 
-// What reading says, and of which field; "" where all is read.
+// Returns the error message of reading, and its field; "" if reading succeeds.
 template <class Read>
 std::string said_by(Read read, std::string* field = nullptr) {
   try {
@@ -73,7 +73,8 @@ std::string said_by(Read read, std::string* field = nullptr) {
   return "";
 }
 
-// The same of the weight on its rope with some lines changed; a line without values is taken out.
+// Returns the error message for the weight on its rope with some lines changed; an empty line is
+// removed.
 std::string complaint(const Lines& changes, std::string* field = nullptr) {
   Lines lines = weight_on_rope();
   for (const auto& [name, values] : changes) {
@@ -92,7 +93,7 @@ std::string complaint_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a model is read by the names of its fields") {
+TEST_CASE("reading assigns the fields of a model by name") {
   const Model model = read(weight_on_rope());
   CHECK(model.nodes == 2);
   CHECK(model.held == std::vector<char>{1, 0});
@@ -105,7 +106,7 @@ TEST_CASE("a model is read by the names of its fields") {
   CHECK(!model.materials.at(0).strut);
 }
 
-TEST_CASE("every field that is missing, too short or too long is named") {
+TEST_CASE("reading names each missing, too short or too long field") {
   for (const std::string name : {"node", "rest", "multiplicity", "height", "material"}) {
     CAPTURE(name);
     const std::string whole = "bars." + name;
@@ -125,8 +126,8 @@ TEST_CASE("every field that is missing, too short or too long is named") {
   CHECK(complaint({{"plates", "list 1000000000"}}) == "plates has 0 groups, must have 1000000000");
 }
 
-TEST_CASE("places that do not exist and numbers that are none are named") {
-  // the last is the least that an int holds, which is R's missing value too
+TEST_CASE("reading names invalid indices and numbers that are not finite") {
+  // the last is the smallest int, which is also R's missing value
   for (const std::string place : {"0", "3", "-7", "-2147483648"}) {
     CHECK(complaint({{"bars.node", "whole 2 1 " + place}}) ==
           "bars.node[2] is " + place + ", must be from 1 to 2 (points)");
@@ -136,14 +137,14 @@ TEST_CASE("places that do not exist and numbers that are none are named") {
   CHECK(complaint({{"bars.rest", "number 1 nan"}}) == "bars.rest[1] must be a finite number");
 }
 
-TEST_CASE("laws go by name, and an unknown one is none") {
+TEST_CASE("reading accepts drag models by name and rejects unknown ones") {
   CHECK(complaint({{"materials.law", "name 1 hoerner"}}) ==
         "materials.law is \"hoerner\", must be constant, takagi, choo_casarella or cifuentes_kim");
   CHECK(complaint({{"slack_twine", "name 1 loose"}}) ==
         "slack_twine is \"loose\", must be curved or straight");
 }
 
-TEST_CASE("copies of a model are whole") {
+TEST_CASE("copying a model gives an independent model") {
   Model copy;
   {
     Model model = read(weight_on_rope());
@@ -159,7 +160,7 @@ TEST_CASE("copies of a model are whole") {
   CHECK(found.bar_tension[0] == doctest::Approx(500.0).epsilon(1e-14));
 }
 
-TEST_CASE("every reported force is of a kind of the model, with three numbers per element") {
+TEST_CASE("each reported force belongs to an element kind, with three numbers each") {
   const Model model = read(weight_on_rope());
   const std::vector<FieldRow> fields = field_table<Model>();
   for (const ReportedForce& force : reported_forces()) {
@@ -177,22 +178,20 @@ TEST_CASE("every reported force is of a kind of the model, with three numbers pe
   CHECK(found.reported("sphere_drag").empty());
 }
 
-TEST_CASE("a text that is not of arrays is refused with its line") {
-  CHECK(complaint_of("nodes whole 1 2\nnodes whole 1 2") == "line 2: nodes stands twice");
+TEST_CASE("reading rejects a malformed text and gives the line") {
+  CHECK(complaint_of("nodes whole 1 2\nnodes whole 1 2") == "line 2: nodes is given twice");
   CHECK(complaint_of("nodes whole 1") == "line 1: nodes has 0 values, must have 1");
-  CHECK(complaint_of("nodes whole -1") ==
-        "line 1: nodes must say how many values it has, 0 or more");
+  CHECK(complaint_of("nodes whole -1") == "line 1: nodes needs its number of values, 0 or more");
   CHECK(complaint_of("nodes whole 99999999999") ==
-        "line 1: nodes must say how many values it has, 0 or more");
+        "line 1: nodes needs its number of values, 0 or more");
   CHECK(complaint_of("nodes whole 1 2.5") == "line 1: nodes[1] is \"2.5\", must be a whole number");
   CHECK(complaint_of("\n\nnodes integer 1 2") ==
         "line 3: nodes has the type \"integer\", must have number, whole, mark, name or list");
-  CHECK(complaint_of("a..b number 0") ==
-        "line 1: a name of an array must stand here, not \"a..b\"");
+  CHECK(complaint_of("a..b number 0") == "line 1: \"a..b\" must be the name of an array");
   CHECK(complaint_of("") == "nodes is missing");
 }
 
-TEST_CASE("numbers between two gears lie on their line, and all else must be the same") {
+TEST_CASE("interpolation between two gears is linear and rejects other differences") {
   Gear first, second;
   first.density = 1000.0;
   second.density = 1020.0;

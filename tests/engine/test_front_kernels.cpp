@@ -49,15 +49,14 @@ struct StoredFront {
   }
 };
 
-// Partial pivoting on random matrices: the rows times the rounding of one operation, and a factor
-// 100 for the growth of pivots and for the condition of A11 in the Schur complement.
+// Partial pivoting on random matrices: rows times the rounding of one operation, times 100 for the
+// growth of pivots and the condition of A11 in the Schur complement.
 template <class Real>
 double tolerance(int rows) {
   return 100.0 * rows * std::numeric_limits<Real>::epsilon() / 2;
 }
 
-// Both halves of a job one after the other: as two threads would, if neither touches what the
-// other does.
+// Runs both halves of a job in sequence, as two threads would if the halves are independent.
 const Sharing halves{[](void*, void (*job)(void*, int), void* data) {
                        job(data, 1);
                        job(data, 0);
@@ -68,7 +67,7 @@ template <class Real>
 void check_front(const FrontKernels<Real>& kernels, int k, int b) {
   CAPTURE(k);
   CAPTURE(b);
-  // heavy above the diagonal, so that rows must be exchanged
+  // large entries above the diagonal force row exchanges
   Matrix<Real> given = Matrix<Real>::Random(k + b, k + b);
   for (int i = 0; i < k; ++i) given(i, (i + 1) % k) += static_cast<Real>(k);
   StoredFront<Real> front(given, k);
@@ -94,7 +93,7 @@ void check_front(const FrontKernels<Real>& kernels, int k, int b) {
     CHECK((update.topRows(b) - schur).cwiseAbs().maxCoeff() <= allowed);
   }
 
-  // the two substitutions and the Schur complement between them solve the whole
+  // the two substitutions and the Schur complement between them solve the whole system
   const VectorXd rhs = VectorXd::Random(k + b).cast<Real>().template cast<double>();
   Column<Real> x = rhs.cast<Real>();
   kernels.forward(k, b, front.lower.data(), front.exchange.data(), x.data());
@@ -106,7 +105,7 @@ void check_front(const FrontKernels<Real>& kernels, int k, int b) {
   const VectorXd solved = x.template cast<double>();
   CHECK((whole * solved - rhs).cwiseAbs().maxCoeff() <= allowed * solved.cwiseAbs().maxCoeff());
 
-  // and those of the transposed matrix its transpose
+  // the transposed substitutions solve the transposed system
   x = rhs.cast<Real>();
   kernels.forward_transposed(k, b, front.lower.data(), front.upper.data(), front.reciprocal.data(),
                              x.data());
@@ -120,14 +119,14 @@ void check_front(const FrontKernels<Real>& kernels, int k, int b) {
   CHECK((whole.transpose() * back - rhs).cwiseAbs().maxCoeff() <=
         allowed * back.cwiseAbs().maxCoeff());
 
-  // equal bytes where the work is shared out
+  // identical bytes if the work is shared
   StoredFront<Real> shared(given, k);
   REQUIRE(kernels.factorise(shared.view(), &halves));
   CHECK(shared.lower == front.lower);
   CHECK(shared.upper == front.upper);
   CHECK(shared.update == front.update);
 
-  // equal numbers where A22 is zero, whether it is set before or not
+  // identical numbers if A22 is zero, whether it is set before or not
   given.bottomRightCorner(b, b).setZero();
   StoredFront<Real> cleared(given, k), fresh(given, k);
   fresh.fresh = true;
@@ -147,7 +146,7 @@ void check_kernels(const FrontKernels<Real>& kernels) {
               1035);             // rows of U far enough apart to be packed; large enough to share
   check_front(kernels, 402, 6);  // a right side large enough to share
 
-  // a zero matrix is singular, and so is one whose last pivot vanishes
+  // a zero matrix is singular, also one with a zero last pivot
   StoredFront<Real> zero(Matrix<Real>::Zero(9, 9), 6);
   CHECK_FALSE(kernels.factorise(zero.view(), nullptr));
   Matrix<Real> identity = Matrix<Real>::Identity(33, 33);
@@ -155,8 +154,8 @@ void check_kernels(const FrontKernels<Real>& kernels) {
   StoredFront<Real> last(identity, 30);
   CHECK_FALSE(kernels.factorise(last.view(), nullptr));
 
-  // a child of 5 nodes whose boundary meets the parent's 3 pivots at 0 and 2 and its boundary of 4
-  // nodes at 0, 1 and 3
+  // a child of 5 nodes. Its boundary meets the parent's 3 pivots at 0 and 2, and its boundary of 4
+  // nodes at 0, 1 and 3.
   const std::vector<codend::Run> run{{0, 0, 1}, {1, 2, 1}, {2, 3, 2}, {4, 6, 1}};
   const int place[] = {0, 2, 3, 4, 6};
   const Matrix<Real> child = Matrix<Real>::Random(codend::padded<Real>(15), 15);
@@ -187,7 +186,7 @@ TEST_CASE("front kernels agree with dense algebra") {
 
 namespace {
 
-// Factors of a random front and both solutions with them.
+// Factorisation of a random front and both solutions with it.
 template <class Real>
 std::vector<Real> all_bytes(const FrontKernels<Real>& kernels, int pivots, int boundary) {
   std::srand(7);
@@ -212,7 +211,7 @@ std::vector<Real> all_bytes(const FrontKernels<Real>& kernels, int pivots, int b
 
 template <class Real>
 void check_equal_bytes(const FrontKernels<Real>& some, const FrontKernels<Real>& others) {
-  // sizes about whole tiles, below one and beyond what is packed
+  // sizes near whole tiles, below one and beyond the packed range
   for (const int pivots : {3, 24, 48, 51, 150})
     for (const int boundary : {0, 3, 45, 48, 99, 600}) {
       INFO(pivots, " pivots, boundary ", boundary);
@@ -222,7 +221,7 @@ void check_equal_bytes(const FrontKernels<Real>& some, const FrontKernels<Real>&
 
 }  // namespace
 
-TEST_CASE("AVX-512 and AVX2 front kernels give equal bytes") {
+TEST_CASE("front kernels of AVX-512 and AVX2 give identical bytes") {
   const FrontKernelSet *wide = codend::avx512_front_kernels(), *half = codend::avx2_front_kernels();
   if (!wide || !half) return;
   SUBCASE("double precision") { check_equal_bytes(wide->in_double, half->in_double); }

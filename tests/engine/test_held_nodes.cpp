@@ -1,5 +1,4 @@
-// What acts on nodes that are held back alone is not computed anew (Assembly::hold()): held against
-// an assembly that computes all.
+// Assembly::hold() skips elements whose nodes are all fixed; compared with a full assembly.
 #include <doctest/doctest.h>
 
 #include <vector>
@@ -12,8 +11,8 @@ using namespace codend;
 
 constexpr int rows = 5, columns = 40;
 
-// A sheet of square netting in a sheared current, five knots deep and forty long, with a float of
-// its own volume and drag at every knot.
+// A sheet of square netting in a sheared current, five knots deep and forty long. Every knot has a
+// float with volume and drag.
 Model sheet() {
   Model model;
   model.nodes = rows * columns;
@@ -76,8 +75,7 @@ Found found(Assembly& assembly, const std::vector<double>& x, const std::vector<
 
 }  // namespace
 
-TEST_CASE(
-    "forces and derivatives of nodes that move do not depend on what is left out for the rest") {
+TEST_CASE("hold() keeps forces and derivatives of free nodes unchanged") {
   Model model = sheet();
   Random random(20261122);
   const std::size_t size = 3 * static_cast<std::size_t>(model.nodes);
@@ -89,7 +87,7 @@ TEST_CASE(
   }
   const std::vector<double> start = x;
   Assembly some(model);
-  // Released from one end on, taken back as by a step that is tried again, and released at last.
+  // Released from one end, fixed again as by a rejected step, and finally all released.
   for (const int released : {3, 10, 22, 9, 9, 31, columns}) {
     std::vector<char> held(static_cast<std::size_t>(model.nodes), 0);
     for (int n = 0; n < model.nodes; ++n) {
@@ -121,7 +119,7 @@ TEST_CASE(
       }
       CHECK(part.strain == whole.strain);
     }
-    // Readers find all of it.
+    // The full evaluation includes every element.
     const Evaluation part = evaluate(some, x.data(), v.data()),
                      whole = evaluate(all, x.data(), v.data());
     CHECK(part.u_tension == whole.u_tension);

@@ -1,4 +1,4 @@
-// Derivatives of every kind of element against differences of its forces, through the assembly.
+// Compares derivatives of every element kind with differences of its forces, through the assembly.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -11,13 +11,14 @@ namespace {
 
 using namespace codend;
 
-// Differences of fourth order, (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / 12h. At h = 2e-5 (m, m/s)
-// rounding leaves 1.5 x 2.2e-16 |F| / h = 1.7e-11 |F|, some ten times that where terms of F cancel,
-// and truncation h^4/30 f^(5), below 1e-10 of f' where F changes over 0.02 m or m/s or more; the
-// least distances in these models are of that size. 1e-8 leaves room for both.
+// Fourth-order differences, (8 (f(h) - f(-h)) - (f(2h) - f(-2h))) / 12h, at h = 2e-5 (m, m/s).
+// Rounding: 1.5 x 2.2e-16 |F| / h = 1.7e-11 |F|, about ten times that where terms of F cancel.
+// Truncation: h^4/30 f^(5), below 1e-10 of f' if F changes over 0.02 m or m/s or more. The smallest
+// distances in these models have this size. 1e-8 covers both.
 constexpr double tolerance = 1e-8;
 
-// Largest error of any column, over the column's largest entry and the largest force per metre.
+// Largest error of any column, relative to the column's largest entry and the largest force per
+// metre.
 double error(const Dense& found, const Dense& expected, double force) {
   double worst = 0.0;
   for (int j = 0; j < found.cols(); ++j) {
@@ -34,7 +35,7 @@ double largest(const std::vector<double>& values) {
   return out;
 }
 
-// Some 90 additions of 2.2e-16 each: of 16 blocks of 8 elements of four corners over 12 nodes.
+// About 90 additions of 2.2e-16 each: of 16 blocks of 8 elements of four corners over 12 nodes.
 constexpr double order_of_additions = 2e-14;
 
 void check_derivatives(Random& random, const Ingredients& wanted, double within = tolerance,
@@ -63,17 +64,17 @@ void check_derivatives(Random& random, const Ingredients& wanted, double within 
   const Dense damping = jacobian({0.0, 1.0});
   CHECK(error(damping, by_differences(assembly, s.v, force), largest(f)) < within);
 
-  // A request for both is their sum.
+  // A request for both returns their sum.
   CHECK(error(jacobian({0.7, 2.5}), 0.7 * stiffness + 2.5 * damping, 0.0) < additions);
 }
 
-// Tensions of the same size as drag: what is wrong with either shows.
+// Tensions and drag have the same size, so that errors in either are visible.
 constexpr double stiffness_per_diameter = 500.0;
 
 void check_lines(int bars, int cells, int hexagons) {
   Random random(20260401);
   for (const CylinderLaw& law : cylinder_laws()) {
-    // Reynolds numbers of about 10, 100, 2000 and 3e5: every branch of the laws.
+    // Reynolds numbers of about 10, 100, 2000 and 3e5: every branch of the drag models.
     for (const double diameter : {1e-5, 1e-4, 2e-3, 0.3}) {
       for (const SlackDrag slack : {SlackDrag::curved, SlackDrag::straight}) {
         for (const bool layered : {false, true}) {
@@ -97,7 +98,7 @@ void check_lines(int bars, int cells, int hexagons) {
   }
 }
 
-// Of models that `set` gives what they are made of, which it tells apart by their number.
+// Checks models whose ingredients `set` defines by the number of the model.
 template <class Set>
 void check_models(std::uint64_t seed, int models, Set set, double within = tolerance,
                   double additions = order_of_additions) {
@@ -110,7 +111,7 @@ void check_models(std::uint64_t seed, int models, Set set, double within = toler
   }
 }
 
-// Of twelve elements of a kind, in a uniform current and in a layered one.
+// Checks twelve elements of a kind, in a uniform and in a layered current.
 void check_points(int Ingredients::*kind, Ingredients wanted = {},
                   double additions = order_of_additions) {
   wanted.*kind = 12;
@@ -123,14 +124,14 @@ void check_points(int Ingredients::*kind, Ingredients wanted = {},
 
 }  // namespace
 
-TEST_CASE("derivatives of bars") { check_lines(20, 0, 0); }
+TEST_CASE("bars have derivatives equal to differences") { check_lines(20, 0, 0); }
 
-TEST_CASE("derivatives of netting cells") { check_lines(0, 10, 0); }
+TEST_CASE("netting cells have derivatives equal to differences") { check_lines(0, 10, 0); }
 
-TEST_CASE("derivatives of hexagonal triangles") { check_lines(0, 0, 8); }
+TEST_CASE("hexagonal triangles have derivatives equal to differences") { check_lines(0, 0, 8); }
 
-// Speeds of 0.5 m/s and lines of 1 m: the damper pulls or loosens by as much as the stretch.
-TEST_CASE("derivatives of lines with damping") {
+// Speeds of 0.5 m/s and lines of 1 m: the damper changes the tension as much as the stretch does.
+TEST_CASE("damped lines have derivatives equal to differences") {
   check_models(20260404, 10, [](Ingredients& i, int k) {
     i.bars = k % 2 ? 20 : 0;
     i.cells = k % 2 ? 0 : 10;
@@ -141,7 +142,7 @@ TEST_CASE("derivatives of lines with damping") {
   });
 }
 
-TEST_CASE("derivatives of elements at points") {
+TEST_CASE("elements at points have derivatives equal to differences") {
   SUBCASE("bodies") { check_points(&Ingredients::bodies); }
   SUBCASE("knots") { check_points(&Ingredients::knots); }
   SUBCASE("smooth spheres") { check_points(&Ingredients::smooth_spheres); }
@@ -150,12 +151,12 @@ TEST_CASE("derivatives of elements at points") {
   SUBCASE("the catch's pressure") { check_points(&Ingredients::pressed); }
   SUBCASE("mesh openings") { check_points(&Ingredients::openings); }
   SUBCASE("contacts with the ground") { check_points(&Ingredients::contacts); }
-  // Between points tied to the same two nodes nearly all of a bend's stiffness cancels.
+  // Between points tied to the same two nodes, nearly all of the bending stiffness cancels.
   SUBCASE("bends") { check_points(&Ingredients::bends, {}, 3.0 * order_of_additions); }
   SUBCASE("lifting plates on the ground") { check_points(&Ingredients::plates); }
 }
 
-TEST_CASE("derivatives of netting screens") {
+TEST_CASE("netting screens have derivatives equal to differences") {
   Random random(20260405);
   // Reynolds numbers below, in and beyond the range of Kristiansen and Faltinsen's polynomial.
   for (const double diameter : {1e-5, 1e-3, 0.1}) {
@@ -177,7 +178,7 @@ TEST_CASE("derivatives of netting screens") {
   }
 }
 
-TEST_CASE("derivatives of what sticks to the ground, or slips there") {
+TEST_CASE("sticking and slipping contacts have derivatives equal to differences") {
   auto check = [](int Ingredients::*kind) {
     Ingredients wanted;
     for (const double give : {0.01, 10.0}) {
@@ -190,7 +191,7 @@ TEST_CASE("derivatives of what sticks to the ground, or slips there") {
   SUBCASE("shoes of plates") { check(&Ingredients::plates); }
 }
 
-TEST_CASE("derivatives at the surface") {
+TEST_CASE("elements at the surface have derivatives equal to differences") {
   Ingredients wanted;
   wanted.free_surface = true;
   SUBCASE("volumes") { check_points(&Ingredients::volumes, wanted); }
@@ -208,8 +209,8 @@ TEST_CASE("derivatives at the surface") {
   }
 }
 
-TEST_CASE("derivatives of blended netting") {
-  // Of this seed no state lies within four steps of a join of the formulas.
+TEST_CASE("blended netting has derivatives equal to differences") {
+  // With this seed, no state is within four steps of a join of the formulas.
   Random random(20260408);
   for (const CylinderLaw& law : cylinder_laws()) {
     for (const SlackDrag slack : {SlackDrag::curved, SlackDrag::straight}) {
@@ -222,7 +223,7 @@ TEST_CASE("derivatives of blended netting") {
         wanted.law = law;
         wanted.slack = slack;
         wanted.layered = layered;
-        check_derivatives(random, wanted, 1.7e-7);  // of the polynomial, as above
+        check_derivatives(random, wanted, 1.7e-7);  // rounding of the polynomial, as above
       }
     }
   }
@@ -233,8 +234,8 @@ TEST_CASE("derivatives of blended netting") {
   for (int repeat = 0; repeat < 5; ++repeat) check_derivatives(random, thin, 1.7e-7);
 }
 
-TEST_CASE("derivatives in a wake") {
-  // Of this seed no element lies within four steps of a join of the current's layers.
+TEST_CASE("elements in a wake have derivatives equal to differences") {
+  // With this seed, no element is within four steps of a join of the current's layers.
   check_models(20260411, 2, [](Ingredients& i, int k) {
     i.bars = i.cells = i.knots = i.bodies = i.lifts_up = 8;
     i.hexagons = i.pressed = i.screens = i.blended = 4;
@@ -243,14 +244,14 @@ TEST_CASE("derivatives in a wake") {
   });
 }
 
-TEST_CASE("derivatives of struts") {
+TEST_CASE("struts have derivatives equal to differences") {
   check_models(20260408, 5, [](Ingredients& i, int) {
     i.bars = 12;
     i.struts = true;
   });
 }
 
-TEST_CASE("derivatives of sliding ropes") {
+TEST_CASE("sliding ropes have derivatives equal to differences") {
   check_models(20260420, 5, [](Ingredients& i, int k) {
     i.sliding = 6;
     i.axial_stiffness = 1e3;
@@ -258,7 +259,7 @@ TEST_CASE("derivatives of sliding ropes") {
   });
 }
 
-TEST_CASE("derivatives of tensions that a solver carries") {
+TEST_CASE("solver-carried tensions have derivatives equal to differences") {
   Random random(20260403);
   for (int repeat = 0; repeat < 5; ++repeat) {
     Ingredients wanted;
@@ -276,15 +277,15 @@ TEST_CASE("derivatives of tensions that a solver carries") {
       dual.tension.push_back(random.between(0.5, 2.0));
       dual.modulus.push_back(random.between(0.1, 5.0));
     }
-    assembly.bow_to(dual);
+    assembly.sag_to(dual);
     assembly.strain(start);
-    // Dual tensions follow their strain with the modulus, and bows the tensions: some rounds bring
-    // them together.
+    // Dual tensions depend on strain by the modulus, and sag depends on tension: iterate until they
+    // agree.
     auto force = [&](std::vector<double>& out) {
       DualTension moved = dual;
       assembly.move_to(s.x.data(), s.v.data());
       for (int round = 0; round < 300; ++round) {
-        assembly.bow_to(moved);
+        assembly.sag_to(moved);
         assembly.strain(strain);
         for (std::size_t k = 0; k < strain.size(); ++k) {
           moved.tension[k] +=
@@ -301,7 +302,7 @@ TEST_CASE("derivatives of tensions that a solver carries") {
   }
 }
 
-TEST_CASE("derivatives at a surface in waves are those of the forces") {
+TEST_CASE("elements in waves have derivatives equal to differences") {
   Random random(77);
   Ingredients wanted;
   wanted.bars = 8;
@@ -316,12 +317,12 @@ TEST_CASE("derivatives at a surface in waves are those of the forces") {
   wanted.screens = 2;
   wanted.free_surface = true;
   wanted.waves = true;
-  // The matrix leaves out how the surface and the flow change along x and y, by k a = 2e-5 of what
-  // they do with height, and the immersed share of added mass, with a w^2 = 2e-4 m/s2.
+  // The matrix omits how the surface and the flow change along x and y: k a = 2e-5 of their change
+  // with height. It also omits the immersed fraction of added mass, with a w^2 = 2e-4 m/s2.
   for (int k = 0; k < 5; ++k) check_derivatives(random, wanted, 2e-3);
 }
 
-TEST_CASE("strains change as their first-order change says") {
+TEST_CASE("strains change by their first-order derivative") {
   Random random(20260404);
   Ingredients wanted;
   wanted.bars = 12;
@@ -339,7 +340,7 @@ TEST_CASE("strains change as their first-order change says") {
     law.modulus.push_back(law.tension[k] > 0.0 ? assembly.lines().stiffness[k] : 0.0);
   }
   const std::vector<double> given = change;
-  assembly.share_bows(law, nullptr, given.data(), change.data());
+  assembly.distribute_sag(law, nullptr, given.data(), change.data());
   // Second order at h = 1e-5: h^2/6 of the third derivative, 2e-11, and 2e-16/h = 2e-11.
   const double h = 1e-5;
   auto moved = [&](double share, std::vector<double>& out) {
@@ -355,8 +356,8 @@ TEST_CASE("strains change as their first-order change says") {
   }
 }
 
-TEST_CASE("derivatives with multipliers of components of force") {
-  // Of this seed no state lies within four steps of a join of the formulas.
+TEST_CASE("force multipliers have derivatives equal to differences") {
+  // With this seed, no state is within four steps of a join of the formulas.
   Random random(20260412);
   for (const CylinderLaw& law : cylinder_laws()) {
     CAPTURE(static_cast<int>(law.kind));
@@ -367,13 +368,13 @@ TEST_CASE("derivatives with multipliers of components of force") {
     wanted.blended = 4;
     wanted.law = law;
     wanted.multiplied = true;
-    check_derivatives(random, wanted, 1.7e-7);  // of the polynomial, as above
+    check_derivatives(random, wanted, 1.7e-7);  // rounding of the polynomial, as above
   }
 }
 
-// Forces of drag are linear in every multiplier, and their components make up the whole.
-TEST_CASE("multipliers scale the forces that they are of, and no other") {
-  // of the normal law, blended netting, a screen's drag, lift and friction, and the tangential law
+// Drag forces are linear in every multiplier, and their components sum to the total.
+TEST_CASE("force multipliers scale only their own forces") {
+  // of normal drag, blended netting, a screen's drag, lift and friction, and tangential drag
   auto forces = [](const std::array<double, 6>& of) {
     Random random(20260413);
     Ingredients wanted;

@@ -4,7 +4,8 @@
 
 namespace {
 
-// Returns the height (m) of a float in the middle of a slack line between two points at the surface.
+// Returns the height (m) of a float in the middle of a slack line between two points at the
+// surface.
 double float_height(double lift, double weight, bool surface) {
   codend::StringNet net;
   net.held = {1, 0, 0, 0, 1};
@@ -24,12 +25,12 @@ double float_height(double lift, double weight, bool surface) {
 
 }  // namespace
 
-TEST_CASE("the water's surface stops a float that carries its line") {
+TEST_CASE("water surface stops a float that lifts its line") {
   CHECK(float_height(10.0, 1.0, false) > 0.1);
   CHECK(float_height(10.0, 1.0, true) == doctest::Approx(0.0).epsilon(1e-4));
 }
 
-TEST_CASE("a float that lifts less than hangs from it stays below the surface") {
+TEST_CASE("float stays below the surface if its load exceeds its buoyancy") {
   const double free = float_height(0.1, 1.0, false);
   CHECK(free < -0.1);
   CHECK(float_height(0.1, 1.0, true) == doctest::Approx(free));

@@ -1,4 +1,4 @@
-// Lines many at a time: every place in a register, and every set of kernels, says the same.
+// Line kernels process many lines at a time: every register lane and every kernel set must agree.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ struct Found {
   double rotation = 0.0;
 };
 
-// That sum up what all lines tell, to the last bit.
+// Results that are sums over all lines, compared to the last bit.
 constexpr std::vector<double> Found::*sums[] = {&Found::force, &Found::dual_force,
                                                 &Found::stiffness, &Found::both, &Found::damping};
 
@@ -22,7 +22,7 @@ void append(std::vector<double>& to, const double* from, int count) {
   to.insert(to.end(), from, from + count);
 }
 
-// Everything that lines tell, added to `out` where it is a sum over elements.
+// Computes all results of lines; sums over elements are added to `out`.
 void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
          const BlockPattern& pattern, const std::vector<double>& points,
          const std::vector<double>& speeds, const std::vector<double>& moved, Found& out) {
@@ -30,7 +30,7 @@ void add(const Model& model, const LineKernels& kernels, const FreePoints& free,
               kernels);
   lines.set_flow({points.data(), speeds.data(), &model.water});
   lines.move_to(points.data());
-  std::vector<double> tension, modulus;  // that tell the lines' vectors from each other
+  std::vector<double> tension, modulus;  // unique for each line
   for (int k = 0; k < lines.count(); ++k) {
     tension.push_back(2.0 + lines.arrays().strain[k]);
     modulus.push_back(5.0 + lines.arrays().strain[k]);
@@ -91,8 +91,8 @@ Model part(const Model& model, int bar, int cell, int hexagon) {
   return out;
 }
 
-// Visits models with every number of lines that a register can be left with, of every law, some
-// of them beside lines of another law.
+// Visits models with every number of lines that can remain in a register, for every drag model,
+// some with lines of another model.
 template <class Check>
 void each_model(Check check) {
   Random random(20260451);
@@ -145,7 +145,7 @@ void check_places(const LineKernels& kernels) {
   });
 }
 
-// 1.1e-16 an operation, some hundred operations, and ten times that where terms cancel.
+// 1.1e-16 per operation, about a hundred operations, and ten times that where terms cancel.
 void check_close(const std::vector<double>& a, const std::vector<double>& b) {
   REQUIRE(a.size() == b.size());
   double scale = 0.0, worst = 0.0;
@@ -158,14 +158,14 @@ void check_close(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-TEST_CASE("a line is the same alone as among others") {
+TEST_CASE("line results are identical alone and among others") {
   SUBCASE("portable kernels") { check_places(portable_line_kernels()); }
   SUBCASE("AVX2 kernels") {
     if (avx2_line_kernels()) check_places(*avx2_line_kernels());
   }
 }
 
-TEST_CASE("all line kernels agree") {
+TEST_CASE("line kernels of all instruction sets agree") {
   if (!avx2_line_kernels()) return;
   each_model([&](const Model& model, auto all) {
     Found portable, wide;

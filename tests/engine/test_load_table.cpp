@@ -1,4 +1,4 @@
-// Lines whose loads are given by strain, against EA and their own integrals.
+// Lines with a load table by strain: compared with EA and integrals of the table.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 using namespace codend;
 
-TEST_CASE("a table of loads is continuous, and its energy and inverse are its own") {
+TEST_CASE("load table is continuous and its energy and inverse agree with it") {
   TwineMaterial m;
   m.strains = {0.01, 0.03, 0.05};
   m.loads = {1e3, 6e3, 2e4};
@@ -17,7 +17,7 @@ TEST_CASE("a table of loads is continuous, and its energy and inverse are its ow
   const double h = 1e-5;
   for (double s = 0.5 * h; s < 0.08; s += h) {
     const TwinePull pull = twine_pull(m, s);
-    energy += h * pull.tension;  // midpoints: right but at kinks, h^2 there
+    energy += h * pull.tension;  // midpoints: exact except at kinks, h^2 there
     CHECK(twine_pull(m, s + 0.5 * h).energy == doctest::Approx(energy).epsilon(1e-5));
     double strain, slope;
     twine_stretch(m, pull.tension, strain, slope);

@@ -1,4 +1,4 @@
-// Measures of random gears: their derivatives are those of differences, and what is known of a box.
+// Measures of random gears: their derivatives equal differences, and known values of simple shapes.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -13,12 +13,13 @@ namespace {
 
 using namespace codend;
 
-// A panel of random meshes on a line, a laced rope along its side and a free one across it, with a plate.
+// A panel of random meshes on a line, a laced rope along its side, a free rope across it, and a
+// plate.
 Gear random_gear(Random& random) {
   const MeshOrientation orientations[] = {MeshOrientation::diamond, MeshOrientation::square,
                                           MeshOrientation::turned};
   Gear gear =
-      hanging_panel(random.below(2) == 1, orientations[random.below(3)], NettingDrag::twines);
+      hanging_panel(random.below(2) == 1, orientations[random.below(3)], NettingDrag::morison);
   GearPanel& panel = gear.panels[0];
   panel.upper = 20 + random.below(40);
   panel.lower = 10 + random.below(40);
@@ -26,7 +27,7 @@ Gear random_gear(Random& random) {
   panel.twine_diameter = random.between(0.001, 0.004);
   GearRope rope;
   rope.from = 2;  // the panel's upper left corner
-  rope.to = 5;    // its lower right one
+  rope.to = 5;    // its lower right corner
   rope.length = random.between(4, 6);
   rope.diameter = 0.01;
   rope.mass_per_length = random.between(0.05, 0.2);
@@ -36,7 +37,7 @@ Gear random_gear(Random& random) {
   return gear;
 }
 
-// All measures that such a gear has.
+// All measures of such a gear.
 Questions all_of(const Gear& gear) {
   Questions out;
   out.speed = 1.5;
@@ -69,14 +70,14 @@ Questions all_of(const Gear& gear) {
   return out;
 }
 
-// What measures read of a model of the lattice.
-Model model_of(const Lattice& lattice, Random& random) {
+// The parts of the mesh's model that measures use.
+Model model_of(const Mesh& mesh, Random& random) {
   Model model;
-  model.nodes = lattice.nodes;
-  for (std::size_t k = 0; k < lattice.ties.share.size(); ++k) {
-    model.ties.push_back({lattice.ties.first[k], lattice.ties.second[k], lattice.ties.share[k]});
+  model.nodes = mesh.nodes;
+  for (std::size_t k = 0; k < mesh.ties.share.size(); ++k) {
+    model.ties.push_back({mesh.ties.first[k], mesh.ties.second[k], mesh.ties.share[k]});
   }
-  model.bars = lattice.bars;
+  model.bars = mesh.bars;
   model.water.depth = {0, 2};
   model.water.current = {Vector(1.5, 0.1, 0), Vector(1.2, -0.1, 0)};
   model.ground.present = true;
@@ -85,13 +86,13 @@ Model model_of(const Lattice& lattice, Random& random) {
   return model;
 }
 
-FilledBag random_bag(const Lattice& lattice, Random& random) {
+FilledBag random_bag(const Mesh& mesh, Random& random) {
   FilledBag bag;
-  for (std::size_t c = 0; c < lattice.cells.rest.size(); ++c) {
-    bag.node.insert(bag.node.end(), &lattice.cells.node[4 * c], &lattice.cells.node[4 * c] + 3);
+  for (std::size_t c = 0; c < mesh.cells.rest.size(); ++c) {
+    bag.node.insert(bag.node.end(), &mesh.cells.node[4 * c], &mesh.cells.node[4 * c] + 3);
     for (int k = 0; k < 3; ++k) {
-      bag.depth.push_back(lattice.cells.twine[8 * c + 2 * k] + 0.01 * random.below(9));
-      bag.across.push_back(lattice.cells.twine[8 * c + 2 * k + 1]);
+      bag.depth.push_back(mesh.cells.twine[8 * c + 2 * k] + 0.01 * random.below(9));
+      bag.across.push_back(mesh.cells.twine[8 * c + 2 * k + 1]);
     }
     bag.real.push_back(random.between(0.5, 1));
     bag.weight.push_back(random.between(0.5, 1));
@@ -100,7 +101,7 @@ FilledBag random_bag(const Lattice& lattice, Random& random) {
   return bag;
 }
 
-// Numbers of a shape, one after the other, and the places of such in one.
+// Numbers of a shape in sequence, and their count.
 template <class T, class Visit>
 void each(MeasuredShape<T>& shape, Visit visit) {
   for (std::vector<T>* all :
@@ -114,14 +115,14 @@ void each(MeasuredShape<T>& shape, Visit visit) {
 }
 
 template <class T>
-MeasuredShape<T> sized_shape(const Lattice& lattice, const MeasureFrame& frame) {
+MeasuredShape<T> sized_shape(const Mesh& mesh, const MeasureFrame& frame) {
   MeasuredShape<T> out;
-  const std::size_t nodes = 3 * static_cast<std::size_t>(lattice.nodes);
+  const std::size_t nodes = 3 * static_cast<std::size_t>(mesh.nodes);
   out.position.resize(nodes);
   out.velocity.resize(nodes);
   out.force.resize(nodes);
-  out.bar_tension.resize(lattice.bars.rest.size());
-  out.u_tension.resize(lattice.cells.rest.size());
+  out.bar_tension.resize(mesh.bars.rest.size());
+  out.u_tension.resize(mesh.cells.rest.size());
   out.v_tension = out.straight_tension = out.u_tension;
   out.attack.resize(1);
   out.heel = out.trim = out.attack;
@@ -137,7 +138,7 @@ MeasuredShape<T> sized_shape(const Lattice& lattice, const MeasureFrame& frame) 
   return out;
 }
 
-// One measure of nodes at x, each a place of its own, and of ropes along them with a bar each.
+// Returns one measure of nodes at x, each a position, and of ropes along them with one bar each.
 double drawn(const std::vector<double>& x, const std::vector<std::vector<int>>& ropes,
              const AskedMeasure& asked) {
   MeasureFrame frame;
@@ -159,27 +160,27 @@ double drawn(const std::vector<double>& x, const std::vector<std::vector<int>>& 
 
 }  // namespace
 
-TEST_CASE("measures of random gears change as their derivatives say") {
+TEST_CASE("measures of random gears change by their derivatives") {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
     const Gear gear = random_gear(random);
-    const Lattice lattice = lattice_of(gear, 150);
-    const MeasureFrame frame = measure_frame(gear, lattice);
-    const Model model = model_of(lattice, random);
+    const Mesh mesh = mesh_of(gear, 150);
+    const MeasureFrame frame = measure_frame(gear, mesh);
+    const Model model = model_of(mesh, random);
     const Questions questions = all_of(gear);
-    const FilledBag bag = random_bag(lattice, random);
+    const FilledBag bag = random_bag(mesh, random);
 
-    MeasuredShape<double> shape = sized_shape<double>(lattice, frame);
+    MeasuredShape<double> shape = sized_shape<double>(mesh, frame);
     std::vector<double> value, change;
     each(shape, [&](double& one) { one = random.between(0.5, 2); });
     for (std::size_t k = 0; k < shape.position.size(); ++k) {
-      shape.position[k] = lattice.start[k] + random.between(-0.05, 0.05);
+      shape.position[k] = mesh.start[k] + random.between(-0.05, 0.05);
     }
     each(shape, [&](double& one) {
       value.push_back(one);
       change.push_back(random.between(-1, 1));
     });
-    MeasuredShape<Dual> moving = sized_shape<Dual>(lattice, frame);
+    MeasuredShape<Dual> moving = sized_shape<Dual>(mesh, frame);
     std::size_t next = 0;
     each(moving, [&](Dual& one) {
       one = {value[next], change[next]};
@@ -187,7 +188,7 @@ TEST_CASE("measures of random gears change as their derivatives say") {
     });
     const std::vector<Dual> found = measure(frame, model, questions, &bag, moving);
 
-    // Central differences: their error is a third derivative's times h^2, and rounding's over h.
+    // Central differences: error of a third derivative times h^2, and rounding over h.
     constexpr double h = 1e-6;
     std::vector<double> side[2];
     for (const int way : {0, 1}) {
@@ -201,12 +202,12 @@ TEST_CASE("measures of random gears change as their derivatives say") {
     for (std::size_t k = 0; k < found.size(); ++k) {
       CAPTURE(seed);
       CAPTURE(name_of(questions.measures[k].kind));
-      // no cells, or no bag of such
-      if (lattice.cells.rest.empty() && !std::isfinite(found[k].value)) continue;
+      // no cells, or no bag of cells
+      if (mesh.cells.rest.empty() && !std::isfinite(found[k].value)) continue;
       REQUIRE(std::isfinite(found[k].value));
       CHECK((side[0][k] + side[1][k]) / 2 == doctest::Approx(found[k].value).epsilon(1e-7));
       const double slope = (side[1][k] - side[0][k]) / (2 * h);
-      // parts of the twine's shadow that move from cell to cell are left out of its derivative
+      // the derivative omits parts of the twine's shadow that move from cell to cell
       if (questions.measures[k].kind == MeasureKind::mouth_blockage) continue;
       const double size = std::abs(slope) + std::abs(found[k].value);
       CHECK(std::abs(found[k].change - slope) <= 2e-5 * size);
@@ -231,9 +232,9 @@ TEST_CASE("spread, height, length and depth are differences of coordinates") {
   CHECK(of(MeasureKind::depth, {1, 2}) == doctest::Approx(8.5));
 }
 
-TEST_CASE("ropes in any order and direction enclose the area of their polygon") {
-  // A house: a square of 4 m with a roof of 2 m, 16 + 4 m2, leaning aft, ahead and on another course;
-  // a gap is closed by a straight line.
+TEST_CASE("mouth area equals the polygon of ropes in any order") {
+  // A house: a square of 4 m with a roof of 2 m, 16 + 4 m2, inclined aft and forward, and on
+  // another course. A straight line closes the gap.
   const double y[] = {0, 4, 4, 2, 0}, z[] = {0, 0, 4, 6, 4};
   for (const double course : {0.0, 0.3, 1.5707963267948966}) {
     std::vector<double> x;
@@ -257,7 +258,7 @@ TEST_CASE("ropes in any order and direction enclose the area of their polygon") 
   }
 }
 
-TEST_CASE("declination is below the horizontal and divergence out of the x axis") {
+TEST_CASE("declination is the angle below horizontal and divergence that from x") {
   const auto degrees = [&](double dx, double dy, double dz, MeasureAngle angle) {
     AskedMeasure asked;
     asked.kind = MeasureKind::angle;
@@ -273,7 +274,7 @@ TEST_CASE("declination is below the horizontal and divergence out of the x axis"
   CHECK(degrees(std::sqrt(3), -1, -9, MeasureAngle::divergence) == doctest::Approx(30));
 }
 
-TEST_CASE("twine hides what its bars hide across the flow, twice behind twice only once") {
+TEST_CASE("twine shadow counts overlapping bars across the flow once") {
   // Twine of 2 mm; squares of 50 mm, diamonds 30 mm wide and 90 mm deep.
   for (const bool bars : {false, true}) {
     for (const MeshOrientation orientation : {MeshOrientation::square, MeshOrientation::diamond}) {
@@ -282,40 +283,40 @@ TEST_CASE("twine hides what its bars hide across the flow, twice behind twice on
       const double bar = std::hypot(across, down) / 2;
       const double shown = square ? 0.002 / 0.05 : 0.002 * 2 * bar / (across * down);
       const double through = (1 - shown) * (1 - shown);
-      Gear gear = hanging_panel(bars, orientation, NettingDrag::twines);
+      Gear gear = hanging_panel(bars, orientation, NettingDrag::morison);
       gear.panels[0].lower = gear.panels[0].upper;
       const double area = gear.panels[0].upper * gear.panels[0].deep * across * down;
       for (const int layers : {1, 2}) {
         if (layers == 2) gear.panels.push_back(gear.panels[0]);
         gear.panel_count = layers;
-        const Lattice lattice = lattice_of(gear, 300);
-        const MeasureFrame frame = measure_frame(gear, lattice);
-        std::vector<double> x(3 * lattice.mass.size(), 0.0);
-        const PartMap map = part_map(gear, lattice.division, lattice.nodes, lattice.panels);
+        const Mesh mesh = mesh_of(gear, 300);
+        const MeasureFrame frame = measure_frame(gear, mesh);
+        std::vector<double> x(3 * mesh.mass.size(), 0.0);
+        const PartMap map = part_map(gear, mesh.division, mesh.nodes, mesh.panels);
         for (const PanelPlace& place : panel_places(gear, map)) {
           const GearPanel& panel = gear.panels[place.panel];
           at(x.data(), place.node) =
               Vector(0, place.s * panel.upper * across, -place.t * panel.deep * down);
         }
-        for (std::size_t k = 0; k < lattice.ties.share.size(); ++k) {
-          const double share = lattice.ties.share[k];
-          at(x.data(), lattice.nodes + static_cast<int>(k)) =
-              (1 - share) * at(x.data(), lattice.ties.first[k]) +
-              share * at(x.data(), lattice.ties.second[k]);
+        for (std::size_t k = 0; k < mesh.ties.share.size(); ++k) {
+          const double share = mesh.ties.share[k];
+          at(x.data(), mesh.nodes + static_cast<int>(k)) =
+              (1 - share) * at(x.data(), mesh.ties.first[k]) +
+              share * at(x.data(), mesh.ties.second[k]);
         }
         const auto found = mesh_places(frame.meshes, x);
         CHECK(found[0].opening == doctest::Approx(across).epsilon(1e-9));
-        // places of bars lie unevenly, so that cells of the grid hold more and less
+        // bars are spaced unevenly, so grid cells contain more or fewer
         const double hidden = twine_shadow(frame.meshes, found, {0, 1, 0}, {0, 0, 1}) / area;
         CHECK(hidden == doctest::Approx(1 - std::pow(through, layers)).epsilon(0.05));
-        // along the flow netting shows its edge alone
+        // along the flow only the edge of the netting is visible
         CHECK(twine_shadow(frame.meshes, found, {1, 0, 0}, {0, 0, 1}) < 1e-3 * area);
       }
     }
   }
 }
 
-TEST_CASE("a bag of one whole triangle has its area, and half a front half its pressure") {
+TEST_CASE("bag surface and pressure weights match a triangle and its half") {
   FilledBag bag;
   bag.node = {0, 1, 2};
   bag.depth = {0, 0, 2};
@@ -325,7 +326,7 @@ TEST_CASE("a bag of one whole triangle has its area, and half a front half its p
   bag.blocked = 2;
   CHECK(bag_surface(bag, x) == doctest::Approx(6.0));
   for (const double weight : pressure_weights(bag)) CHECK(weight == doctest::Approx(1.0 / 3));
-  // behind half the depth three quarters of the triangle
+  // three quarters of the triangle are behind half the depth
   bag.blocked = 1;
   CHECK(bag_surface(bag, x) == doctest::Approx(4.5));
 }

@@ -1,11 +1,11 @@
-// Texts of models: written and read back the same, and damaged ones refused or harmless.
+// Texts of models: writing and reading preserve them, and damaged texts are rejected or harmless.
 #include <doctest/doctest.h>
 
 #include "mutated_models.hpp"
 
 using namespace codend;
 
-TEST_CASE("a model that is written and read has the same forces") {
+TEST_CASE("model keeps its forces after writing and reading") {
   for (std::uint64_t k = 1; k <= 8; ++k) {
     Random random(k);
     const ModelText of(k);
@@ -20,9 +20,9 @@ TEST_CASE("a model that is written and read has the same forces") {
   }
 }
 
-TEST_CASE("a damaged text of a model is refused, or taken without harm") {
+TEST_CASE("damaged model texts are rejected or read without harm") {
   const Tried tried = try_damaged_models(1, 1500);
-  // both happen often, or nothing is tried
+  // the test is meaningful only if both happen often
   CHECK(tried.refused > 500);
   CHECK(tried.taken > 150);
 }

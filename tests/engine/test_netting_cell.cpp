@@ -1,5 +1,5 @@
-// The shape of netting cells against integrals of bilinear places, cells against what is known of
-// uniform netting, and the bows of their twines against the least of their energy.
+// Tests the shape functions of netting cells against integrals of bilinear positions, cells against
+// uniform netting, and the sag of twines against the minimum of energy.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,13 +16,13 @@ using namespace codend;
 
 constexpr double signs[4][2] = {{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}};
 
-// Mean square over the cell of the derivative by u (0) or v (1) of bilinear places x of its corners,
-// over a parallelogram in twine coordinates: by Gauss's rule of two by two points, exact of squares.
-// bow: set to the mean square of what of it changes along the twines of that family.
-double mean_square(const double* twine, const Vector* x, int family, double& bow) {
+// Returns the mean square over the cell of the derivative by u (0) or v (1) of bilinear positions x
+// of its corners. The cell is a parallelogram in twine coordinates. The 2 x 2 Gauss rule is exact
+// for squares. sag: mean square of the part that changes along the family's twines.
+double mean_square(const double* twine, const Vector* x, int family, double& sag) {
   const double at = 1.0 / std::sqrt(3.0);
   double sum = 0.0;
-  bow = 0.0;
+  sag = 0.0;
   Vector warp = Vector::Zero();  // d2x/(ds dt)
   for (int k = 0; k < 4; ++k) warp += 0.25 * signs[k][0] * signs[k][1] * x[k];
   for (const auto& place : signs) {
@@ -38,7 +38,7 @@ double mean_square(const double* twine, const Vector* x, int family, double& bow
     const Eigen::Matrix2d place_by = twine_by.inverse();  // (s, t) by (u, v)
     sum += 0.25 * (x_by * place_by).col(family).squaredNorm();
     const double along = twine_by(family, 0) * s + twine_by(family, 1) * t;
-    bow += 0.25 * (2.0 * place_by(0, family) * place_by(1, family) * along * warp).squaredNorm();
+    sag += 0.25 * (2.0 * place_by(0, family) * place_by(1, family) * along * warp).squaredNorm();
   }
   return sum;
 }
@@ -53,10 +53,10 @@ SquareLength square_length(const CellShape& shape, const Vector* x, int family) 
     q += shape.twist[k] * x[k];
   }
   return {e.squaredNorm(), shape.twist_weight[family] * q.squaredNorm(),
-          shape.bow_weight[family] * q.squaredNorm()};
+          shape.sag_weight[family] * q.squaredNorm()};
 }
 
-// Cells alone, and where they are.
+// Cells without other elements, and their state.
 struct Cells {
   explicit Cells(Random& random)
       : specimen(random,
@@ -79,14 +79,14 @@ struct Cells {
     }
     return square_length(shape(cell), x, family);
   }
-  // Of the weight that the engine gives a line's twist: 1 - s of u, 1 + s of v, squared.
+  // Weight of a line's twist in the engine: 1 - s of u, 1 + s of v, squared.
   double side(int cell, int family) const {
     const CellShape s = shape(cell);
     const int line = family * specimen.model.cells.count() + cell;
-    return (assembly.lines().twist_weight[line] - s.twist_weight[family]) / s.bow_weight[family] +
+    return (assembly.lines().twist_weight[line] - s.twist_weight[family]) / s.sag_weight[family] +
            1.0;
   }
-  bool bows(int cell) const { return shape(cell).bow_weight[0] > 0.01; }
+  bool sag(int cell) const { return shape(cell).sag_weight[0] > 0.01; }
 
   Specimen specimen;
   Assembly assembly;
@@ -94,7 +94,7 @@ struct Cells {
 
 }  // namespace
 
-TEST_CASE("a cell's length is the root mean square of bilinear bars over a parallelogram") {
+TEST_CASE("cell length is the root mean square of bilinear bars") {
   Random random(20260501);
   for (int repeat = 0; repeat < 50; ++repeat) {
     const Vector a = random.vector(3.0), b = random.vector(3.0);
@@ -109,18 +109,18 @@ TEST_CASE("a cell's length is the root mean square of bilinear bars over a paral
     }
     const CellShape shape = cell_shape(twine);
     for (int family = 0; family < 2; ++family) {
-      double bow;
-      const double square = mean_square(twine, x, family, bow);
+      double sag;
+      const double square = mean_square(twine, x, family, sag);
       const SquareLength found = square_length(shape, x, family);
-      // sums of some dozen terms
+      // sums of about a dozen terms
       CHECK(found.straight + found.twisted == doctest::Approx(square).epsilon(1e-12));
-      // of a skew cell bows may take from what else changes: no more than all is theirs
-      CHECK(found.bowed == doctest::Approx(std::min(bow, square - found.straight)).epsilon(1e-9));
+      // in a skew cell, sag is limited by the total change
+      CHECK(found.bowed == doctest::Approx(std::min(sag, square - found.straight)).epsilon(1e-9));
     }
   }
 }
 
-TEST_CASE("a rectangle's twist weighs as its sides say, and all corners share alike") {
+TEST_CASE("rectangle has twist weights by its sides and equal corner fractions") {
   const double p = 4.0, q = 1.5;
   auto check = [](const double* twine, double bars, double of_u, double of_v) {
     const CellShape shape = cell_shape(twine);
@@ -129,16 +129,16 @@ TEST_CASE("a rectangle's twist weighs as its sides say, and all corners share al
     CHECK(shape.twist_weight[1] == doctest::Approx(of_v));
     for (int k = 0; k < 4; ++k) CHECK(shape.share[k] == doctest::Approx(0.25));
   };
-  // Sides along the twines, of p and q bars: u twines differ from one v to the next only.
+  // Sides along the twines, of p and q bars: u twines differ only from one v to the next.
   const double along[8] = {0.0, 0.0, p, 0.0, p, q, 0.0, q};
   check(along, p * q, 4.0 / (3.0 * p * p), 4.0 / (3.0 * q * q));
-  // Sides across meshes, of p and q bars of each family: both differ along both.
+  // Sides across meshes, of p and q bars of each family: both families vary along both sides.
   const double both = (1.0 / (p * p) + 1.0 / (q * q)) / 3.0;
   const double across[8] = {0.0, 0.0, p, p, p + q, p - q, q, -q};
   check(across, 2.0 * p * q, both, both);
 }
 
-TEST_CASE("cells of any shape know uniform netting exactly") {
+TEST_CASE("cells of any shape reproduce uniform netting exactly") {
   Random random(20260502);
   for (int repeat = 0; repeat < 50; ++repeat) {
     double twine[8];
@@ -161,12 +161,12 @@ TEST_CASE("cells of any shape know uniform netting exactly") {
       sum[2] += shape.twist[k] * x[k];
       all += shape.share[k];
     }
-    // some ten roundings of numbers up to 10
+    // about ten roundings of numbers up to 10
     for (int f = 0; f < 2; ++f) CHECK((sum[f] - of[f]).norm() < 1e-13);
     CHECK(sum[2].norm() < 1e-13);
     CHECK(all == doctest::Approx(1.0).epsilon(1e-13));
     if (pointed) {
-      // of a triangle every corner takes a third
+      // each corner of a triangle has a third
       CHECK(shape.share[0] == doctest::Approx(1.0 / 3.0));
       CHECK(shape.share[2] + shape.share[3] == doctest::Approx(1.0 / 3.0));
       CHECK(shape.twist_weight[0] == 0.0);
@@ -174,7 +174,7 @@ TEST_CASE("cells of any shape know uniform netting exactly") {
   }
 }
 
-TEST_CASE("twines of a cell bow to where its energy is least") {
+TEST_CASE("cell twines sag to the minimum of their energy") {
   Random random(20261123);
   int taut = 0, slack = 0;
   for (int repeat = 0; repeat < 40; ++repeat) {
@@ -182,18 +182,18 @@ TEST_CASE("twines of a cell bow to where its energy is least") {
     const NettingCells& cells = net.specimen.model.cells;
     const double stiffness = net.specimen.model.materials[0].axial_stiffness;
     for (int e = 0; e < cells.count(); ++e) {
-      if (!net.bows(e)) continue;
+      if (!net.sag(e)) continue;
       const SquareLength square[2] = {net.square(e, 0), net.square(e, 1)};
       const double held = net.assembly.lines().held_pull[e];
       auto energy = [&](double s) {
         double sum = 0.0;
         for (int f = 0; f < 2; ++f) {
           const double side = f == 0 ? 1.0 - s : 1.0 + s;
-          const double bow = square[f].bowed * (side * side - 1.0);
-          const double length = std::sqrt(square[f].straight + square[f].twisted + bow);
+          const double sag = square[f].bowed * (side * side - 1.0);
+          const double length = std::sqrt(square[f].straight + square[f].twisted + sag);
           const double stretch = std::max(length - cells.rest[e], 0.0);
           sum += 0.5 * stiffness / cells.rest[e] * stretch * stretch +
-                 0.5 * held * (square[f].twisted + bow);
+                 0.5 * held * (square[f].twisted + sag);
         }
         return sum;
       };
@@ -201,7 +201,7 @@ TEST_CASE("twines of a cell bow to where its energy is least") {
       CHECK(net.side(e, 1) == doctest::Approx((1.0 + s) * (1.0 + s)).epsilon(1e-6).scale(1.0));
       double least = energy(-1.0);
       for (int k = 1; k <= 400; ++k) least = std::min(least, energy(-1.0 + k / 200.0));
-      // rounding of the energy, and of s as it is read back
+      // rounding of the energy, and of s as it is computed back
       CHECK(energy(s) <= least + 1e-9 * (std::abs(least) + energy(0.0)));
       for (int f = 0; f < 2; ++f) {
         (net.assembly.lines().tension[f * cells.count() + e] > 0.0 ? taut : slack) += 1;
@@ -212,7 +212,7 @@ TEST_CASE("twines of a cell bow to where its energy is least") {
   CHECK(slack > 50);
 }
 
-TEST_CASE("twines that pull alike bow alike, and where one is slack the other is straight") {
+TEST_CASE("twines of equal tension sag equally; slack twines keep the others straight") {
   Random random(20261124);
   Cells net(random);
   const int cells = net.specimen.model.cells.count();
@@ -221,24 +221,24 @@ TEST_CASE("twines that pull alike bow alike, and where one is slack the other is
     given.tension.assign(static_cast<std::size_t>(net.lines()), u);
     std::fill(given.tension.begin() + cells, given.tension.end(), v);
     net.assembly.move_to(net.specimen.x.data(), net.specimen.v.data());
-    net.assembly.bow_to(given);
+    net.assembly.sag_to(given);
   };
   for (int e = 0; e < cells; ++e) {
-    if (!net.bows(e)) continue;
+    if (!net.sag(e)) continue;
     const CellShape shape = net.shape(e);
-    // so taut that what else holds the twist, some N/m, is nothing
+    // so taut that other twist stiffness, of some N/m, is negligible
     pull(1e9, 0.0);
     CHECK(net.side(e, 0) == doctest::Approx(0.0).scale(1.0).epsilon(1e-5));
     pull(0.0, 1e9);
     CHECK(net.side(e, 1) == doctest::Approx(0.0).scale(1.0).epsilon(1e-5));
-    // In proportion to length both pull alike; u five times as much leaves 4 5/6 of 6.
+    // Relative to length both have equal tension; with five times as much in u, 4 5/6 of 6 remains.
     pull(1e9, 1e9);
     const LineArrays& lines = net.assembly.lines();
     for (const double ratio : {1.0, 5.0}) {
       for (int round = 0; round < 100; ++round) {
-        given.tension[e] = 1e9 * ratio / (lines.inverse_length[e] * shape.bow_weight[0]);
-        given.tension[cells + e] = 1e9 / (lines.inverse_length[cells + e] * shape.bow_weight[1]);
-        net.assembly.bow_to(given);
+        given.tension[e] = 1e9 * ratio / (lines.inverse_length[e] * shape.sag_weight[0]);
+        given.tension[cells + e] = 1e9 / (lines.inverse_length[cells + e] * shape.sag_weight[1]);
+        net.assembly.sag_to(given);
       }
       const double cost = ratio * net.side(e, 0) + net.side(e, 1);
       CHECK(cost == doctest::Approx(4.0 * ratio / (1.0 + ratio)).epsilon(1e-5));

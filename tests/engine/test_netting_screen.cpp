@@ -1,4 +1,4 @@
-// Netting as a screen: its friction.
+// Friction of netting screens.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -9,8 +9,8 @@ namespace {
 
 using namespace codend;
 
-// A square cell with sides of 1 m whose normal stands at `angle` to a flow of `speed`
-// along x, of netting of this solidity; its drag and lift over 1/2 rho A U^2.
+// A square cell with sides of 1 m whose normal is at `angle` to a flow of `speed` along x, of
+// netting of this solidity. Returns drag and lift over 1/2 rho A U^2.
 void coefficients(int law, double solidity, double angle, double reynolds, double& drag,
                   double& lift, double friction = 0.0) {
   const double x[] = {
@@ -18,7 +18,7 @@ void coefficients(int law, double solidity, double angle, double reynolds, doubl
       0.0, 0.0, 1.0};
   const double v[12] = {};
   Water water;
-  // Reynolds number by the gaps between the twines, U d / (nu (1 - Sn)).
+  // Reynolds number of the gaps between the twines, U d / (nu (1 - Sn)).
   const double diameter = 0.002;
   const double speed = reynolds * (1.0 - solidity) * water.viscosity / diameter;
   water.current = {Vector(speed, 0.0, 0.0)};
@@ -41,7 +41,7 @@ void coefficients(int law, double solidity, double angle, double reynolds, doubl
 
 }  // namespace
 
-TEST_CASE("friction adds its coefficient on the twine along the flow, at any angle") {
+TEST_CASE("screen friction adds its coefficient to drag at any angle") {
   for (int law = 0; law < 3; ++law) {
     for (const double angle : {0.0, 1.2, 0.5 * pi}) {
       double drag, lift, rubbed_drag, rubbed_lift;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "meshes.hpp"
+#include "node_graph.hpp"
 #include "solve/assembly_tree.hpp"
 #include "solve/compressed_graph.hpp"
 #include "solve/ordering.hpp"
@@ -16,13 +16,13 @@ namespace {
 using codend::AssemblyTree;
 using codend::BlockPattern;
 using codend::grid;
-using codend::Mesh;
+using codend::NodeGraph;
 using codend::SeparatorTree;
 
-// The mesh with a node in the middle of every edge, as netting of bars has, and a line of nodes
-// hung from its first one.
-Mesh with_middles(const Mesh& mesh, int line) {
-  Mesh out;
+// Adds a node in the middle of every edge, as in netting of bars, and a line of nodes that hangs
+// from the first one.
+NodeGraph with_middles(const NodeGraph& mesh, int line) {
+  NodeGraph out;
   for (int i = 0; i < mesh.nodes(); ++i) out.add(0, 0, 0);
   for (int i = 0; i < mesh.nodes(); ++i)
     for (const int j : mesh.neighbours[i]) {
@@ -46,8 +46,8 @@ bool is_ancestor(const SeparatorTree& tree, int above, int vertex) {
 
 }  // namespace
 
-TEST_CASE("nested dissection owns each node once and separates") {
-  Mesh mesh = grid(23, 17);
+TEST_CASE("nested dissection assigns each node once and separates the parts") {
+  NodeGraph mesh = grid(23, 17);
   std::vector<double>& x = mesh.places;
   SUBCASE("with coordinates") {}
   SUBCASE("with all nodes at one place") { std::fill(x.begin(), x.end(), 0.0); }
@@ -76,9 +76,9 @@ TEST_CASE("nested dissection owns each node once and separates") {
     }
 }
 
-TEST_CASE("the first separator of a grid is one line of its nodes") {
-  // 40 x 15: no set of fewer than 15 nodes halves it
-  Mesh mesh = grid(40, 15);
+TEST_CASE("first separator of a grid is one line of nodes") {
+  // 40 x 15: a separator that halves it has at least 15 nodes
+  NodeGraph mesh = grid(40, 15);
   SUBCASE("with coordinates") {}
   SUBCASE("stretched so that the widest direction cuts worst") {
     for (size_t i = 0; i < mesh.places.size(); i += 3) mesh.places[i] *= 100;
@@ -88,10 +88,10 @@ TEST_CASE("the first separator of a grid is one line of its nodes") {
   CHECK(tree.first_node[root + 1] - tree.first_node[root] == 15);
 }
 
-TEST_CASE("compression takes bar middles and free ends out and joins the knots") {
+TEST_CASE("compression removes bar middles and free ends and joins the knots") {
   // a closed grid, so that every knot has four neighbours
   const int rows = 7, columns = 9;
-  Mesh mesh = grid(rows, columns);
+  NodeGraph mesh = grid(rows, columns);
   for (int i = 0; i < rows; ++i) mesh.join(i * columns, i * columns + columns - 1);
   for (int j = 0; j < columns; ++j) mesh.join(j, (rows - 1) * columns + j);
   const BlockPattern knots = mesh.pattern();
@@ -110,16 +110,16 @@ TEST_CASE("compression takes bar middles and free ends out and joins the knots")
   }
 }
 
-TEST_CASE("the fill of a chain is that of its tree of halves") {
-  // a chain cut at single nodes: no front has more than two neighbours
-  const Mesh mesh = grid(1, 300);
+TEST_CASE("chain has the fill of a binary tree") {
+  // a chain cut at single nodes: a front has at most two neighbours
+  const NodeGraph mesh = grid(1, 300);
   const BlockPattern pattern = mesh.pattern();
   const AssemblyTree tree = assembly_tree(pattern, nested_dissection(pattern, mesh.places.data()));
   for (int f = 0; f < tree.fronts(); ++f) CHECK(tree.boundary_nodes(f) <= 2);
 }
 
-TEST_CASE("fronts hold exactly what elimination fills in") {
-  const Mesh mesh = grid(14, 13);
+TEST_CASE("fronts contain exactly the fill of elimination") {
+  const NodeGraph mesh = grid(14, 13);
   const BlockPattern pattern = mesh.pattern();
   const AssemblyTree tree = assembly_tree(pattern, nested_dissection(pattern, mesh.places.data()));
 

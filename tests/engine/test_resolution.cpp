@@ -1,4 +1,4 @@
-// How finely gears are divided: ropes next to netting, and counts of cells that are nearly whole.
+// Mesh sizes of gears: ropes next to netting, and cell counts that are nearly whole.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -36,8 +36,8 @@ EdgePieces whole_edges(const Gear& gear) {
 
 }  // namespace
 
-TEST_CASE("next to netting only the cube root of more segments than are ample goes into ropes") {
-  // at 1.5 m a segment ropes would have 10, 48 and 8 times 48
+TEST_CASE("resolution limits rope segments next to netting by a cube root") {
+  // at 1.5 m a segment, ropes would have 10, 48 and 8 times 48
   for (const bool netting : {false, true}) {
     const Gear gear = ropes(netting);
     const EdgePieces pieces = whole_edges(gear);
@@ -46,7 +46,7 @@ TEST_CASE("next to netting only the cube root of more segments than are ample go
   }
 }
 
-TEST_CASE("counts of cells are as nearly whole as lattices of a sixth more or fewer nodes allow") {
+TEST_CASE("resolution chooses the nearly whole cell counts within a sixth") {
   Gear gear = ropes(true);
   GearPanel panel = gear.panels[0];
   for (const double deep : {17.0, 31.0, 120.0}) {

@@ -1,5 +1,5 @@
-// Plates as rigid bodies: free flight, pendulum and decay against closed forms, and how they swing
-// against the eigenvalues of matrices by differences.
+// Plates as rigid bodies: free flight, pendulum and decay compared with analytical solutions;
+// oscillations compared with eigenvalues of matrices by differences.
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "differences.hpp"
-#include "march/energy_account.hpp"
-#include "march/explicit_step.hpp"
-#include "march/newton_step.hpp"
-#include "marched.hpp"
+#include "integrated.hpp"
+#include "motion/energy_account.hpp"
+#include "motion/explicit_step.hpp"
+#include "motion/newton_step.hpp"
 #include "plate_struts.hpp"
 #include "random_model.hpp"
 #include "solve/body_modes.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 using namespace codend;
 
-// One plate of 2 m by 3 m on nodes 0, 1 and 2, without lift and drag; in vacuum unless told.
+// One plate of 2 m by 3 m on nodes 0, 1 and 2, without lift and drag; in vacuum by default.
 struct Plate {
   Model model;
   Motion start;
@@ -51,7 +51,7 @@ struct Plate {
   }
   Plate(const Plate&) = delete;
 
-  // Turns at a rate about a place.
+  // Rotates at a rate about a position.
   void turn(const Vector& rate, const Vector& about, const Vector& speed = Vector::Zero()) {
     for (int k = 0; k < 3; ++k) {
       codend::at(start.v.data(), k) =
@@ -64,7 +64,7 @@ template <class Scheme>
 Motion steps(const Model& model, const Motion& start, Scheme& scheme, Assembly& assembly,
              double until, double step) {
   SteadyConditions conditions(model.held, start);
-  return marched(assembly, scheme, conditions, start, until, step);
+  return integrated(assembly, scheme, conditions, start, until, step);
 }
 
 Motion runge_kutta(const Model& model, const Motion& start, double until, double step) {
@@ -82,7 +82,7 @@ Matrix axes_of(const Values& x) {
   return axes;
 }
 
-// How a plate stands (its axes in space) and turns, from its points alone.
+// Attitude (axes in space) and rotation of a plate, computed from its points.
 struct Attitude {
   Matrix turned;
   Vector rate, gravity_centre, speed;
@@ -117,13 +117,14 @@ Vector moments_of_inertia(const LiftingPlate& plate) {
 
 }  // namespace
 
-TEST_CASE("a free plate in vacuum falls as a point and turns as Euler's equations say") {
+TEST_CASE("free plate in vacuum falls and rotates by Euler's equations") {
   Plate p({0.3, 0.4, 0.2}, {1.8, -0.1, 1.2}, {1.5, 0.2, -1.0});
   LiftingPlate& plate = p.plate();
   plate.mass = 40.0;
   plate.weight = 40.0 * 9.81;
   plate.gravity_centre = {1.1, 0.15, -0.3};
-  // The same about x and z: a top, whose axis y goes round the angular momentum L at L/I1.
+  // Equal moments about x and z: a top, whose axis y precesses about the angular momentum L at
+  // L/I1.
   plate.second_moment = {30.0, 4.0, 30.0};
   p.model.prepare();
   const Vector rate(0.4, 1.9, 0.7), speed(0.3, -0.2, 0.5);
@@ -132,8 +133,8 @@ TEST_CASE("a free plate in vacuum falls as a point and turns as Euler's equation
   const Vector momentum = inertia.cwiseProduct(rate);
   const double energy = 0.5 * rate.dot(momentum) + 20.0 * speed.squaredNorm();
   const double until = 4.0;
-  // Struts of 1e7 N under m r w^2 of some 200 N are longer by 2e-5, and turns slower by as much. They
-  // begin unstretched, and ring at some 100 /s and 2e-5 m: 2e-3 m/s.
+  // Struts of 1e7 N under m r w^2 of about 200 N lengthen by 2e-5, and rotation slows by as much.
+  // They start unstretched, and oscillate at about 100 /s and 2e-5 m: 2e-3 m/s.
   constexpr double speeds = 5e-3;
   auto check = [&](const Motion& end, double places) {
     const Attitude found = attitude(p, end);
@@ -162,18 +163,18 @@ TEST_CASE("a free plate in vacuum falls as a point and turns as Euler's equation
   }
 }
 
-TEST_CASE("a top that is not symmetric keeps its angular momentum and energy") {
+TEST_CASE("asymmetric top conserves angular momentum and energy") {
   Plate p({0.3, 0.4, 0.2}, {1.8, -0.1, 1.2}, {1.5, 0.2, -1.0});
   LiftingPlate& plate = p.plate();
   plate.mass = 40.0;
   plate.gravity_centre = {1.1, 0.15, -0.3};
   plate.second_moment = {12.0, 1.0, 31.0};
   p.model.prepare();
-  // About the middle axis: it tumbles over.
+  // About the middle axis: it tumbles.
   const Vector rate(3.0, 0.01, 0.02);
   p.turn(rate, plate.gravity_centre);
   const Vector inertia = moments_of_inertia(plate), momentum = inertia.cwiseProduct(rate);
-  // Euler's equations in the plate's axes, and how these turn, by the classical Runge-Kutta method.
+  // Euler's equations in the plate's rotating axes, by the classical Runge-Kutta method.
   Vector w = rate;
   Eigen::Quaterniond stand = Eigen::Quaterniond::Identity();
   const double h = 1e-3, until = 4.0;
@@ -188,17 +189,17 @@ TEST_CASE("a top that is not symmetric keeps its angular momentum and energy") {
     w += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
   }
   const Attitude found = attitude(p, runge_kutta(p.model, p.start, until, 4e-4));
-  // It has left the axis that it began about.
+  // It has left its initial axis.
   CHECK(std::abs(w.x()) < 2.5);
-  // Struts are strained by 5e-5 and ring by as much of the rate and 100 times that; what is off at
-  // first grows by exp(1.8 t) at most, some 100-fold until it has tumbled.
+  // Struts are strained by 5e-5; their oscillation at about 100 /s changes the rate by up to 5e-3.
+  // Initial errors grow by exp(1.8 t) at most, about 100-fold until it has tumbled.
   CHECK((found.turned.transpose() * found.rate - w).norm() < 2e-2 * rate.norm());
   CHECK((found.turned - stand.toRotationMatrix()).norm() < 5e-2);
   const Vector kept = found.turned * inertia.cwiseProduct(found.turned.transpose() * found.rate);
   CHECK((kept - momentum).norm() < 1e-2 * momentum.norm());
 }
 
-TEST_CASE("a plate hung by its upper edge swings with its own inertia and that of the water") {
+TEST_CASE("hung plate swings with its inertia and added mass") {
   for (const bool in_water : {false, true}) {
     CAPTURE(in_water);
     Plate p({0.0, 0.0, 1.5}, {2.0, 0.0, 1.5}, {1.0, 0.0, -1.5});
@@ -220,7 +221,7 @@ TEST_CASE("a plate hung by its upper edge swings with its own inertia and that o
     p.model.prepare();
     const double angle = 0.01, period = 2.0 * pi * std::sqrt(inertia / (load * 1.5));
     at(p.start.x.data(), 2) = Vector(1.0, 3.0 * std::sin(angle), 1.5 - 3.0 * std::cos(angle));
-    // angle^2/16 of the period is 6e-6; struts of 1e7 N under 2 kN are longer by 2e-4.
+    // angle^2/16 of the period is 6e-6; struts of 1e7 N under 2 kN lengthen by 2e-4.
     const Motion quarter = runge_kutta(p.model, p.start, 0.25 * period, 1e-3);
     CHECK(std::abs(quarter.x[7]) < 2e-3 * 3.0 * angle);
     const Motion whole = runge_kutta(p.model, p.start, period, 1e-3);
@@ -228,10 +229,10 @@ TEST_CASE("a plate hung by its upper edge swings with its own inertia and that o
   }
 }
 
-TEST_CASE("turning about span or chord dies out at the rate of its damping") {
+TEST_CASE("rotation about span or chord decays at its damping rate") {
   for (const bool yaws : {true, false}) {
     CAPTURE(yaws);
-    // Held on an axis through the middle of the plate.
+    // Fixed on an axis through the middle of the plate.
     const Vector first = yaws ? Vector(1.0, 0.0, 1.0) : Vector(0.0, 0.0, 0.0);
     const Vector second = yaws ? Vector(1.0, 0.0, -1.0) : Vector(2.0, 0.0, 0.0);
     const Vector third = yaws ? Vector(2.0, 0.0, 0.0) : Vector(1.0, 0.0, 1.5);
@@ -243,7 +244,7 @@ TEST_CASE("turning about span or chord dies out at the rate of its damping") {
     plate.mass = 200.0;
     plate.second_moment = {70.0, 0.5, 150.0};
     plate.gravity_centre = {1.0, 0.0, 0.0};
-    plate.normal_slope = 2.0;  // the centre of pressure is the middle: no part in it
+    plate.normal_slope = 2.0;  // the centre of pressure is the middle, so it has no effect
     plate.yaw_damping = 0.15;
     plate.roll_damping = 0.08;
     plate.added_mass = 2.0;
@@ -258,14 +259,14 @@ TEST_CASE("turning about span or chord dies out at the rate of its damping") {
     const double until = 1.0 / decay;
     const Motion end = runge_kutta(p.model, p.start, until, 5e-4);
     const Attitude found = attitude(p, end);
-    // Held points do not turn, so the rate is that of the third alone; struts as above.
+    // The fixed points do not rotate, so the third point defines the rate; struts as above.
     const double arm = yaws ? 1.0 : 1.5;
     CHECK(at(end.v.data(), 2).norm() / arm == doctest::Approx(0.1 * std::exp(-1.0)).epsilon(1e-3));
     CHECK(found.turned.determinant() == doctest::Approx(1.0));
   }
 }
 
-TEST_CASE("the account of energy holds for a plate that swings in a stream") {
+TEST_CASE("energy balance closes for a plate that swings in a stream") {
   Plate p({0.0, 0.0, 1.5}, {2.0, 0.0, 1.5}, {1.0, 0.3, -1.5});
   LiftingPlate& plate = p.plate();
   p.model.held = {1, 1, 0};
@@ -304,7 +305,7 @@ TEST_CASE("the account of energy holds for a plate that swings in a stream") {
     CHECK(totals.put_through > 50.0);
     return std::abs(totals.imbalance()) / totals.put_through;
   };
-  // Second order in steps of a hundredth of a swing, but for a first step of the first.
+  // Second order in steps of a hundredth of a period, except for a first-order first step.
   CHECK(imbalance(0.01) < 1e-3);
   CHECK(imbalance(0.005) < 1e-3);
 }
@@ -332,7 +333,7 @@ Eigen::MatrixXd dense_mass(Assembly& assembly, Specimen& s) {
 
 }  // namespace
 
-TEST_CASE("modes of bodies are eigenvalues of the gear's matrices, and none of theirs is missed") {
+TEST_CASE("body modes are eigenvalues and include every growing body eigenvalue") {
   Random random(20260901);
   int oscillating = 0, growing = 0, compared = 0;
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -384,13 +385,13 @@ TEST_CASE("modes of bodies are eigenvalues of the gear's matrices, and none of t
       for (const std::complex<double>& value : all) {
         nearest = std::min(nearest, std::abs(value - mode.rate));
       }
-      // A residual of 0.02, by how nearly eigenvectors coincide.
+      // A residual of 0.02, scaled by how nearly eigenvectors coincide.
       CHECK(nearest < 0.1 * std::abs(mode.rate) + 1e-3);
       oscillating += mode.rate.imag() > 0.0;
       growing += mode.rate.real() > 0.0 && mode.rate.imag() > 0.0;
       ++compared;
     }
-    // Of rates that the projection is meant for, those that grow.
+    // Growing rates in the range of the projection.
     for (const std::complex<double>& value : of_bodies) {
       if (value.real() < 0.01 || value.imag() < 0.0 || std::abs(value) > 10.0) continue;
       double nearest = 1e300;

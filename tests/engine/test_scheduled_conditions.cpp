@@ -1,4 +1,5 @@
-// What a schedule does to a model, against closed forms, and what is said of a wrong one.
+// Effects of schedules on models, compared with analytical solutions, and errors of invalid
+// schedules.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -6,24 +7,24 @@
 
 #include "base/error.hpp"
 #include "filled_model.hpp"
-#include "march/check_schedule.hpp"
-#include "march/explicit_step.hpp"
-#include "march/scheduled_conditions.hpp"
-#include "marched.hpp"
+#include "integrated.hpp"
+#include "motion/check_schedule.hpp"
+#include "motion/explicit_step.hpp"
+#include "motion/scheduled_conditions.hpp"
 
 using namespace codend;
 
 namespace {
 
-// From a value at 0 s to another at a time, straight.
+// Linear from a value at 0 s to another at a time.
 Curve ramp(double from, double to, double time) {
   const double rate = (to - from) / time;
   return {{0.0, time}, {from}, {to}, {rate}, {rate}};
 }
 Curve constant(double value) { return {{0.0, 1.0}, {value}, {value}, {0.0}, {0.0}}; }
 
-// Weights of 2 kg (nodes 1 and 2) one below the other on two bars of 1 m, held at node 0, in vacuum;
-// a bar of 1e5 N and 1 m stretches by 4e-4 m under both.
+// Two weights of 2 kg (nodes 1 and 2), one below the other on two bars of 1 m, fixed at node 0, in
+// vacuum. A bar of 1e5 N and 1 m stretches by 4e-4 m under both.
 struct Weights : FilledModel {
   Motion start;
   Weights() {
@@ -41,12 +42,12 @@ struct Weights : FilledModel {
   }
   static constexpr double stiffness = 1e5;
 
-  Motion march(const Schedule& schedule, double until) {
+  Motion integration(const Schedule& schedule, double until) {
     Assembly assembly(model);
     ScheduledConditions conditions(model, assembly, schedule, start);
     conditions.to_time(0.0, Side::after, start);
     RungeKuttaStep stepper(assembly, start);
-    return marched(assembly, stepper, conditions, start, until, 1e-3);
+    return integrated(assembly, stepper, conditions, start, until, 1e-3);
   }
 };
 
@@ -63,7 +64,7 @@ std::string complaint(const Schedule& schedule) {
 
 }  // namespace
 
-TEST_CASE("a vessel moves and turns, and swings with the waves and by its own record") {
+TEST_CASE("vessel motion combines course, waves and a prescribed record") {
   Weights weights;
   Waves& waves = weights.model.water.waves;
   waves.amplitude = {0.8};
@@ -92,7 +93,7 @@ TEST_CASE("a vessel moves and turns, and swings with the waves and by its own re
     if (!swings) run.motion.swing = {};
     ScheduledConditions conditions(weights.model, assembly, run, weights.start);
     for (const double time : {4.0, 8.0}) {
-      // Velocities are those of the positions: second order in 1e-4 s, at 1.1 rad/s and 40 m.
+      // Velocities are derivatives of positions: second order in 1e-4 s, at 1.1 rad/s and 40 m.
       conditions.to_time(time - 1e-4, Side::before, sooner);
       conditions.to_time(time + 1e-4, Side::before, later);
       conditions.to_time(time, Side::before, motion);
@@ -103,7 +104,7 @@ TEST_CASE("a vessel moves and turns, and swings with the waves and by its own re
     const Vector turned(-16.0 + 30.0 * c + 4.0 * s, 5.0 - 30.0 * s + 4.0 * c, 6.0);
     CHECK((motion.x.head<3>() - turned).norm() < 1e-12);
   }
-  // Turned by its parts one after the other, about the centre, at 8 s.
+  // Rotated by its components in sequence, about the centre, at 8 s.
   const double q =
       wave_number(1.1, INFINITY) * (std::cos(0.5) * -16.0 + std::sin(0.5) * 5.0) - 1.1 * 8.0 + 0.4;
   double by[6];
@@ -118,8 +119,8 @@ TEST_CASE("a vessel moves and turns, and swings with the waves and by its own re
     b = s * a0 + c * b;
   };
   turn(z, y, by[3]);  // starboard down: up turns to starboard
-  turn(z, x, by[4]);  // bow up: up turns aft
-  turn(y, x, by[5]);  // bow to starboard: starboard turns aft
+  turn(z, x, by[4]);  // sag up: up turns aft
+  turn(y, x, by[5]);  // sag to starboard: starboard turns aft
   x += -10.0 - by[0];
   y += by[1];
   z += 2.0 + by[2];
@@ -128,24 +129,25 @@ TEST_CASE("a vessel moves and turns, and swings with the waves and by its own re
   CHECK(motion.x[2] == doctest::Approx(z).epsilon(1e-12));
 }
 
-TEST_CASE("energy is kept where ground is pressed, and where rope is paid out under its tension") {
-  // What a march of 0.2 ms steps makes of energy, over what it puts through.
+TEST_CASE("energy balance closes for ground contact and paid-out rope") {
+  // Relative energy error of a time integration with steps of 0.2 ms.
   const auto made = [](Model& model, Motion start, const Schedule& schedule, double until) {
     Assembly assembly(model);
     ScheduledConditions conditions(model, assembly, schedule, start);
     conditions.to_time(0.0, Side::after, start);
     RungeKuttaStep stepper(assembly, start);
-    MarchControl control;
+    IntegrationControl control;
     control.account = true;
     control.step = 2e-4;
     Past past;
     past.now = start;
-    March march(assembly, stepper, conditions, control, past);
-    REQUIRE(march.to(until) == MarchReport::End::reached);
-    CHECK(march.energy().put_through > 1.0);
-    return std::abs(march.energy().imbalance()) / march.energy().put_through;
+    TimeIntegration integration(assembly, stepper, conditions, control, past);
+    REQUIRE(integration.to(until) == IntegrationReport::End::reached);
+    CHECK(integration.energy().put_through > 1.0);
+    return std::abs(integration.energy().imbalance()) / integration.energy().put_through;
   };
-  // 10 kg that fall on the ground, beyond its onset by then, where a third of the energy is its own.
+  // 10 kg fall on the ground, beyond its onset by then, where the ground stores a third of the
+  // energy.
   FilledModel body;
   body.node({0.0, 0.0, 0.0});
   body.model.mass = {10.0};
@@ -163,11 +165,11 @@ TEST_CASE("energy is kept where ground is pressed, and where rope is paid out un
   paid.growing[0].factor = ramp(1.0, 1.5, 1.0);
   paid.growing[0].bars = {0};
   paid.growing[0].rest = {1.0};
-  // the bars ring at 300 /s with the winch's 0.5 m/s: 3e-4 of 1 J, where 40 J are put through
+  // the bars oscillate at 300 /s with the winch's 0.5 m/s: 3e-4 of 1 J, compared with 40 J in total
   CHECK(made(weights.model, weights.start, paid, 1.0) < 1e-4);
 }
 
-TEST_CASE("a group grows with its factor and comes back to what it was") {
+TEST_CASE("group scales with its factor and returns to its initial values") {
   Weights weights;
   const Model before = weights.model;
   Schedule schedule;
@@ -194,7 +196,7 @@ TEST_CASE("a group grows with its factor and comes back to what it was") {
   CHECK(weights.model.load == before.load);
 }
 
-TEST_CASE("what hangs on a bar that breaks falls freely") {
+TEST_CASE("weight falls freely when its bar breaks") {
   for (const bool by_force : {false, true}) {
     CAPTURE(by_force);
     Weights weights;
@@ -209,8 +211,8 @@ TEST_CASE("what hangs on a bar that breaks falls freely") {
       rope.time = 0.5;
     }
     schedule.ruptures = {rope};
-    const Motion end = weights.march(schedule, 1.0);
-    // Steps are of 1 ms; a bar that is overloaded breaks after the first.
+    const Motion end = weights.integration(schedule, 1.0);
+    // Steps are 1 ms; an overloaded bar breaks after the first step.
     const double falls = by_force ? 1.0 - 1e-3 : 0.5;
     CHECK(end.x[8] - from == doctest::Approx(-0.5 * gravity * falls * falls).epsilon(1e-3));
     CHECK(end.v[8] == doctest::Approx(-gravity * falls).epsilon(1e-6));
@@ -218,23 +220,24 @@ TEST_CASE("what hangs on a bar that breaks falls freely") {
   }
 }
 
-TEST_CASE("a node that is not yet released stays, and falls from then on") {
+TEST_CASE("node stays until its release and then falls") {
   Weights weights;
-  weights.start.x[8] = weights.start.x[5];  // slack between the two, which fall side by side
+  weights.start.x[8] = weights.start.x[5];  // slack between the two, which fall next to each other
   weights.start.x[6] = 0.5;
   const Values from = weights.start.x;
   Schedule schedule;
   schedule.release.node = {2};
   schedule.release.time = {0.3};
-  CHECK(weights.march(schedule, 0.3).x.tail<3>() == from.tail<3>());
+  CHECK(weights.integration(schedule, 0.3).x.tail<3>() == from.tail<3>());
   Weights other;
   other.start.x = from;
-  const Motion end = other.march(schedule, 0.6);
-  // It begins within the step of 1 ms that ends with its time: 2 x 1 ms / 0.3 s of the way.
+  const Motion end = other.integration(schedule, 0.6);
+  // It starts within the step of 1 ms that ends with its time: error 2 x 1 ms / 0.3 s of the
+  // distance.
   CHECK(end.x[8] - from[8] == doctest::Approx(-0.5 * gravity * 0.09).epsilon(7e-3));
 }
 
-TEST_CASE("a controlled length follows its target at its speed limit") {
+TEST_CASE("controlled length follows its target within the speed limit") {
   LengthControl control;
   control.target = constant(200.0);
   control.length = 100.0;
@@ -252,15 +255,15 @@ TEST_CASE("a controlled length follows its target at its speed limit") {
   CHECK(control.length == doctest::Approx(201.0).epsilon(0.5 / 201.0));  // within one choice
 }
 
-TEST_CASE("a rope at its tension limit slips at the speed that its brake says") {
+TEST_CASE("rope at its tension limit slips at the brake's speed") {
   LengthControl control;
   control.target = constant(100.0);
   control.length = 100.0;
   control.stiffness = 1e6;
   control.speed_limit = 2.0;
   control.tension_limit = 1e4;
-  // T = T_l (1 + v/v_l / 10): 5 % over the limit is half of the speed limit. A constant tension is
-  // closed in on by a factor of h EA/L or less at every choice.
+  // T = T_l (1 + v/v_l / 10): 5 % over the limit is half of the speed limit. At a constant tension,
+  // each choice reduces the error by a factor of h EA/L or less.
   for (int k = 1; k <= 4000; ++k) control.choose_speed(0.05 * k, 1.05e4);
   CHECK(control.near_limit);
   CHECK(control.longest_step() < 0.1);
@@ -270,7 +273,7 @@ TEST_CASE("a rope at its tension limit slips at the speed that its brake says") 
   CHECK(control.speed == 2.0);
 }
 
-TEST_CASE("a schedule that does not fit its model is refused with the field") {
+TEST_CASE("schedule that does not fit its model throws and names the field") {
   const double none = std::numeric_limits<double>::quiet_NaN();
   CHECK(complaint(Schedule()) == "");
 
@@ -278,14 +281,14 @@ TEST_CASE("a schedule that does not fit its model is refused with the field") {
   moved.motion.node = {7};
   moved.motion.place = {Vector::Zero()};
   moved.motion.x = moved.motion.y = moved.motion.z = moved.motion.heading = constant(0.0);
-  CHECK(complaint(moved) == "schedule.motion.node[1] is none of the model's 3 nodes");
+  CHECK(complaint(moved) == "schedule.motion.node[1] must be one of the 3 nodes of the model");
   moved.motion.node = {0, 1};
   CHECK(complaint(moved) == "schedule.motion.place has 1 values, must have 2");
   moved.motion.node = {0};
   moved.motion.heading.end = {none};
   CHECK(complaint(moved) == "schedule.motion.heading.end[1] must be a finite number");
   moved.motion.heading = {{1.0, 1.0}, {0.0}, {0.0}, {0.0}, {0.0}};
-  CHECK(complaint(moved) == "schedule.motion.heading.time must grow");
+  CHECK(complaint(moved) == "schedule.motion.heading.time must increase");
   moved.motion.heading = Curve();
   CHECK(complaint(moved) == "schedule.motion.heading must have a piece");
 
@@ -295,7 +298,7 @@ TEST_CASE("a schedule that does not fit its model is refused with the field") {
   grown.growing[0].bars = {1, -1};
   CHECK(complaint(grown) == "schedule.growing[1].rest has 0 values, must have 2");
   grown.growing[0].rest = {1.0, 1.0};
-  CHECK(complaint(grown) == "schedule.growing[1].bars[2] is none of the model's 2 bars");
+  CHECK(complaint(grown) == "schedule.growing[1].bars[2] must be one of the 2 bars of the model");
   grown.growing[0].bars = {1, 0};
   CHECK(complaint(grown) == "");
   grown.growing[0].controlled = true;
@@ -306,7 +309,7 @@ TEST_CASE("a schedule that does not fit its model is refused with the field") {
   Schedule broken;
   broken.ruptures.resize(1);
   broken.ruptures[0].at = 2;
-  CHECK(complaint(broken) == "schedule.ruptures[1].at is none of the model's 2 bars");
+  CHECK(complaint(broken) == "schedule.ruptures[1].at must be one of the 2 bars of the model");
   broken.ruptures[0].at = 1;
   broken.ruptures[0].strength = none;
   CHECK(complaint(broken) == "schedule.ruptures[1].strength must be a number");

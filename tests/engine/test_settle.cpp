@@ -1,4 +1,5 @@
-// settle() against closed forms of statics, and how it ends where there is no balance to find.
+// settle() compared with analytical solutions of statics, and its result if there is no
+// equilibrium.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 
 using namespace codend;
 
-// Massless lines, pulled at their nodes.
+// Massless lines, loaded at their nodes.
 struct Structure : FilledModel {
   SettleReport report;
 
@@ -24,7 +25,7 @@ struct Structure : FilledModel {
     report = codend::settle(assembly, control, v.data(), x.data());
     return report;
   }
-  // Net force on a node: at a held one minus the support's.
+  // Net force on a node; at a fixed node, minus the support force.
   Vector force(int node) {
     Assembly assembly(model);
     const std::vector<double> v(x.size(), 0.0);
@@ -46,7 +47,8 @@ bool is_finite(const Structure& s) {
   return std::isfinite(s.report.residual) && std::isfinite(s.report.worst_force);
 }
 
-// A rope ladder: columns hang from a held row and carry loads, and rungs are too long to help.
+// A rope ladder: columns hang from a fixed row and carry loads, and the rungs are too long to carry
+// any.
 Structure ladder(Random& random, double disorder) {
   Structure s;
   const int columns = 4, rows = 5;
@@ -67,7 +69,7 @@ Structure ladder(Random& random, double disorder) {
 
 }  // namespace
 
-TEST_CASE("two-bar truss") {
+TEST_CASE("two-bar truss settles to the analytical sag") {
   // Half span and bars 1 m, EA 1e4 N: sag h from P = 2 EA (L - L0)/L0 h/L, solved to 8 digits.
   const double table[][2] = {{1.0, 0.046440897}, {100.0, 0.21796281}};
   for (const auto& row : table) {
@@ -87,7 +89,7 @@ TEST_CASE("two-bar truss") {
   }
 }
 
-TEST_CASE("a net of which every other line is slack") {
+TEST_CASE("net with slack lines settles to straight columns") {
   Random random(20260441);
   for (const double disorder : {0.1, 1.0, 5.0}) {
     CAPTURE(disorder);
@@ -96,14 +98,14 @@ TEST_CASE("a net of which every other line is slack") {
     int bar = 0;
     for (int r = 1; r <= 5; ++r) {
       for (int c = 0; c < 4; ++c) {
-        // Every column hangs straight and each of its bars carries what is below.
+        // Every column hangs straight and each of its bars carries the loads below.
         const double load = 10.0 * (c + 1);
         double depth = 0.0;
         for (int above = 1; above <= r; ++above) {
           depth += 1.0 + load * (6 - above) / 2e4;
         }
         const Vector place = at(s.x.data(), 4 * r + c);
-        // A net force of 1e-8 of 200 N against tensions of 10 N, five bars deep.
+        // A net force of 1e-8 of 200 N compared with tensions of 10 N, five bars deep.
         CHECK((place - Vector(c, 0.0, -depth)).norm() < 5e-6);
         CHECK(s.tension(bar++) == doctest::Approx(load * (6 - r)).epsilon(1e-6));
         if (c > 0) CHECK(s.tension(bar++) == 0.0);
@@ -112,7 +114,7 @@ TEST_CASE("a net of which every other line is slack") {
   }
 }
 
-TEST_CASE("a settled model has its gravest node below the tolerance") {
+TEST_CASE("settled model has every node's residual below the tolerance") {
   Random random(20260442);
   Structure s = ladder(random, 0.3);
   SettleControl control;
@@ -127,9 +129,10 @@ TEST_CASE("a settled model has its gravest node below the tolerance") {
   CHECK(report.residual == doctest::Approx(worst / report.largest_tension).epsilon(1e-12));
 }
 
-TEST_CASE("a part with little force is in balance by its own measure") {
-  // 200 kN pull at a warp; from its end hang three links with 1 mN each, which is less than 1e-8 of
-  // the warp's tension at every node: beside that they would be settled as they were laid out.
+TEST_CASE("part with small forces settles by its own scale") {
+  // 200 kN pull at a warp. Three links with 1 mN each hang from its end, less than 1e-8 of the
+  // warp's tension at every node. On the scale of the warp they would remain in their initial
+  // layout.
   auto chain = [](const std::vector<int>& part) {
     Structure s;
     const int held = s.node({0.0, 0.0, 0.0}, true), end = s.node({100.0, 0.0, 0.0});
@@ -151,17 +154,17 @@ TEST_CASE("a part with little force is in balance by its own measure") {
   const Structure one = chain({}), each = chain({0, 1, 1, 1});
   REQUIRE(one.report.converged);
   REQUIRE(each.report.converged);
-  // Below the warp's end, by the links' lengths under what hangs on them.
+  // Below the warp's end, by the links' lengths under their loads.
   const Vector end = at(each.x.data(), 1), last = at(each.x.data(), 4);
   const double down = 3.0 + (3.0 + 2.0 + 1.0) * 1e-3 / 10.0;
   // A net force of 1e-6 of 3 mN turns a link that carries 1 mN by 3e-6.
   CHECK((last - end - Vector(0.0, 0.0, -down)).norm() < 3 * 3e-6);
   CHECK(each.report.parts.residual <= 1e-6);
-  // What the whole gear's largest tension lets pass.
+  // Allowed by the whole gear's largest tension.
   CHECK(one.report.residual <= 1e-8);
 }
 
-TEST_CASE("the part that is farthest from balance is told") {
+TEST_CASE("report names the part with the largest relative residual") {
   Random random(20260446);
   Structure s = ladder(random, 0.3);
   SettleControl control;
@@ -170,7 +173,7 @@ TEST_CASE("the part that is farthest from balance is told") {
   control.iterations = 2;
   const SettleReport& report = s.settle(control);
   REQUIRE_FALSE(report.converged);
-  // By hand: in vacuum a part's largest force is its largest tension.
+  // Reference: in vacuum the largest force of a part is its largest tension.
   double own[3] = {0.0, 0.0, 0.0};
   for (int b = 0; b < bars; ++b) own[b % 3] = std::max(own[b % 3], s.tension(b));
   std::vector<double> scale(static_cast<std::size_t>(s.model.nodes), 0.0);
@@ -189,14 +192,15 @@ TEST_CASE("the part that is farthest from balance is told") {
   CHECK(own[report.parts.part] == scale[static_cast<std::size_t>(report.parts.node)]);
 }
 
-TEST_CASE("a pole of hinged bars that is pressed gives way at the mechanism's load") {
-  // Two bars of 1 m between ends that are d apart, and four strings of length b, stretched to c,
-  // that hold the joint between them.
+TEST_CASE("compressed pole of hinged bars buckles at the mechanism's load") {
+  // Two bars of 1 m between ends at distance d. Four strings of length b, stretched to c, hold the
+  // joint between them.
   const double push = 1e5, string = 1e3, c = 0.5, b = 0.4;
-  // A little aside the bars drive it by 2 push (1 - d / 2) / (d / 2), and the strings hold it by
-  // twice their tension over c, of the pair across, and twice their stiffness over b, of that along.
+  // For a small lateral displacement the bars drive it by 2 push (1 - d / 2) / (d / 2). The
+  // transverse pair of strings resists by twice its tension over c, the axial pair by twice its
+  // stiffness over b.
   const double held_by = string * (c / b - 1.0) / c + string / b;
-  const double greatest = 1.0 / (1.0 + held_by / push);  // d / 2 at which it gives way
+  const double greatest = 1.0 / (1.0 + held_by / push);  // d / 2 at buckling
   auto settled = [&](double half) {
     Structure s;
     const int bars = s.material(push), strings = s.material(string);
@@ -221,7 +225,7 @@ TEST_CASE("a pole of hinged bars that is pressed gives way at the mechanism's lo
   REQUIRE(bent.report.converged);
   CHECK(bent.report.perturbations > 0);
   CHECK_FALSE(bent.report.unstable);
-  // By energy: the least of it over where the joint may go.
+  // Reference: minimum of energy over the positions of the joint.
   auto energy = [&](double y, double z, double half) {
     auto stored = [](double stiffness, double length, double rest, bool pushes) {
       const double strain = length / rest - 1.0;
@@ -245,7 +249,7 @@ TEST_CASE("a pole of hinged bars that is pressed gives way at the mechanism's lo
   }
 }
 
-TEST_CASE("what does not converge is reported") {
+TEST_CASE("settle() reports a solve that does not converge") {
   Random random(20260443);
   Structure s = ladder(random, 1.0);
   SettleControl control;
@@ -265,7 +269,7 @@ TEST_CASE("what does not converge is reported") {
   CHECK(is_finite(s));
 }
 
-TEST_CASE("a watcher can stop the search") {
+TEST_CASE("watch function stops the solve") {
   Random random(20260444);
   Structure s = ladder(random, 1.0);
   SettleControl control;
@@ -274,7 +278,7 @@ TEST_CASE("a watcher can stop the search") {
   CHECK(s.report.iterations == 4);
 }
 
-TEST_CASE("a model without free nodes is settled") {
+TEST_CASE("model without free nodes counts as settled") {
   Structure s;
   const int a = s.node({0.0, 0.0, 0.0}, true), b = s.node({1.0, 0.0, 0.0}, true);
   s.bar(a, b, 0.9, s.material(1e4));
@@ -282,8 +286,8 @@ TEST_CASE("a model without free nodes is settled") {
   CHECK(s.x == std::vector<double>{0.0, 0.0, 0.0, 1.0, 0.0, 0.0});
 }
 
-TEST_CASE("a floating node ends the search without a balance, and finite") {
-  for (const double mass : {0.0, 2.0}) {  // without mass its matrix is singular
+TEST_CASE("floating node ends the solve unconverged with finite positions") {
+  for (const double mass : {0.0, 2.0}) {  // without mass the matrix is singular
     CAPTURE(mass);
     Random random(20260446);
     Structure s = ladder(random, 0.1);

@@ -1,4 +1,4 @@
-// What settle() may cost, in counts: steps, factorisations and allocations, never in seconds.
+// Cost of settle() in counts: iterations, factorisations and allocations, never in seconds.
 #include <doctest/doctest.h>
 
 #include <vector>
@@ -12,8 +12,9 @@ namespace {
 
 using namespace codend;
 
-// Square netting of n x n knots 0.5 m apart in a current of 0.5 m/s, held by its upper row, with a
-// load of 8.5 N on each knot of the lowest; flat and upright at first, as between two poles.
+// Square netting of n x n knots 0.5 m apart in a current of 0.5 m/s, fixed at its upper row.
+// Each knot of the lowest row has a load of 8.5 N. Initially flat and upright, as between two
+// poles.
 struct SquareNet : FilledModel {
   explicit SquareNet(int n) {
     model.water = Water();
@@ -56,17 +57,17 @@ Cost settle_and_count(int n) {
 
 }  // namespace
 
-TEST_CASE("a square net settles in few steps that allocate nothing, however large") {
+TEST_CASE("square net settles in few iterations without further allocation") {
   for (const int n : {8, 16, 32}) {
     CAPTURE(n);
     const Cost cost = settle_and_count(n);
     REQUIRE(cost.report.converged);
-    // 14, 15 and 18 when this was written, and half as many again as room.
+    // 14, 15 and 18 when this was written, plus a margin of half as many.
     CHECK(cost.report.iterations <= 27);
     CHECK(cost.report.factorisations <= cost.report.iterations);
     REQUIRE(cost.allocations.size() > 4);
-    // The first step analyses the matrix and sizes a work space. So does the first step on the law
-    // itself, for its work space alone, and no other.
+    // The first step analyses the matrix and sizes the workspace. So does the first step of the
+    // constitutive law itself, for its own workspace; later steps allocate nothing.
     CHECK(cost.allocations.back() - cost.allocations[1] <= 1);
   }
 }

@@ -1,17 +1,18 @@
-// A rope that slides through points: its energy, and where it does not pull.
+// A rope that slides through points: its energy, and zero tension when slack.
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "filled_model.hpp"
-#include "march/march.hpp"
-#include "march/newton_step.hpp"
+#include "motion/newton_step.hpp"
+#include "motion/time_integration.hpp"
 
 namespace {
 
 using namespace codend;
 
-// A weight that slides on a weightless rope of length `rest` between two held points `span` apart.
+// A weight that slides on a weightless rope of length `rest` between two fixed points at distance
+// `span`.
 struct Ellipse : FilledModel {
   double span = 8.0, rest = 10.0, weight = 100.0;
   std::vector<double> v = std::vector<double>(9, 0.0);
@@ -35,8 +36,8 @@ struct Ellipse : FilledModel {
 
 }  // namespace
 
-TEST_CASE("a weight slides along its rope without losing energy") {
-  // Swings on an ellipse, which generalised alpha follows but for its error of second order.
+TEST_CASE("weight slides along its rope and conserves energy") {
+  // It swings on an ellipse; generalised alpha has an error of second order.
   Ellipse e;
   Assembly assembly(e.model);
   auto total = [&](const Motion& m) {
@@ -46,23 +47,23 @@ TEST_CASE("a weight slides along its rope without losing energy") {
   };
   Past past;
   past.now = e.at_rest();
-  // Above the lowest place, a slack rope's 0.7 m off it.
+  // Above the lowest position; the rope is slack by 0.7 m.
   past.now.x.segment<3>(3) << 1.5, 0.0, -2.0;
   SteadyConditions conditions(e.model.held, past.now);
   StepAccuracy accuracy;
   accuracy.found = 1e-10;
   NewtonStep scheme(assembly, NewtonScheme::generalised_alpha, accuracy, past.now.x);
-  MarchControl control;
+  IntegrationControl control;
   control.step = 0.001;
-  March march(assembly, scheme, conditions, control, past);
+  TimeIntegration integration(assembly, scheme, conditions, control, past);
   const double before = total(past.now);
-  REQUIRE(march.to(2.0) == MarchReport::End::reached);
-  // 100 J are turned over in a fall of 1 m; where it snaps taut, at some 30 rad/s, a step of
-  // (0.03)^2 / 12 of that is lost: 1e-3 leaves room for ten snaps.
-  CHECK(std::abs(total(march.now()) - before) < 1e-3 * e.weight);
+  REQUIRE(integration.to(2.0) == IntegrationReport::End::reached);
+  // A fall of 1 m converts 100 J. When the rope snaps taut, at about 30 rad/s, a step loses
+  // (0.03)^2 / 12: 1e-3 allows ten snaps.
+  CHECK(std::abs(total(integration.now()) - before) < 1e-3 * e.weight);
 }
 
-TEST_CASE("a sliding rope pulls nothing while slack or parted") {
+TEST_CASE("sliding rope has zero tension when slack or parted") {
   Ellipse e;
   Assembly assembly(e.model);
   e.x[3] = 4.0;
@@ -77,7 +78,7 @@ TEST_CASE("a sliding rope pulls nothing while slack or parted") {
   CHECK(e.model.sliding[0].tension(assembly.field()) == 0.0);
 }
 
-TEST_CASE("nodes that are kept stay and show no net force") {
+TEST_CASE("hold() keeps nodes in place with zero net force") {
   Ellipse e;
   Assembly assembly(e.model);
   assembly.hold({0, 1, 0});
@@ -87,12 +88,12 @@ TEST_CASE("nodes that are kept stay and show no net force") {
   StepAccuracy accuracy;
   accuracy.found = 1e-10;
   NewtonStep scheme(assembly, NewtonScheme::bdf2, accuracy, past.now.x);
-  MarchControl control;
+  IntegrationControl control;
   control.step = 0.1;
-  March march(assembly, scheme, conditions, control, past);
-  REQUIRE(march.to(1.0) == MarchReport::End::reached);
-  for (int k = 0; k < 9; ++k) CHECK(march.now().x[k] == e.x[static_cast<std::size_t>(k)]);
+  TimeIntegration integration(assembly, scheme, conditions, control, past);
+  REQUIRE(integration.to(1.0) == IntegrationReport::End::reached);
+  for (int k = 0; k < 9; ++k) CHECK(integration.now().x[k] == e.x[static_cast<std::size_t>(k)]);
   assembly.hold({});
-  REQUIRE(march.to(1.2) == MarchReport::End::reached);
-  CHECK(march.now().x[5] < e.x[5]);
+  REQUIRE(integration.to(1.2) == IntegrationReport::End::reached);
+  CHECK(integration.now().x[5] < e.x[5]);
 }

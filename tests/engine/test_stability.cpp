@@ -1,4 +1,4 @@
-// Motions of plates that grow, against the eigenvalues of the whole dense matrix.
+// Growing motions of plates, compared with the eigenvalues of the whole dense matrix.
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
@@ -10,7 +10,7 @@
 
 using namespace codend;
 
-TEST_CASE("a growing motion of plates is an eigenvector, and none is missed that stands out") {
+TEST_CASE("growing plate motion is an eigenvector and no clear one is missed") {
   Random random(20260501);
   int found = 0, expected = 0;
   for (int repeat = 0; repeat < 60; ++repeat) {
@@ -34,7 +34,7 @@ TEST_CASE("a growing motion of plates is an eigenvector, and none is missed that
       rates.row(row) /= damping[static_cast<std::size_t>(row / 3)];
     }
     const Eigen::VectorXcd all = rates.eigenvalues();
-    // The real rate that grows fastest, and whether no other comes near it.
+    // The fastest growing real rate, and its separation from the others.
     double fastest = -1e300, next = -1e300;
     bool real = false;
     for (int i = 0; i < all.size(); ++i) {
@@ -55,7 +55,8 @@ TEST_CASE("a growing motion of plates is an eigenvector, and none is missed that
     if (growing.found) {
       ++found;
       const Eigen::Map<const Eigen::VectorXd> motion(growing.motion.data(), 3 * pattern.n);
-      // Its direction is known to 0.005, its rate to that times how nearly eigenvectors coincide.
+      // Its direction is accurate to 0.005, its rate to that times how nearly eigenvectors
+      // coincide.
       CHECK((rates * motion - growing.rate * motion).norm() <
             0.1 * (1.0 + growing.rate) * motion.norm());
       double nearest = 1e300;
@@ -64,7 +65,7 @@ TEST_CASE("a growing motion of plates is an eigenvector, and none is missed that
       }
       CHECK(nearest < 0.05 * growing.rate);
     } else {
-      // Rates that the steps of 0.1 to 10 s tell from the next ones.
+      // Rates that steps of 0.1 to 10 s can separate from the next ones.
       const bool clear = real && fastest > 0.02 && fastest < 5.0 && next < 0.5 * fastest;
       CHECK_FALSE(clear);
     }
@@ -76,8 +77,7 @@ TEST_CASE("a growing motion of plates is an eigenvector, and none is missed that
   CHECK(expected >= found);
 }
 
-TEST_CASE(
-    "only kinds that may be unstable are tried, and a perturbation has the size of the least") {
+TEST_CASE("stability check tries only unstable kinds with the smallest unstable size") {
   Random random(7);
   Ingredients wanted;
   wanted.bars = 25;
@@ -96,12 +96,12 @@ TEST_CASE(
   CHECK(unstable_size(two) == 2.0);
 }
 
-TEST_CASE("netting that is pushed from inside is tried, but not where it is settled already") {
+TEST_CASE("stability check tries netting under pressure unless settled before") {
   Random random(11);
   Ingredients wanted;
   wanted.bars = 25;
   Specimen bag(random, wanted);
-  // a push on one triangle with sides of 3, 4 and 5 m, in the current that the model has
+  // pressure on one triangle with sides of 3, 4 and 5 m, in the current of the model
   bag.model.pressure.node = {0, 1, 2};
   bag.model.pressure.weight.assign(3, 1.0 / 3.0);
   at(bag.x.data(), 0) = Vector(0.0, 0.0, -50.0);

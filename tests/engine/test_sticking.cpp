@@ -1,18 +1,18 @@
-// Friction that sticks and slips, against Coulomb's law on a slope.
+// Sticking and slipping friction, compared with Coulomb's law on a slope.
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "march/newton_step.hpp"
-#include "march/scheduled_conditions.hpp"
-#include "marched.hpp"
+#include "integrated.hpp"
+#include "motion/newton_step.hpp"
+#include "motion/scheduled_conditions.hpp"
 #include "plate_struts.hpp"
 
 using namespace codend;
 
 namespace {
 
-// Where what sticks to the ground has gone by a time (s), by backward differences to 0.1 mm.
+// Returns the motion at a time (s), by backward differences to 0.1 mm.
 Motion slid(Model& model, Motion start, double until) {
   model.prepare();
   Assembly assembly(model);
@@ -21,11 +21,11 @@ Motion slid(Model& model, Motion start, double until) {
   ScheduledConditions conditions(model, assembly, schedule, start);
   conditions.to_time(0.0, Side::after, start);
   NewtonStep stepper(assembly, NewtonScheme::bdf2, {1e-4, 1e9, 1e-9}, start.x);
-  return marched(assembly, stepper, conditions, start, until, 1e-3, true);
+  return integrated(assembly, stepper, conditions, start, until, 1e-3, true);
 }
 
-// 10 kg on 0.01 m2 in vacuum, as deep in the ground as its weight presses it, on a slope (rad) that falls
-// towards +x.
+// 10 kg on 0.01 m2 in vacuum, at the penetration of its weight, on a slope (rad) that falls towards
+// +x.
 struct Body {
   Model model;
   Motion start;
@@ -51,7 +51,7 @@ struct Body {
   }
   Body(const Body&) = delete;
 
-  Motion march(double until) { return slid(model, start, until); }
+  Motion integration(double until) { return slid(model, start, until); }
   double moved(const Motion& motion) const {
     return (at(motion.x.data(), 0) - at(start.x.data(), 0)).norm();
   }
@@ -59,36 +59,36 @@ struct Body {
 
 }  // namespace
 
-TEST_CASE("a body on a slope that friction holds stays") {
+TEST_CASE("body on a slope stays if friction suffices") {
   Body body(0.35);  // tan 0.365 < 0.5
-  const Motion soon = body.march(5.0);
+  const Motion soon = body.integration(5.0);
   Body other(0.35);
-  const Motion late = other.march(500.0);
-  // It gives way by its share of what friction can hold, and no more.
+  const Motion late = other.integration(500.0);
+  // It moves by the elastic displacement in proportion to the used friction.
   const double give = 0.01 * std::tan(0.35) / 0.5;
   CHECK(body.moved(soon) == doctest::Approx(give).epsilon(0.01));
   CHECK(other.moved(late) == doctest::Approx(give).epsilon(1e-3));
 }
 
-TEST_CASE("a body on a slope that friction does not hold slides as Coulomb says") {
+TEST_CASE("body on a steep slope slides by Coulomb's law") {
   Body body(0.6);  // tan 0.684 > 0.5
-  const Motion end = body.march(2.0);
+  const Motion end = body.integration(2.0);
   const double pull = gravity * (std::sin(0.6) - 0.5 * std::cos(0.6));
-  // It begins when friction has given its 0.01 m.
+  // It starts after an elastic displacement of 0.01 m.
   CHECK(body.moved(end) == doctest::Approx(0.5 * pull * 4.0).epsilon(0.05));
   CHECK(at(end.v.data(), 0).norm() == doctest::Approx(2.0 * pull).epsilon(0.03));
 }
 
-TEST_CASE("a body that is thrown comes to rest where its energy is gone") {
+TEST_CASE("thrown body stops when friction has used its energy") {
   Body body(0.0);
   at(body.start.v.data(), 0) = Vector(2.0, 0.0, 0.0);
-  const Motion end = body.march(20.0);
-  // v^2 / (2 mu g), and back by no more than friction gives.
+  const Motion end = body.integration(20.0);
+  // v^2 / (2 mu g), and back by at most the elastic displacement.
   CHECK(body.moved(end) == doctest::Approx(4.0 / (2.0 * 0.5 * gravity)).epsilon(0.03));
   CHECK(at(end.v.data(), 0).norm() < 1e-6);
 }
 
-TEST_CASE("after a reversal friction builds up over twice its slip distance") {
+TEST_CASE("friction after a reversal builds up over twice the slip distance") {
   Ground ground;
   ground.friction = 1.0;
   ground.slip_distance = 0.004;
@@ -97,7 +97,7 @@ TEST_CASE("after a reversal friction builds up over twice its slip distance") {
   Matrix by_position, by_velocity;
   double work = 0.0;
   const double step = 1e-5;
-  // 0.1 m forth, and 0.05 m back, too slowly for what damps
+  // 0.1 m forward and 0.05 m back, too slowly for damping
   for (int k = 1; k <= 15000; ++k) {
     const Vector x((k <= 10000 ? k : 20000 - k) * step, 0.0, 0.0);
     const Vector away = x - anchor;
@@ -105,12 +105,12 @@ TEST_CASE("after a reversal friction builds up over twice its slip distance") {
     if (k > 10000) work += force.x() * step;
     anchor = ground.draw(anchor, x, Vector::Zero(), true);
   }
-  // a share of 2 g / s less than all of it; to a step
+  // a fraction 2 g / s less than the whole, to within a step
   CHECK(work == doctest::Approx(0.05 * (1.0 - 2.0 * 0.004 / 0.05)).epsilon(1e-3));
 }
 
-TEST_CASE("a line rubs along and across itself with its own friction") {
-  // Between nodes on the way (1, 1): sliding along x pushes back by both.
+TEST_CASE("line contact uses separate friction along and across the line") {
+  // Between nodes in the direction (1, 1): sliding along x has a reaction from both.
   Body body(0.0);
   body.model.contacts.lines.node = {0};
   body.model.contacts.lines.between = {1, 2};
@@ -168,7 +168,7 @@ struct Board {
   }
   Board(const Board&) = delete;
 
-  // How far the middle of its shoes goes.
+  // Displacement of the middle of its shoes.
   Vector moves(double until) {
     const Motion end = slid(model, start, until);
     return 0.5 * (at(end.x.data(), 0) + at(end.x.data(), 1) - at(start.x.data(), 0) -
@@ -176,16 +176,16 @@ struct Board {
   }
 };
 
-TEST_CASE("a board that friction holds stays where it stands") {
+TEST_CASE("board stays in place if friction suffices") {
   const double pull = 400.0;  // of 500
   const Vector soon = Board({pull, 0.0, 0.0}).moves(5.0);
   const Vector late = Board({pull, 0.0, 0.0}).moves(500.0);
-  const double give = 0.01 * pull / 500.0;  // as of the body above
+  const double give = 0.01 * pull / 500.0;  // as for the body above
   CHECK(soon.x() == doctest::Approx(give).epsilon(0.01));
   CHECK(late.x() == doctest::Approx(give).epsilon(1e-3));
 }
 
-TEST_CASE("a board rubs along and across its chord with its own friction") {
+TEST_CASE("board contact uses separate friction along and across its chord") {
   auto own = [](const Vector& pull) {
     Board board(pull);
     board.model.plates.plate[0].own_friction = true;
@@ -193,7 +193,7 @@ TEST_CASE("a board rubs along and across its chord with its own friction") {
     board.model.plates.plate[0].friction_across = 0.8;
     return board.moves(2.0);
   };
-  // Of 1000 N on 100 kg; it begins when friction has given its 0.01 m.
+  // 1000 N on 100 kg; it starts after an elastic displacement of 0.01 m.
   CHECK(own({400.0, 0.0, 0.0}).x() == doctest::Approx(0.5 * 2.0 * 4.0).epsilon(0.05));
   CHECK(own({0.0, 400.0, 0.0}).y() == doctest::Approx(0.01 * 400.0 / 800.0).epsilon(0.02));
 }

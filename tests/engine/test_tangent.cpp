@@ -1,4 +1,5 @@
-// The answer of an equilibrium to small changes, against closed forms and the matrix itself.
+// Response of an equilibrium to small changes, compared with analytical solutions and the matrix
+// itself.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,8 +13,8 @@ namespace {
 
 using namespace codend;
 
-// Two bars of 1 m and EA 1e4 N between points 2 m apart, their middle (node 2) pulled down by P N:
-// it sags by h with P = 2 EA (L - 1) h / L, L = sqrt(1 + h^2).
+// Two bars of 1 m and EA 1e4 N between points 2 m apart, their middle (node 2) pulled down by P N.
+// It sags by h with P = 2 EA (L - 1) h / L, L = sqrt(1 + h^2).
 struct Truss : FilledModel {
   explicit Truss(double sag, double pull) {
     const int left = node({-1.0, 0.0, 0.0}, true), right = node({1.0, 0.0, 0.0}, true);
@@ -36,8 +37,7 @@ struct Truss : FilledModel {
 
 }  // namespace
 
-TEST_CASE(
-    "a truss sags with its load as the closed form's derivative says, forwards and backwards") {
+TEST_CASE("tangent of a truss matches the analytical derivative and transpose") {
   const double sag = 0.2;
   Truss truss(sag, Truss::pull_of(sag));
   Assembly assembly(truss.model);
@@ -49,12 +49,12 @@ TEST_CASE(
   tangent.solve(down.data(), moved.data());
   // L - 1 loses two digits
   CHECK(moved[8] == doctest::Approx(-1.0 / Truss::stiffness_at(sag)).epsilon(1e-13));
-  CHECK(moved[0] == 7.0);  // held nodes are left alone
+  CHECK(moved[0] == 7.0);  // fixed nodes are not changed
   tangent.solve_transposed(down.data(), moved.data());
   CHECK(moved[8] == doctest::Approx(-1.0 / Truss::stiffness_at(sag)).epsilon(1e-13));
 }
 
-TEST_CASE("chord steps lead to the balance of other numbers, and say where they do not") {
+TEST_CASE("chord steps converge to a near equilibrium and report failure otherwise") {
   const double sag = 0.2, other_sag = 0.201;
   Truss truss(sag, Truss::pull_of(sag)), other(sag, Truss::pull_of(other_sag));
   Assembly assembly(truss.model), changed(other.model);
@@ -62,7 +62,7 @@ TEST_CASE("chord steps lead to the balance of other numbers, and say where they 
   const ChordReport report = tangent.balance(changed, 1e-10, 50, other.x.data());
   CHECK(report.converged);
   CHECK(report.residual <= 1e-10);
-  // strains of 0.02 are known to 1e-16 over 0.02, and the sag is a third as sensitive
+  // strains of 0.02 are accurate to 1e-16 over 0.02, and the sag is a third as sensitive
   CHECK(-other.x[8] == doctest::Approx(other_sag).epsilon(1e-13));
 
   Truss far(sag, Truss::pull_of(0.9));
@@ -75,14 +75,14 @@ TEST_CASE("chord steps lead to the balance of other numbers, and say where they 
   CHECK_THROWS_AS(tangent.balance(fixed, 1e-10, 50, held.x.data()), std::invalid_argument);
 }
 
-TEST_CASE("a slack truss has no tangent") {
+TEST_CASE("slack truss has no regular tangent") {
   Truss truss(0.0, 0.0);
   truss.model.bars.rest = {1.1, 1.1};
   Assembly assembly(truss.model);
   CHECK_FALSE(Tangent(assembly, truss.x.data()).regular());
 }
 
-TEST_CASE("forwards and backwards the tangent is that of the assembly's own derivative") {
+TEST_CASE("tangent and its transpose agree with the assembly's derivative") {
   Random random(20260611);
   for (int repeat = 0; repeat < 20; ++repeat) {
     Ingredients wanted;
@@ -105,7 +105,7 @@ TEST_CASE("forwards and backwards the tangent is that of the assembly's own deri
     tangent.solve(force.data(), moved.data());
     tangent.solve_transposed(weight.data(), back.data());
 
-    // w . J^-1 f both ways
+    // w . J^-1 f by both solutions
     double forwards = 0.0, backwards = 0.0, scale = 0.0;
     for (const int node : assembly.free_nodes()) {
       forwards += at(weight.data(), node).dot(at(moved.data(), node));
@@ -115,7 +115,7 @@ TEST_CASE("forwards and backwards the tangent is that of the assembly's own deri
     // conditions up to 1e6, rounding 1e-16
     CHECK(std::abs(forwards - backwards) <= 1e-9 * scale);
 
-    // J dx is what made it, to the rounding (some 1e-15) of the sums' largest terms
+    // J dx reproduces the force, to the rounding (about 1e-15) of the sums' largest terms
     std::vector<double> values(9 * assembly.pattern().column.size());
     assembly.move_to(s.x.data(), s.v.data());
     assembly.jacobian({1.0, 0.0}, values.data());

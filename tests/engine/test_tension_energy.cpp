@@ -1,4 +1,4 @@
-// Tensions are the gradient of an energy and leave momentum alone.
+// Tensions are the gradient of an energy and conserve momentum.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -55,17 +55,17 @@ void check(int Ingredients::*kind, int count) {
       arm += at(force.data(), n).norm() * at(s.x.data(), n).norm();
     }
     REQUIRE(size > 0.0);
-    // Some 30 additions at each of a dozen nodes, 1.1e-16 each; tensions that cancel at a node are
-    // up to ten times what is left.
+    // About 30 additions at each of a dozen nodes, 1.1e-16 each; tensions that cancel at a node are
+    // up to ten times their sum.
     CHECK(sum.norm() < 1e-13 * size);
     CHECK(moment.norm() < 1e-13 * arm);
     const double largest = Eigen::Map<Eigen::VectorXd>(force.data(), static_cast<int>(force.size()))
                                .cwiseAbs()
                                .maxCoeff();
-    // Fourth order at h = 1e-3 m: rounding 1.5 x 2.2e-16 E / h with E about |F| x 1 m gives 3e-13,
-    // ten times that where lines cancel; truncation h^4/30 = 3e-14 over a length of 1 m, and
-    // (1/0.1)^4 times that for the shortest lines.
-    // Angles of meshes that are nearly closed change over 0.02 m: a fifth of the step for those.
+    // Fourth order at h = 1e-3 m. Rounding: 1.5 x 2.2e-16 E / h with E about |F| x 1 m gives 3e-13,
+    // ten times that where lines cancel. Truncation: h^4/30 = 3e-14 over a length of 1 m, and
+    // (1/0.1)^4 times that for the shortest lines. Angles of nearly closed meshes change over 0.02
+    // m, so their step is a fifth.
     const double h = kind == &Ingredients::openings ? 2e-4 : 1e-3;
     for (std::size_t k = 0; k < s.x.size(); ++k) {
       const double before = s.x[k];
@@ -83,7 +83,7 @@ void check(int Ingredients::*kind, int count) {
 
 }  // namespace
 
-TEST_CASE("forces are the gradient of an energy, without sum and moment") {
+TEST_CASE("forces are the gradient of an energy without sum and moment") {
   SUBCASE("bars") { check(&Ingredients::bars, 20); }
   SUBCASE("netting cells") { check(&Ingredients::cells, 20); }
   SUBCASE("hexagonal triangles") { check(&Ingredients::hexagons, 12); }
@@ -92,7 +92,7 @@ TEST_CASE("forces are the gradient of an energy, without sum and moment") {
   SUBCASE("sliding ropes") { check(&Ingredients::sliding, 6); }
 }
 
-TEST_CASE("a slack line pulls and stores nothing") {
+TEST_CASE("slack line has no tension and stores no energy") {
   TwineMaterial material;
   material.axial_stiffness = 1e6;
   CHECK(twine_tension(material, 0.99, 1.0) == 0.0);

@@ -1,4 +1,4 @@
-// Drag of one family of twines against that of the lines that it stands for.
+// Drag of one family of twines, compared with the drag of the lines that it represents.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "elements/twine_drag.hpp"
 #include "random_model.hpp"
 
-TEST_CASE("drag of twines is that of a bar of the same twine") {
+TEST_CASE("twine drag equals the drag of a bar of the same twine") {
   using namespace codend;
   Random random(20260461);
   for (const CylinderLaw& law : cylinder_laws()) {
@@ -24,7 +24,7 @@ TEST_CASE("drag of twines is that of a bar of the same twine") {
   }
 }
 
-TEST_CASE("drag of twines that curl up is the mean over all directions") {
+TEST_CASE("drag of curled twines is the mean over all directions") {
   using namespace codend;
   TwineMaterial material;
   material.diameter = 0.002;
@@ -33,8 +33,8 @@ TEST_CASE("drag of twines that curl up is the mean over all directions") {
   auto drag = [&](const Vector& e, SlackDrag slack) {
     return twine_drag(material, 1.0, 1.0, e, u, Water(), slack).value.z();
   };
-  // Directions evenly spread in height (and any angle about the flow): midpoint rule, whose error
-  // at the kink of |cos| is about the square of a step of 1/500.
+  // Directions evenly spaced in height (and any angle about the flow): midpoint rule. Its error at
+  // the kink of |cos| is about the square of a step of 1/500.
   const int n = 1000;
   double mean = 0.0;
   for (int k = 0; k < n; ++k) {
@@ -43,7 +43,7 @@ TEST_CASE("drag of twines that curl up is the mean over all directions") {
   }
   CHECK(drag(Vector::Zero(), SlackDrag::curved) == doctest::Approx(mean).epsilon(1e-5));
   CHECK(line_drag(material, Vector::Zero(), u).z() == doctest::Approx(mean).epsilon(1e-5));
-  // half of its length between its ends, which lie across the flow
+  // half of the length spans the ends, which are across the flow
   const Vector half(0.5, 0.0, 0.0);
   CHECK(drag(half, SlackDrag::curved) ==
         doctest::Approx(0.5 * drag(2.0 * half, SlackDrag::straight) + 0.5 * mean).epsilon(1e-5));

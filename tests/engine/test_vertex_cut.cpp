@@ -37,8 +37,8 @@ Graph random_graph(int nodes, double edges_per_pair, unsigned seed) {
   return graph;
 }
 
-// Fewest nodes, of any, without which no path leads from `from` to `to`, by trying all sets.
-// Nodes of the two ends count.
+// Returns the smallest number of nodes whose removal disconnects `from` and `to`, by trying all
+// sets. Nodes of the two ends count.
 int least_separator(const Graph& graph, const std::vector<char>& from,
                     const std::vector<char>& to) {
   const int n = graph.nodes();
@@ -68,7 +68,7 @@ int least_separator(const Graph& graph, const std::vector<char>& from,
 
 }  // namespace
 
-TEST_CASE("a separator of one layer is a least one between the nodes that touch a cut") {
+TEST_CASE("separator of one layer is smallest among nodes at the cut") {
   const int nodes = 12;
   codend::VertexCut cut(nodes);
   for (unsigned seed = 0; seed < 40; ++seed) {
@@ -84,7 +84,7 @@ TEST_CASE("a separator of one layer is a least one between the nodes that touch 
         if (graph.joined[i][j] && (i < nodes / 2) != (j < nodes / 2))
           (i < nodes / 2 ? near : far)[i] = 1;
     }
-    // what the cut's edges alone connect: a path inside a side needs no cut
+    // only the edges of the cut: a path inside a side needs no cut
     Graph across = graph;
     for (int i = 0; i < nodes; ++i)
       for (int j = 0; j < nodes; ++j)
@@ -99,8 +99,8 @@ TEST_CASE("a separator of one layer is a least one between the nodes that touch 
   }
 }
 
-TEST_CASE("a separator of several layers finds the neck nearby") {
-  // two strips of 6 x 9 nodes joined by a neck of 2 x 3; the cut runs two columns off the neck
+TEST_CASE("separator of several layers finds the neck nearby") {
+  // two strips of 6 x 9 nodes joined by a neck of 2 x 3; the cut is two columns from the neck
   const int rows = 6, columns = 21;
   std::vector<int> number(rows * columns, -1);
   int nodes = 0;

@@ -1,4 +1,4 @@
-// Wakes of netting upstream: what share of the speed they leave, and which points they reach.
+// Wakes of netting upstream: the remaining fraction of speed, and the points in the wake.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -9,8 +9,8 @@ namespace {
 
 using namespace codend;
 
-// A square sheet of side 2 m across x at this x, as two triangles; twine: m2 in all; overlap: of its
-// crossings.
+// Adds a square sheet of side 2 m across x at this x, as two triangles. twine: total m2; overlap:
+// of its crossings.
 void add_sheet(double x, double twine, WakeSheets& sheets, std::vector<double>& position,
                double overlap = 0.0) {
   const int first = static_cast<int>(position.size() / 3);
@@ -27,7 +27,7 @@ void add_sheet(double x, double twine, WakeSheets& sheets, std::vector<double>& 
 
 }  // namespace
 
-TEST_CASE("speed behind netting is a share of what it was, all of it without twine or along it") {
+TEST_CASE("wake reduces speed to a fraction that is 1 without twine") {
   for (const WakeLaw law : {WakeLaw::none, WakeLaw::loland, WakeLaw::cheng}) {
     CHECK(speed_reduction(law, 0.4, 0.0) == 1.0);
     CHECK(speed_reduction(law, 0.0, 1.0) == 1.0);
@@ -41,7 +41,7 @@ TEST_CASE("speed behind netting is a share of what it was, all of it without twi
   }
 }
 
-TEST_CASE("the wake's solidity counts crossings once, as the drag of a screen does") {
+TEST_CASE("wake solidity counts crossings once, as screen drag does") {
   // squares of twine d over bars a, d/a = 0.2: Sn = 2 d/a - (d/a)^2
   WakeSheets sheets;
   std::vector<double> x;
@@ -53,7 +53,7 @@ TEST_CASE("the wake's solidity counts crossings once, as the drag of a screen do
         doctest::Approx(speed_reduction(WakeLaw::loland, 0.4 - 0.04, 1.0)).epsilon(1e-12));
 }
 
-TEST_CASE("only points behind a sheet are in its wake") {
+TEST_CASE("wake contains only points behind a sheet") {
   WakeSheets sheets;
   std::vector<double> x;
   add_sheet(0.0, 0.8, sheets, x);  // Sn 0.2
@@ -78,26 +78,26 @@ TEST_CASE("only points behind a sheet are in its wake") {
     // Again on the same shape: nothing changes.
     CHECK(wake.renew(x.data(), {speed, 0.0, 0.0}, false, 1e-5) == 0.0);
   }
-  // From behind, the other sheet is in the wake.
+  // With reversed flow the other sheet is in the wake.
   Wake wake(sheets, points);
   wake.renew(x.data(), {-1.0, 0.0, 0.0}, true, 1e-5);
   CHECK(wake.share()[0] == doctest::Approx(r));
   CHECK(wake.share()[4] == 1.0);
 }
 
-TEST_CASE("a wake that keeps to its sheets follows their change alone") {
+TEST_CASE("wake with fixed sheets follows only their changes") {
   WakeSheets sheets;
   std::vector<double> x;
   add_sheet(0.0, 0.8, sheets, x);  // Sn 0.2
   x.insert(x.end(), {1.0, 0.2, 0.3});
   const Vector flow(1.0, 0.0, 0.0);
   Wake wake(sheets, 5), other(sheets, 5);
-  // not searched before: off from what its sheets make of it
+  // not searched before: it differs from the value of its sheets
   wake.set_share({1.0, 1.0, 1.0, 1.0, 0.9});
   wake.keep(x.data(), flow);
   CHECK(wake.renew(x.data(), flow, true, 0.0) == doctest::Approx(0.0));
   CHECK(wake.share()[4] == 0.9);
-  // the sheet becomes a tenth wider, so less solid, and the point leaves its wake
+  // the sheet becomes a tenth wider, hence less solid, and the point leaves its wake
   std::vector<double> moved = x;
   for (int k = 0; k < 4; ++k) moved[3 * k + 1] *= 1.1;
   moved[13] = 5.0;

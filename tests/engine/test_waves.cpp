@@ -1,4 +1,4 @@
-// Waves, and what water that accelerates does, against closed forms.
+// Waves, and forces in accelerating water, compared with analytical solutions.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -6,11 +6,11 @@
 
 #include "base/pi.hpp"
 #include "filled_model.hpp"
-#include "march/explicit_step.hpp"
-#include "march/march.hpp"
-#include "march/newton_step.hpp"
-#include "march/scheduled_conditions.hpp"
 #include "model/evaluate.hpp"
+#include "motion/explicit_step.hpp"
+#include "motion/newton_step.hpp"
+#include "motion/scheduled_conditions.hpp"
+#include "motion/time_integration.hpp"
 
 using namespace codend;
 
@@ -29,7 +29,7 @@ Waves regular(double height, double period, double depth) {
   return waves;
 }
 
-// A sphere of 0.3 m with the density of the water, C_D 0.47, added mass 0.5, at a place.
+// A sphere of 0.3 m with the density of the water, C_D 0.47, added mass 0.5, at a position.
 void make_float(Model& model, double density = 1025.0) {
   const double volume = pi / 6.0 * 0.027;
   model.nodes = 1;
@@ -66,7 +66,7 @@ struct Track {
 };
 
 // Positions of the only node, every 0.05 s.
-Track march_float(Model& model, const Schedule& schedule, Vector from, double until) {
+Track integrate_float(Model& model, const Schedule& schedule, Vector from, double until) {
   model.prepare();
   Motion start;
   start.x = start.v = Values::Zero(3);
@@ -75,17 +75,17 @@ Track march_float(Model& model, const Schedule& schedule, Vector from, double un
   ScheduledConditions conditions(model, assembly, schedule, start);
   conditions.to_time(0.0, Side::after, start);
   NewtonStep stepper(assembly, NewtonScheme::bdf2, {1e-5, 1e9, 1e-9}, start.x);
-  MarchControl control;
+  IntegrationControl control;
   control.adaptive = true;
   control.step = 1e-4;
   Past past;
   past.now = start;
-  March march(assembly, stepper, conditions, control, past);
+  TimeIntegration integration(assembly, stepper, conditions, control, past);
   Track out;
   for (double t = 0.0; t < until + 1e-6; t += 0.05) {
-    REQUIRE(march.to(t) == MarchReport::End::reached);
-    out.x.push_back(march.now().x[0]);
-    out.z.push_back(march.now().x[2]);
+    REQUIRE(integration.to(t) == IntegrationReport::End::reached);
+    out.x.push_back(integration.now().x[0]);
+    out.z.push_back(integration.now().x[2]);
   }
   return out;
 }
@@ -97,7 +97,7 @@ double range(const std::vector<double>& values) {
 
 }  // namespace
 
-TEST_CASE("waves are as long as dispersion says") {
+TEST_CASE("wave number satisfies the dispersion relation") {
   for (const double depth : {0.5, 3.0, 20.0, 300.0, 4000.0}) {
     for (const double period : {1.0, 4.0, 9.0, 16.0, 200.0}) {
       const double w = 2.0 * pi / period, k = wave_number(w, depth);
@@ -105,12 +105,12 @@ TEST_CASE("waves are as long as dispersion says") {
     }
   }
   CHECK(wave_number(2.0 * pi / 10.0, INFINITY) == doctest::Approx(4.0 * pi * pi / 981.0));
-  // Long waves run at sqrt(g d): off by (k d)^2 / 6.
+  // Long waves travel at sqrt(g d): error (k d)^2 / 6.
   const double w = 2.0 * pi / 1000.0, k = wave_number(w, 10.0);
   CHECK(w / k == doctest::Approx(std::sqrt(10.0 * gravity)).epsilon(1e-4));
 }
 
-TEST_CASE("the motion of waves keeps volume, follows its surface and has its own rates") {
+TEST_CASE("wave motion conserves volume, follows its surface and matches its rates") {
   for (const double depth : {0.0, 8.0}) {
     CAPTURE(depth);
     Waves waves = regular(0.6, 5.0, depth);
@@ -118,7 +118,7 @@ TEST_CASE("the motion of waves keeps volume, follows its surface and has its own
     waves.frequency.push_back(2.0 * pi / 3.0);
     waves.phase.push_back(2.0);
     waves.toward.push_back(-1.0);
-    waves.rising = 6.0;  // rates of the rise too
+    waves.rising = 6.0;  // includes the rates of the rise
     waves.prepare();
     const Vector place(3.0, -2.0, -1.5);
     const double h = 1e-4;
@@ -134,7 +134,7 @@ TEST_CASE("the motion of waves keeps volume, follows its surface and has its own
           doctest::Approx(here.slope_x).epsilon(1e-6));
     CHECK((moved(1, h).elevation - moved(1, -h).elevation) / (2.0 * h) ==
           doctest::Approx(here.slope_y).epsilon(1e-6));
-    // Without its stretching, which follows a surface that moves: in small waves.
+    // Without stretching, which follows a moving surface: in small waves.
     for (double& a : waves.amplitude) a *= 1e-6;
     const double divergence =
         (moved(0, h).velocity.x() - moved(0, -h).velocity.x() + moved(1, h).velocity.y() -
@@ -148,16 +148,16 @@ TEST_CASE("the motion of waves keeps volume, follows its surface and has its own
     const Vector rate = (after.at(place).velocity - before.at(place).velocity) / (2.0 * h);
     CHECK((rate - small.acceleration).norm() < 1e-5 * rate.norm());
     const Vector surface(3.0, -2.0, 0.0);
-    waves.rising = before.rising = after.rising = 1.0;  // risen
+    waves.rising = before.rising = after.rising = 1.0;  // fully risen
     const double rises = (after.at(surface).elevation - before.at(surface).elevation) / (2.0 * h);
     CHECK(waves.at(surface).velocity.z() == doctest::Approx(rises).epsilon(1e-5));
   }
 }
 
-TEST_CASE("waves are stretched to their surface and end at the bottom") {
+TEST_CASE("waves stretch to their surface and end at the bottom") {
   const Waves waves = regular(2.0, 6.0, 12.0);
   const double k = wave_number(waves.frequency[0], 12.0), a = 1.0, w = waves.frequency[0];
-  // Where cos q is 1, at time 4: the crest.
+  // The crest: cos q is 1, at time 4.
   const double s = (w * 4.0 - 0.3) / k;
   const Vector crest(s * std::cos(0.7), s * std::sin(0.7), 0.0);
   CHECK(waves.at(crest).elevation == doctest::Approx(a).epsilon(1e-12));
@@ -168,11 +168,12 @@ TEST_CASE("waves are stretched to their surface and end at the bottom") {
   CHECK(waves.at(crest - Vector(0, 0, 12.0)).velocity.z() == doctest::Approx(0.0));
 }
 
-// Morison, O'Brien, Johnson and Schaaf (J. Petroleum Tech. 2, 1950), integrated from the bottom to the
-// still water's surface, of a pile of diameter D in waves of amplitude a:
+// Morison, O'Brien, Johnson and Schaaf (J. Petroleum Tech. 2, 1950), integrated from the bottom to
+// the still water's surface, for a pile of diameter D in waves of amplitude a.
+//
 //   inertia  rho C_M pi D^2/4 a g tanh(k d) sin q
 //   drag     1/2 rho C_D D (a w)^2 (sinh(2 k d) + 2 k d)/(4 k sinh^2(k d)) cos q |cos q|
-TEST_CASE("the force of waves on a fixed pile is Morison's") {
+TEST_CASE("wave force on a fixed pile equals Morison's formula") {
   const double depth = 10.0, diameter = 0.4, amplitude = 1e-3, period = 5.0;
   const int bars = 400;
   FilledModel filled;
@@ -220,9 +221,10 @@ TEST_CASE("the force of waves on a fixed pile is Morison's") {
   CHECK(force_at(pi).x() == doctest::Approx(-drag).epsilon(5e-4));
 }
 
-TEST_CASE("a current that swings takes along what is in it, less where that is heavier") {
-  // At rest in water that begins at rest, of 1 m/s over 2 pi / 6 s, what is as heavy as water has no
-  // velocity to it, ever; without drag v = (rho V (1 + C_a) / (m + rho V C_a)) u.
+TEST_CASE("oscillating current carries bodies along, heavier ones less") {
+  // A body at rest in water at rest that starts to oscillate with 1 m/s over 2 pi / 6 s. If it is
+  // as heavy as water, it has no relative velocity. Without drag v = (rho V (1 + C_a) / (m + rho V
+  // C_a)) u.
   for (const double density : {1025.0, 2050.0}) {
     Model model;
     make_float(model, density);
@@ -231,14 +233,14 @@ TEST_CASE("a current that swings takes along what is in it, less where that is h
     Schedule schedule;
     schedule.current_x = {sine(1.0, 6.0, 12.0)};
     schedule.current_y = {sine(0.0, 6.0, 12.0)};
-    const Track track = march_float(model, schedule, {0.0, 0.0, -10.0}, 12.0);
+    const Track track = integrate_float(model, schedule, {0.0, 0.0, -10.0}, 12.0);
     const double share = 1.5 / (density / 1025.0 + 0.5);
-    // The steps' errors, 1e-5 m each, and a crest that lies between the times kept: 6e-4 of it.
+    // The steps' errors, 1e-5 m each, and a crest between the saved times, 6e-4 of the height.
     CHECK(range(track.x) == doctest::Approx(share * 2.0 * 6.0 / (2.0 * pi)).epsilon(2e-3));
   }
 }
 
-TEST_CASE("a particle in waves runs round its orbit") {
+TEST_CASE("particle in waves moves on its orbit") {
   for (const double depth : {0.0, 10.0}) {
     CAPTURE(depth);
     Model model;
@@ -246,14 +248,14 @@ TEST_CASE("a particle in waves runs round its orbit") {
     const double period = 6.0, height = 0.2, z = -4.0, w = 2.0 * pi / period;
     model.water.waves = regular(height, period, depth);
     model.water.waves.toward = {0.0};
-    const Track track = march_float(model, Schedule(), {0.0, 0.0, z}, 6.0);
+    const Track track = integrate_float(model, Schedule(), {0.0, 0.0, z}, 6.0);
     const double k = wave_number(w, depth > 0.0 ? depth : INFINITY), a = 0.5 * height;
     double across = a * std::exp(k * z), up = across;
     if (depth > 0.0) {
       across = a * std::cosh(k * (z + depth)) / std::sinh(k * depth);
       up = a * std::sinh(k * (z + depth)) / std::sinh(k * depth);
     }
-    // Second order is left out: k a = 0.011, and Stokes's drift adds as much to the way along x.
+    // Second order is neglected: k a = 0.011, and Stokes drift adds as much to the path along x.
     CHECK(range(track.x) == doctest::Approx(2.0 * across).epsilon(0.04));
     CHECK(range(track.z) == doctest::Approx(2.0 * up).epsilon(0.02));
   }

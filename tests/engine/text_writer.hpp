@@ -1,4 +1,4 @@
-// Writes a model as the text that TextSource reads: the other side of read_fields().
+// Writes a model as the text that TextSource reads: the inverse of read_fields().
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ class TextWriter {
  public:
   std::string text;
 
-  // cells: what stands in the list of cells, which a model divides when it is read. given: names of the
-  // optional groups that are written.
+  // cells: entries in the list of cells, which a model splits when it is read. given: names of the
+  // optional groups to write.
   TextWriter(CellList cells, std::set<std::string> given)
       : cells_(std::move(cells)), given_(std::move(given)) {}
 
@@ -51,8 +51,12 @@ class TextWriter {
   void group(const char* name, Struct& of) {
     const std::string outer = prefix_;
     prefix_ = path(name) + ".";
-    if constexpr (std::is_same_v<Struct, CellList>) of = cells_;
-    of.fields(*this);
+    if constexpr (std::is_same_v<Struct, DividedCells>) {
+      CellList cells = cells_;
+      cells.fields(*this);
+    } else {
+      of.fields(*this);
+    }
     prefix_ = outer;
   }
   template <class Struct>

@@ -1,5 +1,5 @@
-// Runs the example at the head of codend.hpp, which `make` takes from there, on a file of a gear's numbers,
-// and writes how far (m) the settled gear moved as it was marched.
+// Runs the example in the header of codend.hpp (`make` copies it) on a file of a gear's numbers.
+// Prints the displacement (m) of the settled gear during the time integration.
 //   header_example FILE
 #include <cstdio>
 #include <fstream>
@@ -13,6 +13,6 @@ int main(int count, char** arguments) {
   std::ifstream file(arguments[1], std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(file), {});
 #include "header_example.inc"
-  std::printf("%g\n", (march.now().x - start.x).cwiseAbs().maxCoeff());
-  return march.now().time == 10 ? 0 : 2;
+  std::printf("%g\n", (integration.now().x - start.x).cwiseAbs().maxCoeff());
+  return integration.now().time == 10 ? 0 : 2;
 }

@@ -1,8 +1,8 @@
-// Settles a model from a file and writes what it found to standard output.
+// Settles a model from a file and writes the solution to standard output.
 //   settle_file MODEL
-// The file and what is written are texts of arrays (base/text_source.hpp): `model`, with the fields of
-// Model, and `start`, positions of the nodes (m, 3 per node) from which the search begins.
-// Exit status: 0 settled, 1 the file cannot be read or is wrong, 2 no equilibrium was found.
+// Both are texts of arrays (base/text_source.hpp). The file has `model`, with the fields of Model,
+// and `start`, the initial positions of the nodes (m, 3 per node). Exit status: 0 settled, 1
+// unreadable or wrong file, 2 no equilibrium found.
 #include <cstdio>
 #include <exception>
 #include <fstream>

@@ -1,8 +1,9 @@
-// Settles a gear from a file of its numbers and writes its measures and their errors to standard output.
+// Settles a gear from a file of its numbers. Writes its measures and their errors to standard
+// output.
 //   settle_gear FILE NODES
-// The file and what is written are texts of arrays (base/text_source.hpp), the file's with the fields of
-// GearNumbers (measure/settled_gear.hpp).
-// Exit status: 0 settled, 1 the file cannot be read or is wrong, 2 no equilibrium was found.
+// Both are texts of arrays (base/text_source.hpp). The file has the fields of GearNumbers
+// (measure/settled_gear.hpp). Exit status: 0 settled, 1 unreadable or wrong file, 2 no equilibrium
+// found.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

@@ -1,6 +1,8 @@
-// Damages texts of random models, reads them and uses what is taken (../mutated_models.hpp).
+// Damages texts of random models, reads them and uses the accepted ones (../mutated_models.hpp).
+//
 //   try_models COUNT SEED
-// Exit status: 0 each was refused or harmless; else it ends as the first that was not.
+//
+// Exit status: 0 if all were rejected or harmless; else the status of the first failure.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

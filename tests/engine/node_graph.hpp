@@ -1,4 +1,4 @@
-// Graphs of nodes with places, and matrices of 3 x 3 blocks on them.
+// Graphs of nodes with positions, and matrices of 3 x 3 blocks on them.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@
 
 namespace codend {
 
-struct Mesh {
-  std::vector<double> places;  // three a node
+struct NodeGraph {
+  std::vector<double> places;  // three per node
   std::vector<std::vector<int>> neighbours;
 
   int nodes() const { return static_cast<int>(neighbours.size()); }
@@ -27,9 +27,9 @@ struct Mesh {
   BlockPattern pattern() const { return block_pattern(neighbours); }
 };
 
-// Nodes in rows and columns, each joined to the next along both.
-inline Mesh grid(int rows, int columns) {
-  Mesh mesh;
+// Nodes in rows and columns, each joined to the next one in both directions.
+inline NodeGraph grid(int rows, int columns) {
+  NodeGraph mesh;
   for (int i = 0; i < rows; ++i)
     for (int j = 0; j < columns; ++j) {
       const int k = mesh.add(j, i, 0.0);
@@ -39,7 +39,7 @@ inline Mesh grid(int rows, int columns) {
   return mesh;
 }
 
-// From -1 to 1, the same with every compiler.
+// Random numbers from -1 to 1, the same with every compiler.
 inline std::vector<double> random_vector(std::size_t size, unsigned seed) {
   std::mt19937 generator(seed);
   std::vector<double> v(size);
@@ -47,7 +47,7 @@ inline std::vector<double> random_vector(std::size_t size, unsigned seed) {
   return v;
 }
 
-// visit(row, column, the nine values) of every block.
+// Calls visit(row, column, nine values) for every block.
 template <class Values, class Visit>
 void each_block(const BlockPattern& pattern, Values& values, Visit visit) {
   for (int i = 0; i < pattern.n; ++i)
@@ -55,8 +55,8 @@ void each_block(const BlockPattern& pattern, Values& values, Visit visit) {
       visit(i, pattern.column[e], &values[9 * e]);
 }
 
-// Springs of stiffness(i, j) between neighbours, each with a share of itself that is not symmetric,
-// and `own` on every node.
+// Springs of stiffness(i, j) between neighbours, each with a non-symmetric fraction, and `own` on
+// every node.
 template <class Stiffness>
 std::vector<double> springs(const BlockPattern& pattern, Stiffness stiffness, double share,
                             double own, unsigned seed) {

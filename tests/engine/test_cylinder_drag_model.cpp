@@ -1,4 +1,4 @@
-// Drag laws where they leave the published coefficients, and their own derivatives.
+// Drag models where they deviate from the published coefficients, and their derivatives.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -21,9 +21,10 @@ double normal_at(CylinderLawKind kind, double re) { return at_reynolds(kind, re)
 
 }  // namespace
 
-TEST_CASE("where the laws leave the printed ones on purpose") {
+TEST_CASE("drag models join, switch and limit the published branches") {
   const CylinderLawKind choo = CylinderLawKind::choo_casarella;
-  // Branches of Choo and Casarella joined within 10 % of their switch, half of each on it.
+  // Branches of Choo and Casarella are joined within 10 % of their switch, half of each at the
+  // switch.
   const double s = -0.077215665 + std::log(8.0);
   const double creeping = 8.0 * pi / s * (1.0 - 0.87 / (s * s));
   CHECK(normal_at(choo, 1.0) == doctest::Approx(0.5 * (creeping + 10.0)).epsilon(1e-4));
@@ -35,31 +36,31 @@ TEST_CASE("where the laws leave the printed ones on purpose") {
   const double high = 0.401 * (1.0 - std::exp(-4.92e5 / 5.99e5));
   CHECK(normal_at(choo, 4.92e5) ==
         doctest::Approx(0.5 * (-3.41e-6 * (4.92e5 - 5.78e5) + high)).epsilon(1e-9));
-  // Outside the joins the printed branches.
+  // Outside the joins the published branches apply.
   CHECK(normal_at(choo, 0.5) == doctest::Approx([] {
                                   const double t = -0.077215665 + std::log(16.0);
                                   return 8.0 * pi / (0.5 * t) * (1.0 - 0.87 / (t * t));
                                 }())
-                                    .epsilon(3e-4));  // Re held above 0.01: (0.01/0.5)^2 / 2 = 2e-4
+                                    .epsilon(3e-4));  // Re >= 0.01: (0.01/0.5)^2 / 2 = 2e-4
   CHECK(normal_at(choo, 3e5) == doctest::Approx(-3.41e-6 * (3e5 - 5.78e5)).epsilon(1e-9));
   CHECK(normal_at(choo, 2e6) ==
         doctest::Approx(0.401 * (1.0 - std::exp(-2e6 / 5.99e5))).epsilon(1e-9));
 
-  // Takagi's branches are switched where they cross, near Re 117, not at the printed 200, where
-  // the force would jump from C_n 1.02 to 1.2.
+  // Takagi's branches switch where they cross, near Re 117. At the printed 200 the force would jump
+  // from C_n 1.02 to 1.2.
   CHECK(normal_at(CylinderLawKind::takagi, 116.0) ==
         doctest::Approx(std::pow(10.0, 0.7) * std::pow(116.0, -0.3)).epsilon(1e-6));
   CHECK(normal_at(CylinderLawKind::takagi, 118.0) == 1.2);
   CHECK(normal_at(CylinderLawKind::takagi, 199.0) == 1.2);
 
-  // The parabola of Cifuentes and Kim as printed up to Re Sn^2 = 100, then constant.
+  // The parabola of Cifuentes and Kim applies as printed up to Re Sn^2 = 100, then it is constant.
   auto parabola = [](double y) { return -3.2891e-5 * y * y + 0.00068 * y + 1.4253; };
   const CylinderLawKind kim = CylinderLawKind::cifuentes_kim;
   CHECK(normal_at(kim, 2000.0) == doctest::Approx(parabola(45.0)).epsilon(1e-12));
   CHECK(normal_at(kim, 1e6) == doctest::Approx(parabola(100.0)).epsilon(1e-12));
 }
 
-TEST_CASE("coefficients have no jumps and the slopes that they say") {
+TEST_CASE("drag coefficients are continuous and match their derivatives") {
   for (const CylinderLawKind kind :
        {CylinderLawKind::constant, CylinderLawKind::takagi, CylinderLawKind::choo_casarella,
         CylinderLawKind::cifuentes_kim}) {
@@ -77,12 +78,12 @@ TEST_CASE("coefficients have no jumps and the slopes that they say") {
       jump = std::max(jump, std::abs(a - before) / std::abs(a));
       before = a;
     }
-    // A step of 0.1 % in Re changes a power of 3 at most, or a join over 20 % of a jump of 40 %.
+    // A step of 0.1 % in Re changes a power of at most 3, or a join over 20 % of a jump of 40 %.
     CHECK(jump < 6e-3);
     for (double re = 1.3e-3; re < 1e7; re *= 1.37) {
       CAPTURE(re);
-      // Second order at h = 1e-5 Re: h^2/6 f''' is 2e-11 times the cube of a sharp join's 1/0.1,
-      // and rounding 2e-16 / 1e-5.
+      // Second order at h = 1e-5 Re: h^2/6 f''' is 2e-11 times the cube of a sharp join's 1/0.1;
+      // rounding is 2e-16 / 1e-5.
       const double h = 1e-5 * re;
       const CylinderCoefficients k = coefficients(re, 2.0 * re);
       const CylinderCoefficients n1 = coefficients(re + h, 2.0 * re);

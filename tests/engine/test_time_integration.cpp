@@ -1,4 +1,4 @@
-// Time schemes against closed forms, and the march's own promises.
+// Time schemes compared with analytical solutions, and properties of the time integration.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "base/pi.hpp"
-#include "march/schemes.hpp"
-#include "marched.hpp"
+#include "integrated.hpp"
+#include "motion/schemes.hpp"
 #include "oscillator.hpp"
 #include "random_model.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace codend;
 
-// accuracy: m, of a step of an adaptive scheme; infinite for steps of one length.
+// accuracy: m, of a step of an adaptive scheme; infinite for constant steps.
 std::unique_ptr<Stepper> stepper(const Scheme& scheme, Assembly& assembly, const Motion& start,
                                  double accuracy = std::numeric_limits<double>::infinity()) {
   StepAccuracy held_to;
@@ -29,18 +29,19 @@ int order_of(const Scheme& scheme, const Model& model, const Motion& start) {
   return stepper(scheme, assembly, start)->order();
 }
 
-// In steps that begin with one of so long (s).
-Motion march(const Model& model, const Motion& start, const Scheme& scheme, double until,
-             double step, MarchReport* report = nullptr,
-             double accuracy = std::numeric_limits<double>::infinity()) {
+// Integrates with steps that start at `step` (s).
+Motion integration(const Model& model, const Motion& start, const Scheme& scheme, double until,
+                   double step, IntegrationReport* report = nullptr,
+                   double accuracy = std::numeric_limits<double>::infinity()) {
   Assembly assembly(model);
   SteadyConditions conditions(model.held, start);
   const std::unique_ptr<Stepper> steps = stepper(scheme, assembly, start, accuracy);
-  return marched(assembly, *steps, conditions, start, until, step, std::isfinite(accuracy), report);
+  return integrated(assembly, *steps, conditions, start, until, step, std::isfinite(accuracy),
+                    report);
 }
 
-// A line of equal bars along z, z growing with the number of the node, half a bar's mass at each
-// end of a bar; in vacuum unless told.
+// A line of equal bars along z, with z increasing with the node number and half a bar's mass at
+// each end of a bar; in vacuum by default.
 struct String : FilledModel {
   Motion start;
   String(int bars, double length, double axial_stiffness, double mass_per_length) {
@@ -75,7 +76,7 @@ Vector momentum(const Model& model, const Motion& motion) {
   return sum;
 }
 
-// Time between the first and the last crossing of zero over the half swings between them.
+// Time between the first and the last zero crossing divided by the number of half periods.
 template <class Sample>
 double half_swing(double step, int steps, Sample sample) {
   double first = 0.0, last = 0.0, before = sample();
@@ -93,28 +94,28 @@ double half_swing(double step, int steps, Sample sample) {
 
 }  // namespace
 
-TEST_CASE("every scheme has the order of accuracy that it says, on a smooth motion") {
+TEST_CASE("every scheme reaches its order of accuracy on a smooth motion") {
   const Oscillator o;
   for (const Scheme& scheme : schemes()) {
     CAPTURE(scheme.name);
     // After 1 s: 0.1 m cos(10 t).
     auto error = [&](double step) {
-      const Motion end = march(o.model, o.at_rest(), scheme, 1.0, step);
+      const Motion end = integration(o.model, o.at_rest(), scheme, 1.0, step);
       return std::hypot(end.x[3] - 0.1 * std::cos(10.0), 0.1 * (end.v[3] + std::sin(10.0)));
     };
-    // h w = 0.01 and 0.005: the next term of the error is smaller by some 1e-2.
+    // h w = 0.01 and 0.005: the next term of the error is smaller by about 1e-2.
     const double slope = std::log2(error(1e-3) / error(5e-4));
     CHECK(slope == doctest::Approx(order_of(scheme, o.model, o.at_rest())).epsilon(0.02));
   }
 }
 
-TEST_CASE("an unknown scheme is refused with the names of those that there are") {
+TEST_CASE("unknown scheme throws an error that lists the known schemes") {
   CHECK(scheme_named(schemes().front().name).name == std::string(schemes().front().name));
   CHECK_THROWS_WITH_AS(scheme_named("euler"), doctest::Contains(schemes().front().name),
                        std::invalid_argument);
 }
 
-TEST_CASE("a hanging chain swings at its lowest frequency") {
+TEST_CASE("hanging chain swings at its lowest frequency") {
   // w = j0/2 sqrt(g/L), j0 = 2.404826 the first zero of the Bessel function J0.
   const int bars = 40;
   const double length = 10.0;
@@ -124,7 +125,7 @@ TEST_CASE("a hanging chain swings at its lowest frequency") {
     at(chain.model.load.data(), n).z() = -gravity * chain.model.mass[n];
   }
   Assembly assembly(chain.model);
-  // Stretched as it hangs, and its free end set off as the mode J0(j0 sqrt(s/L)) is, nearly.
+  // Stretched by its weight; the initial velocity is nearly the mode J0(j0 sqrt(s/L)).
   double z = length;
   for (int n = bars; n >= 0; --n) {
     const double s = n * length / bars;
@@ -136,23 +137,24 @@ TEST_CASE("a hanging chain swings at its lowest frequency") {
   SteadyConditions conditions(chain.model.held, chain.start);
   const std::unique_ptr<Stepper> scheme =
       stepper(scheme_named("generalised_alpha"), assembly, chain.start);
-  MarchControl control;
+  IntegrationControl control;
   control.step = 0.02;
   Past past;
   past.now = chain.start;
-  March march(assembly, *scheme, conditions, control, past);
+  TimeIntegration integration(assembly, *scheme, conditions, control, past);
   int k = 0;
-  const double period = 2.0 * half_swing(control.step, 1000, [&] {
-                          REQUIRE(march.to(++k * control.step) == MarchReport::End::reached);
-                          return march.now().x[0];
-                        });
+  const double period =
+      2.0 * half_swing(control.step, 1000, [&] {
+        REQUIRE(integration.to(++k * control.step) == IntegrationReport::End::reached);
+        return integration.now().x[0];
+      });
   const double exact = 2.0 * pi / (0.5 * 2.404826 * std::sqrt(gravity / length));
-  // (w h)^2/12 = 5e-6 of the rule, 1/(4 bars)^2 = 4e-5 of the lumped chain; 1e-3 in all with the
-  // linear crossing of zero and the small share of other modes.
+  // (w h)^2/12 = 5e-6 from the rule, 1/(4 bars)^2 = 4e-5 from the lumped chain; 1e-3 in total with
+  // the linear zero crossing and small contributions of other modes.
   CHECK(period == doctest::Approx(exact).epsilon(1e-3));
 }
 
-TEST_CASE("a sphere from rest sinks as tanh with every scheme") {
+TEST_CASE("sphere sinks from rest as tanh with every scheme") {
   // 0.3 m and 2000 kg/m3 in water of 1025 kg/m3, C_D 0.47, added mass 0.5.
   FilledModel sinker;
   Model& model = sinker.model;
@@ -169,16 +171,16 @@ TEST_CASE("a sphere from rest sinks as tanh with every scheme") {
   const Motion start = sinker.at_rest();
   for (const Scheme& scheme : schemes()) {
     CAPTURE(scheme.name);
-    const Motion end = march(model, start, scheme, 1.0, 1e-3);
+    const Motion end = integration(model, start, scheme, 1.0, 1e-3);
     const bool first_order = order_of(scheme, model, start) == 1;
-    // h/tau = 1.4e-3 of the speed gained, times the curvature's 1 or less.
+    // h/tau = 1.4e-3 of the speed gained, times a curvature of 1 or less.
     CHECK(-end.v[2] == doctest::Approx(2.8180971 * std::tanh(1.0 / 0.74026701))
                            .epsilon(first_order ? 1.5e-3 : 1e-6));
   }
 }
 
-TEST_CASE("a net that flies free in vacuum keeps its momentum and its energy") {
-  // A ring of 12 taut bars with slack ones across, thrown and turning.
+TEST_CASE("free net in vacuum conserves momentum and energy") {
+  // A ring of 12 taut bars with slack ones across, thrown and rotating.
   String net(12, 12.0, 500.0, 0.5);
   Random random(20260460);
   for (int n = 0; n < 13; ++n) {
@@ -192,16 +194,16 @@ TEST_CASE("a net that flies free in vacuum keeps its momentum and its energy") {
   net.model.prepare();
   const Vector before = momentum(net.model, net.start);
   const double energy = net.energy(net.start);
-  // w h = 0.045 for the fastest swing of a bar. The explicit schemes and the substituted trapezoid
-  // shift the energy by (w h)^2; BDF2 damps what swings that fast by (w h)^4/2 a step, 1e-2 in all,
-  // generalised alpha less.
+  // w h = 0.045 for the fastest oscillation of a bar. The explicit schemes and the substituted
+  // trapezoid shift the energy by (w h)^2. BDF2 damps such oscillations by (w h)^4/2 a step, 1e-2
+  // in total; generalised alpha damps less.
   for (const Scheme& scheme : schemes()) {
     CAPTURE(scheme.name);
-    const Motion end = march(net.model, net.start, scheme, 5.0, 1e-3);
-    // 5000 steps, each found to 1e-13 m or rounding: p^2 M dx = 1e-7 kg m/s2 over 1 ms.
+    const Motion end = integration(net.model, net.start, scheme, 5.0, 1e-3);
+    // 5000 steps, each solved to 1e-13 m or rounding: p^2 M dx = 1e-7 kg m/s2 over 1 ms.
     CHECK((momentum(net.model, end) - before).norm() < 1e-7 * before.norm());
     const double drift = net.energy(end) / energy - 1.0;
-    // Those that know their error solve by Newton's method, and damp.
+    // Schemes with an error estimate use Newton's method, and damp.
     const bool damps = scheme.adaptive;
     const bool second_order = damps && order_of(scheme, net.model, net.start) == 2;
     if (damps) CHECK(drift < 0.0);
@@ -210,17 +212,17 @@ TEST_CASE("a net that flies free in vacuum keeps its momentum and its energy") {
   }
 }
 
-TEST_CASE("an adaptive step holds its accuracy and grows when nothing happens") {
+TEST_CASE("adaptive steps keep their accuracy and grow at rest") {
   const Oscillator o;
   for (const Scheme& scheme : schemes()) {
     if (!scheme.adaptive) continue;
     CAPTURE(scheme.name);
     double last = 1.0;
     for (const double accuracy : {1e-4, 1e-6}) {
-      MarchReport report;
-      const Motion end = march(o.model, o.at_rest(), scheme, 1.0, 1e-3, &report, accuracy);
+      IntegrationReport report;
+      const Motion end = integration(o.model, o.at_rest(), scheme, 1.0, 1e-3, &report, accuracy);
       const double error = std::abs(end.x[3] - 0.1 * std::cos(10.0));
-      // An undamped swing adds up the errors of its steps, in position and in velocity over w.
+      // The errors of steps accumulate in an undamped oscillation: position, and velocity over w.
       CHECK(error < 2.0 * accuracy * static_cast<double>(report.steps));
       CHECK(error < last);
       last = error;
@@ -228,43 +230,43 @@ TEST_CASE("an adaptive step holds its accuracy and grows when nothing happens") 
   }
   Oscillator still;
   still.x[3] = 0.0;
-  MarchReport report;
+  IntegrationReport report;
   const Motion end =
-      march(still.model, still.at_rest(), scheme_named("bdf2"), 500.0, 1e-3, &report, 1e-3);
+      integration(still.model, still.at_rest(), scheme_named("bdf2"), 500.0, 1e-3, &report, 1e-3);
   CHECK(end.x[3] == 0.0);
   CHECK(report.longest_step == doctest::Approx(60.0));
   CHECK(report.steps < 40);
 }
 
-TEST_CASE("an adaptive march takes at least two steps per requested interval") {
+TEST_CASE("adaptive integration takes at least two steps per requested interval") {
   const Oscillator o;
   Assembly assembly(o.model);
   SteadyConditions conditions(o.model.held, o.at_rest());
   const std::unique_ptr<Stepper> steps = stepper(scheme_named("bdf2"), assembly, o.at_rest(), 1.0);
-  MarchControl control;
+  IntegrationControl control;
   control.adaptive = true;
   control.step = 1e-3;
   Past past;
   past.now = o.at_rest();
-  March march(assembly, *steps, conditions, control, past);
+  TimeIntegration integration(assembly, *steps, conditions, control, past);
   const double interval = 0.01;
   double error = 0.0;
   for (int k = 1; k <= 100; ++k) {
-    REQUIRE(march.to(k * interval) == MarchReport::End::reached);
-    error = std::max(error, std::abs(march.now().x[3] - 0.1 * std::cos(10.0 * k * interval)));
+    REQUIRE(integration.to(k * interval) == IntegrationReport::End::reached);
+    error = std::max(error, std::abs(integration.now().x[3] - 0.1 * std::cos(10.0 * k * interval)));
   }
-  CHECK(march.report().longest_step == doctest::Approx(0.5 * interval));
-  // BDF2 delays a swing by (w h)^2 / 3 of its phase w t = 10, with w h = 0.05.
+  CHECK(integration.report().longest_step == doctest::Approx(0.5 * interval));
+  // BDF2 delays an oscillation by (w h)^2 / 3 of its phase w t = 10, with w h = 0.05.
   CHECK(error < 1.05 * 0.1 * 10.0 * 0.05 * 0.05 / 3.0);
 }
 
-TEST_CASE("an explicit step that is too long is cut to what is stable") {
+TEST_CASE("explicit scheme shortens an unstable step to the stable length") {
   const Oscillator o;
   for (const Scheme& scheme : schemes()) {
     if (scheme.adaptive) continue;
     CAPTURE(scheme.name);
-    MarchReport report;
-    const Motion end = march(o.model, o.at_rest(), scheme, 20.0, 1.0, &report);
+    IntegrationReport report;
+    const Motion end = integration(o.model, o.at_rest(), scheme, 20.0, 1.0, &report);
     CHECK(std::abs(end.x[3]) < 0.2);
     // w = 10 1/s exactly: below 2/w, or 2.78/w with RK4.
     CHECK(report.longest_step < (order_of(scheme, o.model, o.at_rest()) == 4 ? 0.278 : 0.2));
@@ -272,22 +274,24 @@ TEST_CASE("an explicit step that is too long is cut to what is stable") {
   }
 }
 
-TEST_CASE("a damper takes the energy out of a swing at its rate") {
-  // 1 kg on 100 N/m with c_physical = 2 z w m in all: x = 0.1 exp(-z w t) cos(w sqrt(1 - z^2) t) ..
+TEST_CASE("damper removes the energy of an oscillation at its rate") {
+  // 1 kg on 100 N/m with c_physical = 2 z w m in total: x = 0.1 exp(-z w t) cos(w sqrt(1 - z^2) t)
+  // ..
   Oscillator o;
   const double ratio = 0.05, rate = 10.0;
-  // Two bars of 1 m: 2 c / L0^2 = 2 z w m, and the table holds c/L0.
+  // Two bars of 1 m: 2 c / L0^2 = 2 z w m, and the table contains c/L0.
   o.model.materials[0].damping = ratio * rate;
   o.model.prepare();
-  const Motion end = march(o.model, o.at_rest(), scheme_named("generalised_alpha"), 1.0, 1e-3);
+  const Motion end =
+      integration(o.model, o.at_rest(), scheme_named("generalised_alpha"), 1.0, 1e-3);
   const double w = rate * std::sqrt(1.0 - ratio * ratio);
   const double exact = 0.1 * std::exp(-ratio * rate) *
                        (std::cos(w) + ratio / std::sqrt(1.0 - ratio * ratio) * std::sin(w));
   CHECK(end.x[3] == doctest::Approx(exact).epsilon(1e-3));  // (w h)^2/12 of w t = 10
 }
 
-TEST_CASE("curves are cubics between their ends, with jumps") {
-  // t^3 on [0, 2], then 5 for good.
+TEST_CASE("curves are cubics between their ends and may jump") {
+  // t^3 on [0, 2], then constantly 5.
   Curve curve{{0.0, 2.0, 3.0}, {0.0, 5.0}, {8.0, 5.0}, {0.0, 0.0}, {12.0, 0.0}};
   double value, rate;
   for (const double t : {0.1, 0.7, 1.9}) {

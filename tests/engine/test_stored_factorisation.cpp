@@ -4,36 +4,36 @@
 #include <cmath>
 #include <vector>
 
-#include "meshes.hpp"
-#include "solve/kept_factors.hpp"
+#include "node_graph.hpp"
+#include "solve/stored_factorisation.hpp"
 
 namespace {
 
-using codend::KeptFactors;
+using codend::StoredFactorisation;
 
 Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& v) {
   return {v.data(), static_cast<Eigen::Index>(v.size())};
 }
 
 struct Case {
-  codend::Mesh mesh = codend::grid(12, 9);
+  codend::NodeGraph mesh = codend::grid(12, 9);
   codend::BlockPattern pattern = mesh.pattern();
-  KeptFactors factors{pattern, mesh.places};
+  StoredFactorisation factors{pattern, mesh.places};
   std::vector<double> scale = std::vector<double>(12 * 9, 1.0);
   std::vector<double> b = codend::random_vector(3 * 12 * 9, 1), x = b;
 
-  // Equal springs, a mass on every node, and up to 0.1 that is not symmetric.
+  // Equal springs, a mass on every node, and a non-symmetric part of up to 0.1.
   std::vector<double> matrix(double stiffness, unsigned seed) const {
     const auto same = [&](int, int) { return stiffness; };
     return codend::springs(pattern, same, 0.1 / stiffness, 2.0, seed);
   }
 
-  // What is left of the right side.
+  // Residual.
   Eigen::VectorXd left(const std::vector<double>& values) const {
     return as_vector(b) - codend::dense(pattern, values) * as_vector(x);
   }
 
-  // What is left over what may be left, after a solution.
+  // Ratio of the residual to the allowed residual after a solution.
   double left(const std::vector<double>& values, double share) {
     REQUIRE(factors.solve(b, scale, {share, 0.0}, x));
     return left(values).norm() / (share * as_vector(b).norm());
@@ -42,15 +42,15 @@ struct Case {
 
 }  // namespace
 
-TEST_CASE("kept factors solve what follows, and make way where they cost more") {
+TEST_CASE("stored factorisation solves similar matrices and is renewed when costly") {
   Case c;
   const std::vector<double> first = c.matrix(100.0, 1);
   c.factors.set_matrix(first, true);
-  // Residuals come from the same recurrence in rounded numbers: hence a hundredth above.
+  // The residual follows from the same recurrence with rounding, hence 1 % above.
   CHECK(c.left(first, 1e-6) <= 1.01);
   CHECK(c.factors.factorisations() == 1);
   const std::vector<double> alike = c.matrix(100.001, 1);
-  // So small a sheet is worth one iteration with old factors.
+  // One iteration with the old factorisation is cheaper than a new factorisation.
   c.factors.set_matrix(alike, false);
   CHECK(c.left(alike, 1e-3) <= 1.01);
   CHECK(c.factors.factorisations() == 1);
@@ -60,8 +60,8 @@ TEST_CASE("kept factors solve what follows, and make way where they cost more") 
   CHECK(c.factors.factorisations() == 2);
 }
 
-TEST_CASE("kept factors solve what single precision cannot") {
-  // Condition about 1e12: the residual in double precision is 1e-16 of that at best.
+TEST_CASE("stored factorisation solves beyond single precision") {
+  // Condition about 1e12: the residual in double precision is 1e-16 times that at best.
   Case c;
   const std::vector<double> stiff = c.matrix(1e11, 1);
   c.factors.set_matrix(stiff, true);
@@ -70,10 +70,11 @@ TEST_CASE("kept factors solve what single precision cannot") {
   CHECK((as_vector(c.x) - exact).norm() < 1e-2 * exact.norm());
 }
 
-TEST_CASE("what is allowed is judged row by row") {
+TEST_CASE("stored factorisation applies the allowed residual row by row") {
   Case c;
   const std::vector<double> values = c.matrix(100.0, 1);
-  // Half of the rows have forces a million times larger, and as much is allowed there.
+  // Half of the rows have forces a million times larger, and the allowed residual there is larger
+  // too.
   for (std::size_t i = 0; i < c.scale.size() / 2; ++i) {
     c.scale[i] = 1e6;
     for (std::size_t k = 0; k < 3; ++k) c.b[3 * i + k] *= 1e6;
@@ -86,7 +87,7 @@ TEST_CASE("what is allowed is judged row by row") {
   }
 }
 
-TEST_CASE("nodes that are left out stay, and all others move as without them") {
+TEST_CASE("omitted nodes stay and the other nodes move as without them") {
   Case c;
   std::vector<double> values = c.matrix(100.0, 1);
   std::vector<char> out(c.scale.size(), 0);
@@ -103,7 +104,7 @@ TEST_CASE("nodes that are left out stay, and all others move as without them") {
   for (std::size_t i = 0; i < c.b.size(); ++i) {
     if (out[i / 3]) CHECK(c.x[i] == 0.0);
   }
-  // and all take part again
+  // all nodes take part again
   const std::vector<double> all = c.matrix(100.0, 1);
   c.b = codend::random_vector(c.b.size(), 2);
   c.factors.leave_out({});
@@ -111,7 +112,7 @@ TEST_CASE("nodes that are left out stay, and all others move as without them") {
   CHECK(c.left(all, 1e-8) <= 1.01);
 }
 
-TEST_CASE("factors that forget give the bytes of new ones") {
+TEST_CASE("stored factorisation after forget() gives the bytes of a new one") {
   Case used, fresh;
   const std::vector<double> before = used.matrix(90.0, 3), now = used.matrix(100.0, 1);
   used.factors.set_matrix(before, true);

@@ -1,4 +1,4 @@
-// Lattices of a small gear: they hold its twine and mass, and shapes are carried between them exactly.
+// Meshes of a small gear: they contain its twine and mass, and shapes are transferred exactly.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,21 +19,22 @@ double sum(const std::vector<double>& x) { return std::accumulate(x.begin(), x.e
 
 TEST_CASE("sheets between bars have the area of their panel") {
   const Gear gear = hanging_panel(true, MeshOrientation::diamond, NettingDrag::loland);
-  const Lattice lattice = lattice_of(gear, 400);
+  const Mesh mesh = mesh_of(gear, 400);
   const GearPanel& panel = gear.panels[0];
   const double knots = panel.bar_count() * pi / 4 * 0.004 * 0.004;
   const double area = panel.bar_count() * panel.cell_twine() * 0.002 + knots;
-  CHECK(sum(lattice.screens.twine_area) == doctest::Approx(area).epsilon(1e-9));
+  CHECK(sum(mesh.screens.twine_area) == doctest::Approx(area).epsilon(1e-9));
 }
 
-TEST_CASE("strains linear along and across each family are carried, and others held at the ends") {
+TEST_CASE("mesh transfer reproduces strains that are linear along each bar family") {
   for (const bool from_bars : {false, true}) {
     for (const bool to_bars : {false, true}) {
-      const Gear old_gear = hanging_panel(from_bars, MeshOrientation::diamond, NettingDrag::twines);
-      const Gear new_gear = hanging_panel(to_bars, MeshOrientation::diamond, NettingDrag::twines);
-      const Lattice coarse = lattice_of(old_gear, 400), fine = lattice_of(new_gear, 2000);
-      const auto map = [](const Gear& gear, const Lattice& lattice) {
-        return part_map(gear, lattice.division, lattice.nodes, lattice.panels);
+      const Gear old_gear =
+          hanging_panel(from_bars, MeshOrientation::diamond, NettingDrag::morison);
+      const Gear new_gear = hanging_panel(to_bars, MeshOrientation::diamond, NettingDrag::morison);
+      const Mesh coarse = mesh_of(old_gear, 400), fine = mesh_of(new_gear, 2000);
+      const auto map = [](const Gear& gear, const Mesh& mesh) {
+        return part_map(gear, mesh.division, mesh.nodes, mesh.panels);
       };
       const LineMap from = line_map(old_gear, coarse), to = line_map(new_gear, fine);
       const PartMap from_map = map(old_gear, coarse), to_map = map(new_gear, fine);
@@ -56,9 +57,9 @@ TEST_CASE("strains linear along and across each family are carried, and others h
         off = std::max(off, std::abs(carried[k] - linear(places[k])));
       }
       CHECK(inner > 500);
-      // Depths are told apart to 1e-6 of the panel's.
+      // Depths are matched to 1e-6 of the panel's depth.
       CHECK(off < 3e-6);
-      // The middles of the rope's bars, weighed by their lengths, lie about its own.
+      // The midpoints of the rope's bars, weighted by length, are centred on the rope's middle.
       double weighed = 0.0, whole = 0.0;
       for (std::size_t b = 0; b < to.bar_part.size(); ++b) {
         if (to.bar_part[b] != 0) continue;
@@ -70,13 +71,14 @@ TEST_CASE("strains linear along and across each family are carried, and others h
   }
 }
 
-TEST_CASE("levels grow by the ratio from the coarsest") {
+TEST_CASE("mesh levels grow by a fixed ratio from the coarsest") {
   CHECK(coarse_levels(300).empty());
   CHECK(coarse_levels(501) == std::vector<double>{250});
   CHECK(coarse_levels(1e4) == std::vector<double>{250, 1e4 / 7});
   CHECK(coarse_levels(1e5) == std::vector<double>{250, 1e5 / 49, 1e5 / 7});
   CHECK(coarse_levels(500).empty());
-  // From 250 nodes alone the pair trawl's errors were told 6 times too large, and of the cage's 71 % held.
+  // With one level of 250 nodes, errors of the pair trawl were estimated 6 times too large. For the
+  // cage, only 71 % of the errors were within the estimate.
   for (const double nodes : {1000.0, 1500.0, 3000.0, 5000.0}) {
     const std::vector<double> levels = coarse_levels(nodes);
     CHECK(std::is_sorted(levels.begin(), levels.end()));
@@ -85,14 +87,14 @@ TEST_CASE("levels grow by the ratio from the coarsest") {
   }
 }
 
-TEST_CASE("what does not fit a gear is refused by name") {
-  Gear gear = hanging_panel(false, MeshOrientation::diamond, NettingDrag::twines);
-  const Lattice lattice = lattice_of(gear, 80);
+TEST_CASE("meshing rejects fields that do not fit the gear by name") {
+  Gear gear = hanging_panel(false, MeshOrientation::diamond, NettingDrag::morison);
+  const Mesh mesh = mesh_of(gear, 80);
   FromShape from;
   from.given = true;
-  from.map = part_map(gear, lattice.division, lattice.nodes, lattice.panels);
+  from.map = part_map(gear, mesh.division, mesh.nodes, mesh.panels);
   from.position.assign(3, 0.0);
-  CHECK_THROWS_AS(lattice_of(gear, 80, from), InputError);
+  CHECK_THROWS_AS(mesh_of(gear, 80, from), InputError);
   gear.rope_count = 2;
-  CHECK_THROWS_WITH_AS(lattice_of(gear, 80), "rope_count is 2, but 1 are given", InputError);
+  CHECK_THROWS_WITH_AS(mesh_of(gear, 80), "rope_count is 2, but 1 are given", InputError);
 }
