@@ -1,4 +1,4 @@
-test_that("one function raises every error, with its class and its fields", {
+test_that("abort_as() raises every error with its class and fields", {
   code <- asNamespace("codend")
   raises <- function(name) {
     f <- get(name, code)
@@ -10,7 +10,7 @@ test_that("one function raises every error, with its class and its fields", {
   e <- expect_error(abort_argument("{.arg length} is {.val {length}}."))
   expect_s3_class(e, c("codend_error_argument", "codend_error"))
   expect_match(conditionMessage(e), "`length` is \"long\".", fixed = TRUE)
-  # what a plan or a user wrote is told as it is
+  # strings of a plan or user appear unchanged
   e <- expect_error(abort_plan("a {b} <c>", "path", 3))
   expect_s3_class(e, c("codend_error_plan", "codend_error"))
   expect_identical(conditionMessage(e), "a {b} <c>")

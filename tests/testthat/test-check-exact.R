@@ -1,16 +1,16 @@
-# Every map of a schema's node has, by default, a field for each that it knows, of a name that
-# begins with that one's.
+# Adds to every map of a schema node a default field per known field, whose name starts with that
+# field's name.
 with_longer_names <- function(node) {
   for (part in intersect(c("items", "additionalProperties"), names(node))) {
     node[[part]] <- with_longer_names(node[[part]])
   }
   node$choices <- lapply(node$choices, with_longer_names)
-  # a measure is the one field of its map
+  # a measure is the only field of its map
   if (length(node$properties) && is.null(node$maxProperties)) {
     node$properties <- lapply(node$properties, with_longer_names)
     longer <- paste0(names(node$properties), "_longer")
     node$defaults[longer] <- list("longer")
-    # a kind of gear hands its own on to what it stands for
+    # a kind of gear passes its fields on to the parts it expands to
     if (is.null(node$additionalProperties)) {
       node$additionalProperties <- list(shape = "any", choices = list(list(shape = "string")))
       node$propertyNames <- list(pattern = "_longer$")
@@ -27,7 +27,7 @@ without_longer <- function(tree) {
   tree
 }
 
-# What `code` finds where plans are checked by other nodes of their kinds.
+# The result of `code` while plans are checked by other nodes of their kinds.
 under_nodes <- function(nodes, code) {
   package <- asNamespace("codend")
   own <- package$kind_node
@@ -41,10 +41,10 @@ under_nodes <- function(nodes, code) {
   code
 }
 
-test_that("a new field whose name begins with another's changes nothing of any shipped gear", {
+test_that("reading ignores new fields whose names begin like existing ones", {
   gears <- lapply(setNames(nm = gears()$name), read_gear)
   changed <- lapply(lapply(setNames(nm = plan_kinds), kind_node), with_longer_names)
-  # of a collar that is held no other field may be given
+  # a fixed collar accepts no other field
   changed$cage$properties$collar <- kind_node("cage")$properties$collar
   for (name in names(gears)) {
     with <- under_nodes(changed, as_gear(gears[[name]]$plan))
@@ -53,8 +53,8 @@ test_that("a new field whose name begins with another's changes nothing of any s
   }
 })
 
-test_that("a script reads plans, gears and SI numbers exactly", {
-  # scripts find R's `$`, tests that of the package
+test_that("`$` reads plans, gears and SI numbers by exact names", {
+  # scripts use R's `$`, tests the package's
   script <- function(code, ...) eval(substitute(code), list(...), globalenv())
   gear <- read_gear("beam_trawl")
   expect_null(script(gear$plan$tow, gear = gear))

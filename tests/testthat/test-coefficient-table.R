@@ -1,4 +1,4 @@
-# Coefficients that the engine's forces have, against values of other programs and of tests.
+# Coefficients of the engine's forces, compared with values of other programs and of experiments.
 
 computed <- function(...) {
   table <- force_coefficients(...)
@@ -6,7 +6,7 @@ computed <- function(...) {
   table
 }
 
-# Computed and published values of one place, in one row.
+# Computed and published values of one case in one row.
 beside_published <- function(table, force) {
   of <- table[table$force == force, ]
   by <- c("law", "by", "angle_deg", "solidity", "coefficient")
@@ -25,39 +25,39 @@ test_that("twines have the published drag and lift by angle", {
   expect_lt(max(abs(table$value - table$value_published)), printed)
 })
 
-test_that("twines across the flow follow the Reynolds number as published", {
+test_that("twines across the flow follow the published Reynolds dependence", {
   for (law in c("takagi", "choo_casarella")) {
     file <- system.file("extdata", "published-coefficients.csv", package = "codend")
     rows <- utils::read.csv(file)
     rows <- rows[rows$force == "twine" & rows$law == law, ]
     found <- twine_specimens(law, rep(pi / 2, nrow(rows)), rows$reynolds, 0.2)$drag
-    # Where a formula's printed branches do not meet codend goes over from one to the other:
-    # choo_casarella within 10 % of Re = 1 and 30; takagi from 117, where they do meet, not 200.
+    # codend blends printed branches that do not meet: choo_casarella within 10 % of Re = 1 and 30.
+    # The branches of takagi meet at 117, where codend switches, not at 200.
     joined <- law == "choo_casarella" & rows$reynolds %in% c(1, 30)
-    # Half of the last digit printed, 5e-5, and that the engine holds Re above 0.01 smoothly, which
-    # adds 5e-5 to Re = 1.
+    # Half of the last digit printed, 5e-5. The engine also limits Re smoothly to 0.01 or more,
+    # which adds 5e-5 at Re = 1.
     expect_lt(max(abs(found - rows$value)[!joined]), 1.5e-4)
     expect_lt(max(abs(found / rows$value - 1)), 0.15)
   }
 })
 
-test_that("the force along a twine by Choo and Casarella is as printed", {
-  # Their force per length at equal speeds along and across the axis, on 1/2 rho U_t^2 d; values of
-  # H. Cheng's program at these Reynolds numbers, converted.
+test_that("force along a twine follows Choo and Casarella", {
+  # Their force per length at equal speeds along and across the axis, relative to 1/2 rho U_t^2 d.
+  # Values: H. Cheng's program at these Reynolds numbers, converted.
   reynolds <- c(10, 100, 1000, 10000)
   found <- twine_specimens("choo_casarella", rep(pi / 4, 4), reynolds * sqrt(2), 0.2)
   along <- (found$drag - found$lift) * cos(pi / 4) * 2
   expect_equal(along, c(1.3378, 0.4593, 0.1621, 0.0591), tolerance = 1e-3)
 })
 
-test_that("netting as a screen has the published drag and lift", {
+test_that("netting screens have the published drag and lift", {
   solidity <- c(0.1, 0.15, 0.2, 0.25, 0.3, 0.35)
   table <- beside_published(computed(solidity = solidity), "netting")
   table <- table[table$law != "kristiansen_faltinsen", ]
   expect_equal(nrow(table), 2 * 2 * 7 * 6)
   expect_lt(max(abs(table$value - table$value_published)), printed)
   for (sn in solidity) {
-    # Theirs takes the speed between the twines: Re (1 - Sn) = 1000.
+    # Their model uses the speed between the twines: Re (1 - Sn) = 1000.
     table <- beside_published(computed(reynolds = 1000 * (1 - sn), solidity = sn), "netting")
     table <- table[table$law == "kristiansen_faltinsen", ]
     expect_equal(nrow(table), 14)
@@ -65,19 +65,19 @@ test_that("netting as a screen has the published drag and lift", {
   }
 })
 
-test_that("netting across the flow drags as its twines, and blends into a screen", {
+test_that("netting drag equals the sum of twines and blends into a screen", {
   table <- computed(solidity = 0.2)
   drag <- function(law, angle) {
     table$value[table$force == "netting" & table$law == law & table$angle_deg == angle &
       table$coefficient == "drag"]
   }
   # C_n times the twines' area over the netting's.
-  expect_equal(drag("twines", 0), 1.2 * 0.2, tolerance = 1e-12)
-  # Along the flow half of the twines lie along it, half across.
-  expect_equal(drag("twines", 90), (1.2 + 0.1) * 0.1, tolerance = 1e-12)
-  expect_equal(drag("blended", 60), drag("twines", 60), tolerance = 1e-12)
-  # The twines' area counts crossings twice: 2 d/a for 2 d/a - (d/a)^2.
-  expect_lt(drag("blended", 80), 0.3 * drag("twines", 80))
+  expect_equal(drag("morison", 0), 1.2 * 0.2, tolerance = 1e-12)
+  # Along the flow half of the twines are parallel to it, half across.
+  expect_equal(drag("morison", 90), (1.2 + 0.1) * 0.1, tolerance = 1e-12)
+  expect_equal(drag("blended", 60), drag("morison", 60), tolerance = 1e-12)
+  # The twines' area counts crossings twice: 2 d/a instead of 2 d/a - (d/a)^2.
+  expect_lt(drag("blended", 80), 0.3 * drag("morison", 80))
 })
 
 test_that("boards and kites have their published values", {
@@ -87,20 +87,20 @@ test_that("boards and kites have their published values", {
   }
 })
 
-test_that("knots drag as White's formula and near what spheres were measured below the crisis", {
+test_that("knot drag follows White's formula and measured spheres", {
   file <- system.file("extdata", "published-coefficients.csv", package = "codend")
   rows <- subset(utils::read.csv(file), force == "sphere")
   rows$found <- sphere_specimens(rows$reynolds)$drag
   formula <- rows[rows$law == "knot", ]
   expect_lt(max(abs(formula$found - formula$value)), 6e-5)
   measured <- rows[rows$law == "measured" & rows$reynolds < 2e5, ]
-  # White gives his formula to within 10 % (Viscous Fluid Flow, 3-9.2); it is up to 31 % above these
-  # between Re = 500 and 5000.
+  # White states an accuracy of 10 % (Viscous Fluid Flow, 3-9.2); his formula is up to 31 % above
+  # these values between Re = 500 and 5000.
   expect_lt(max(abs(measured$found / measured$value - 1)), 0.32)
   expect_lt(stats::median(abs(measured$found / measured$value - 1)), 0.1)
 })
 
-test_that("wakes are as printed", {
+test_that("wakes match the published formulas", {
   table <- computed(solidity = c(0.1, 0.3))
   wake <- table[table$force == "wake" & table$angle_deg <= 60, ]
   sn <- wake$solidity
@@ -110,11 +110,11 @@ test_that("wakes are as printed", {
     (cosine + 0.05 - 0.38 * sn) / (cosine + 0.05)
   )
   expect_equal(wake$value, printed, tolerance = 1e-12)
-  # no wake of its own along the flow
+  # a sheet along the flow has no wake
   expect_true(all(table$value[table$force == "wake" & table$angle_deg == 90] == 1))
 })
 
-test_that("every law of a plan is in the table, and arguments are checked", {
+test_that("force_coefficients() lists every drag model and checks its arguments", {
   schema <- jsonlite::read_json(system.file("schema", "plan.schema.json", package = "codend"))
   table <- computed()
   of <- function(force) unique(table$law[table$force %in% force & is.na(table$source)])
@@ -124,7 +124,7 @@ test_that("every law of a plan is in the table, and arguments are checked", {
   expect_setequal(of("wake"), setdiff(unlist(schema$`$defs`$shielding$enum), "none"))
 })
 
-test_that("coefficients are drawn to a file", {
+test_that("plot() of coefficients writes a file", {
   file <- tempfile(fileext = ".png")
   table <- force_coefficients()
   expect_identical(plot(table, file = file), table)

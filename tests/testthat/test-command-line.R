@@ -1,5 +1,5 @@
-# Runs exec/codend as a shell does. Its numbers are tested where they are computed; here counts what
-# reaches the shell: exit status, both outputs, files.
+# Runs exec/codend in a shell. Numbers are tested where they are computed; these tests check exit
+# status, output and files.
 
 script <- system.file("exec", "codend", package = "codend")
 libraries <- paste(.libPaths(), collapse = .Platform$path.sep)
@@ -16,7 +16,7 @@ command <- function(..., env = character()) {
   list(status = status, out = readLines(out), err = readLines(err))
 }
 
-# One line for people, and none of R's own words.
+# Expects one readable line without a message of R itself.
 expect_one_message <- function(ran, status, pattern) {
   expect_identical(ran$status, status)
   expect_identical(ran$out, character())
@@ -24,7 +24,7 @@ expect_one_message <- function(ran, status, pattern) {
   expect_false(any(grepl("Error in|Traceback|Execution halted|Calls:", ran$err)))
 }
 
-test_that("the installed script may be run by name", {
+test_that("installed script is executable", {
   skip_on_os("windows")
   expect_identical(unname(file.access(script, 1L)), 0L)
 })
@@ -44,13 +44,13 @@ test_that("help and version go to standard output", {
   expect_identical(version$out, paste("codend", packageVersion("codend")))
 })
 
-test_that("a command used wrongly ends with status 2, a wrong plan with status 1", {
+test_that("command exits with 2 for wrong use and 1 for plans", {
   expect_one_message(command(), 2L, "Usage: codend COMMAND")
   expect_one_message(command("settle", "towed_cable", "--nodes", "many"), 2L, "--nodes is many")
   expect_one_message(command("check", "towed_cabel"), 1L, "towed_cable")
 })
 
-test_that("check, gears and expand show plans", {
+test_that("check, gears and expand commands show plans", {
   expect_match(command("check", "towed_cable")$out[1], "Towed cable with a sphere")
   changed <- command("check", "towed_cable", "--set", "name=Another")
   expect_match(changed$out[1], "Another")
@@ -62,7 +62,7 @@ test_that("check, gears and expand show plans", {
   expect_identical(read_gear(plan)$plan, assembly(read_gear("towed_cable"))$plan)
 })
 
-test_that("settle takes fields, of which the last counts, and gives the state as JSON", {
+test_that("settle command applies the last value of fields and writes JSON", {
   ran <- command(
     "settle", "towed_cable", "--nodes=60", "--set", "towing.speed=2 knot",
     "--set=ropes.cable.length=800", "--set", "towing.speed=3 knot", "--json", "-"
@@ -75,13 +75,13 @@ test_that("settle takes fields, of which the last counts, and gives the state as
   gear <- update(
     read_gear("towed_cable"), towing.speed = "3 knot", ropes.cable.length = "800 m"
   )
-  # JSON holds 15 significant digits
+  # JSON stores 15 significant digits
   expect_equal(
     unlist(record$measures), plain_measures(measures(settle(gear, nodes = 60))), tolerance = 1e-13
   )
 })
 
-test_that("a gear that does not settle ends with status 1 and says so as JSON", {
+test_that("settle command without convergence exits with 1 and writes JSON", {
   file <- tempfile(fileext = ".json")
   out <- tempfile()
   on.exit(unlink(file))
@@ -89,7 +89,7 @@ test_that("a gear that does not settle ends with status 1 and says so as JSON", 
   ran <- command(
     "settle", "towed_cable", "--set", "towing.speed=1e9", "--json", file, "--out", out
   )
-  expect_one_message(ran, 1L, "did not settle: after [0-9]+ steps")
+  expect_one_message(ran, 1L, "did not settle: after [0-9]+ iterations")
   record <- jsonlite::fromJSON(file)
   expect_false(record$converged)
   expect_named(record, c("plan", "set", "converged", "iterations", "residual"))
@@ -97,7 +97,7 @@ test_that("a gear that does not settle ends with status 1 and says so as JSON", 
   expect_false(dir.exists(out))
 })
 
-test_that("settle writes pictures and tables", {
+test_that("settle command writes pictures and tables", {
   out <- file.path(tempfile(), "deep")
   on.exit(unlink(dirname(out), recursive = TRUE))
   ran <- command("settle", "crossing_cables", "--out", out)
@@ -111,7 +111,7 @@ test_that("settle writes pictures and tables", {
   expect_match(paste(ran$out, collapse = "\n"), "Measures")
 })
 
-test_that("report writes one page, of the plan as changed", {
+test_that("report command writes one page of the changed plan", {
   folder <- tempfile()
   dir.create(folder)
   on.exit(unlink(folder, recursive = TRUE))
@@ -123,7 +123,7 @@ test_that("report writes one page, of the plan as changed", {
   expect_identical(list.files(folder), "cable.html")
 })
 
-test_that("tow writes tables, a plot, a page that plays and what to go on from", {
+test_that("tow command writes tables, a plot, a page and a trajectory", {
   out <- file.path(tempfile(), "deep")
   on.exit(unlink(dirname(out), recursive = TRUE))
   ran <- command("tow", "towed_cable", "--nodes", "20", "--until", "20 s", "--every", "10 s",
@@ -140,7 +140,7 @@ test_that("tow writes tables, a plot, a page that plays and what to go on from",
   expect_identical(read_result(file.path(out, "trajectory.nc"))$time, c(0, 10, 20))
 })
 
-test_that("what a command writes is the same whatever a profile sets, and in every time zone", {
+test_that("command output does not depend on the R profile or time zone", {
   folder <- test_folder()
   profile <- file.path(folder, "profile.R")
   writeLines("options(OutDec = ',', scipen = -9, digits = 4)", profile)
@@ -151,7 +151,7 @@ test_that("what a command writes is the same whatever a profile sets, and in eve
     slopes <- command("sensitivities", "towed_cable", env = c(...))
     expect_identical(slopes$status, 0L)
     files <- dir(out, "[.](csv|html)$", full.names = TRUE)
-    # one line tells the CPU time
+    # one line reports the CPU time
     said <- grep("CPU", settled$out, value = TRUE, invert = TRUE)
     c(said, slopes$out, unname(tools::md5sum(files)))
   }

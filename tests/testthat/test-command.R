@@ -1,5 +1,5 @@
-# The commands without a shell: status, both outputs, files. What a shell adds is tested in
-# test-command-line.R.
+# The commands without a shell: status, output and error streams, files. test-command-line.R tests
+# the shell.
 
 ran <- function(...) {
   said <- tempfile()
@@ -14,7 +14,7 @@ ran <- function(...) {
   list(status = status, out = out, err = readLines(said))
 }
 
-test_that("the help of every command says how it is used", {
+test_that("help of every command shows its usage", {
   usage <- ran("--help")$out
   expect_setequal(names(command_words()), names(command_runs()))
   for (name in names(command_words())) {
@@ -26,7 +26,7 @@ test_that("the help of every command says how it is used", {
   }
 })
 
-test_that("the last of two values for a field counts, and text is read as in a plan", {
+test_that("parse_command() takes the last value of a field as in plans", {
   words <- command_words()$settle
   taken <- parse_command("settle", words, c("a", "--set", "x=1", "--set=y=yes", "--uncertainty",
     "--set", "x=2.5e3", "--set=z=3 m", "--nodes", "5", "--nodes=6"))
@@ -40,7 +40,7 @@ test_that("the last of two values for a field counts, and text is read as in a p
   }
 })
 
-# What is said to a line of words, by the line.
+# Expected messages, by command line.
 wrong_uses <- c(
   "sink" = "no command sink; the commands are check,", "check" = "one PLAN is needed, not 0",
   "settle --nets towed_cable" = "no option --nets",
@@ -63,8 +63,8 @@ wrong_uses <- c(
   "report towed_cable --out ." = "--out is .*[.]html", "export towed_cable" = "FILE... is needed",
   "export towed_cable a.obj" = "end in one of .vtu",
   "export towed_cable a.pvd" = "a.pvd holds a tow",
-  "export towed_cable none/a.vtu" = "a folder that can be written",
-  "export kept.nc --nodes 9 a.vtu" = "change a plan",
+  "export towed_cable none/a.vtu" = "a writable folder",
+  "export kept.nc --nodes 9 a.vtu" = "cannot change the result file",
   "draw gillnet a.jpg" = "must end in one of .svg, .pdf, .png, .dxf",
   "draw gillnet a.svg --page B4" = "--page is B4"
 )
@@ -73,11 +73,11 @@ wrong_plans <- c(
   "settle towed_cable --set 'towing.sped=5 knot'" = "towing.sped",
   "report towed_cabel --out a.html" = "towed_cable",
   "sensitivities --of depth --nodes 50 towed_cable" = "`of` is \"depth\"",
-  # nothing is run but formulas
+  # only formulas are evaluated
   "optimise --minimise 'quit()' --change 'towing.speed = 1 .. 3' towed_cable" = "`quit`"
 )
 
-test_that("a wrong use is told with status 2, a wrong plan with 1, and neither leaves a file", {
+test_that("wrong command leaves no file and exits with 1 or 2", {
   kept <- setwd(test_folder())
   on.exit(setwd(kept))
   shipped <- readLines(system.file("gears", "towed_cable.yaml", package = "codend"))
@@ -94,7 +94,7 @@ test_that("a wrong use is told with status 2, a wrong plan with 1, and neither l
   expect_identical(list.files(all.files = TRUE, no.. = TRUE), "wrong.yaml")
 })
 
-test_that("settle --uncertainty shows intervals next to the estimated errors, and in JSON", {
+test_that("settle --uncertainty prints intervals and writes them as JSON", {
   file <- file.path(test_folder(), "cable.json")
   found <- ran("settle", "towed_cable", "--nodes", "40", "--uncertainty", "--json", file)
   expect_identical(found$status, 0L)
@@ -106,7 +106,7 @@ test_that("settle --uncertainty shows intervals next to the estimated errors, an
     unlist(known[c("low", "high", "uncertainty")]), tolerance = 1e-12)
 })
 
-test_that("export writes every format of a state, each as its writer does", {
+test_that("export command writes every format of a state", {
   folder <- test_folder()
   formats <- Filter(function(format) {
     is.null(format$package) || requireNamespace(format$package, quietly = TRUE)
@@ -121,12 +121,12 @@ test_that("export writes every format of a state, each as its writer does", {
   expect_identical(unname(tools::md5sum(paste0(again, ".glb"))),
     unname(tools::md5sum(files[names(formats) == "glb"])))
   table <- utils::read.csv(files[names(formats) == "tensions"])
-  # a CSV file holds 15 digits
+  # a CSV file stores 15 digits
   expect_equal(table$tension_kN, as.data.frame(state, what = "tensions")$tension_kN,
     tolerance = 1e-13)
 })
 
-test_that("a kept state is exported as its plan is", {
+test_that("export command gives the same file from a saved state", {
   skip_if_not_installed("RNetCDF")
   folder <- test_folder()
   at <- function(name) file.path(folder, name)
@@ -137,7 +137,7 @@ test_that("a kept state is exported as its plan is", {
   expect_identical(unname(tools::md5sum(at("again.vtu"))), unname(tools::md5sum(at("cable.vtu"))))
 })
 
-test_that("a plan is drawn in every format, on the sheet that is asked for", {
+test_that("draw command writes every format on the requested sheet", {
   files <- file.path(test_folder(), c("net.svg", "net.dxf"))
   drawn <- ran("draw", "gillnet", files, "--page", "A3", "--set", "wall.mesh_size=140 mm")
   expect_identical(drawn$status, 0L)
@@ -147,17 +147,17 @@ test_that("a plan is drawn in every format, on the sheet that is asked for", {
   expect_match(svg, ">140<", fixed = TRUE)
 })
 
-test_that("no two formats share a name or an extension", {
+test_that("export formats have unique names and extensions", {
   expect_false(anyDuplicated(vapply(export_formats, `[[`, "", "name")) > 0)
   expect_false(anyDuplicated(vapply(export_formats, `[[`, "", "extension")) > 0)
   expect_null(format_of_file("cable.obj"))
   expect_identical(format_of_file("A.VTU")$name, "vtu")
 })
 
-test_that("a new plan is printed, or written to a file", {
-  shown <- ran("new", "bottom_trawl", "head_line=30 m")
+test_that("new command prints a plan or writes it to a file", {
+  shown <- ran("new", "bottom_trawl", "headline=30 m")
   expect_identical(shown$status, 0L)
   file <- tempfile(fileext = ".yaml")
-  expect_identical(ran("new", "bottom_trawl", "head_line=30 m", "--file", file)$status, 0L)
+  expect_identical(ran("new", "bottom_trawl", "headline=30 m", "--file", file)$status, 0L)
   expect_identical(readLines(file), shown$out)
 })

@@ -6,7 +6,7 @@ layout_of <- function(plan) {
   flat_layout(gear_si(if (is.character(plan)) read_gear(plan) else as_gear(plan)))
 }
 
-test_that("a trawl's panels stand in columns, like ones once", {
+test_that("drawing shows a trawl's panels in columns and identical ones once", {
   layout <- layout_of("midwater_trawl")
   expect_identical(layout$columns$heading, c("back", "side", "belly"))
   expect_identical(layout$columns$alike, c("", "starboard, port", ""))
@@ -14,22 +14,22 @@ test_that("a trawl's panels stand in columns, like ones once", {
   expect_true(all(layout$columns$symmetric))
   back <- layout$panels[layout$panels$column == 1, ]
   at <- function(name) back[back$name == paste0("back_", name), ]
-  # 16 meshes of 32 m, half of their stretched width; two of them deep, behind wings of three
+  # 16 meshes of 32 m, half of their stretched width; two meshes deep, behind wings of three meshes
   expect_equal(at("section_1")$upper, 16 * 32 / 2)
   expect_equal(at("section_1")$depth, 2 * 32)
-  # the wings stand before the first section, the sections behind each other
+  # the wings precede the first section, the sections follow each other
   expect_equal(at("wing_left")$y, 0)
   expect_equal(at("section_1")$y, 3 * 32)
   expect_equal(at("section_2")$y, (3 + 2) * 32)
   expect_equal(at("codend")$y + at("codend")$depth, sum(back$depth) - 3 * 32)
-  # each wing over its end of the first section's front edge
+  # each wing above its end of the first section's front edge
   expect_equal(at("wing_left")$x + at("wing_left")$shift, at("section_1")$x)
   expect_equal(
     with(at("wing_right"), x + shift + lower), with(at("section_1"), x + upper)
   )
 })
 
-test_that("panels between two ropes are as wide as these, square ones as their bars", {
+test_that("drawing shows panels as wide as their ropes or bars", {
   panel <- layout_of("flat_panel")$panels
   # 200 meshes of 100 mm; only the lower edge has a rope of known hanging ratio
   expect_equal(c(panel$upper, panel$lower, panel$depth), c(10, 10, 11.5))
@@ -57,7 +57,7 @@ wall_plan <- function(names, closed = FALSE, deep = 100) {
   )
 }
 
-test_that("straight panels joined side by side are one wall, a ring of equal ones is one panel", {
+test_that("drawing joins straight panels to a wall and equal rings to one", {
   add_nail <- function(plan) {
     plan$points <- list(nail = list(position = c(0, 0, 0), held = "fixed"))
     plan
@@ -72,7 +72,7 @@ test_that("straight panels joined side by side are one wall, a ring of equal one
   expect_identical(ring$columns$count, 4L)
 })
 
-test_that("no two panels of a column cover each other", {
+test_that("drawing places panels of a column without overlap", {
   for (name in gears()$name) {
     si <- gear_si(read_gear(name))
     if (!length(si$panels)) next
@@ -86,25 +86,25 @@ test_that("no two panels of a column cover each other", {
   }
 })
 
-test_that("the lists hold every rope and piece once, those alike together", {
+test_that("lists contain every rope and piece once with a count", {
   si <- gear_si(read_gear("midwater_trawl"))
   ropes <- rope_items(si)
   expect_equal(sum(ropes$count), length(si$ropes))
   warp <- ropes[ropes$name == "warp", ]
   expect_equal(c(warp$count, warp$length, warp$diameter), c(2, 600, 0.032))
   expect_identical(warp$material, "steel wire")
-  head_line <- ropes[ropes$name == "head line", ]
-  # along two wings' inner edges, 7 meshes of 32 m each: the 16 meshes of the front are all taken
-  expect_equal(head_line$hanging, 222 / (2 * 7 * 32))
+  headline <- ropes[ropes$name == "headline", ]
+  # along two wings' inner edges, 7 meshes of 32 m each; the wings use all 16 meshes of the front
+  expect_equal(headline$hanging, 222 / (2 * 7 * 32))
   pieces <- piece_items(si)
   expect_setequal(unlist(pieces$parts), names(si$pieces))
   expect_equal(pieces$count[pieces$name == "hammer"], 2)
-  # 6000 kg of steel less the water that it displaces
+  # 6000 kg of steel less the displaced water
   expect_match(pieces$words[pieces$name == "hammer"], "6000 kg, in water 5220 kgf", fixed = TRUE)
   expect_equal(6000 * (1 - 1025 / 7850), 5220, tolerance = 1e-3)
 })
 
-test_that("the rigging runs from the towing points to the netting, both sides as one", {
+test_that("rigging shows one side from the towing points to the netting", {
   figure <- plan_figure(read_gear("midwater_trawl"))
   nodes <- figure$rigging$nodes
   ropes <- figure$rigging$ropes
@@ -118,34 +118,34 @@ test_that("the rigging runs from the towing points to the netting, both sides as
   expect_equal(nodes$layer[nodes$letters == letter("otter board")], 1)
 })
 
-test_that("a rope to its like ends open, and places along ropes and stiff pieces are joined", {
+test_that("rigging draws ropes between identical parts with an open end", {
   rigging <- plan_figure(read_gear("beam_trawl"))$rigging
   ropes <- rigging$ropes
-  # three tickler chains from shoe to shoe; the two halves of the beam are alike
+  # three tickler chains from shoe to shoe; the two halves of the beam are identical
   expect_identical(sum(ropes$from == ropes$to), 3L)
   expect_identical(sum(ropes$length %in% 4), 1L)
   beam <- ropes[ropes$length %in% 4, ]
   middle <- ropes[ropes$length %in% 5.9, ]
   expect_length(intersect(c(beam$from, beam$to), c(middle$from, middle$to)), 1L)
-  # a shoe's three edges, and no place that nothing joins
+  # a shoe's three edges; every position is connected
   expect_identical(sum(is.na(ropes$item)), 3L)
   expect_setequal(c(ropes$from, ropes$to), seq_len(nrow(rigging$nodes)))
   texts <- unlist(lapply(gear_sheet(read_gear("beam_trawl"), "A4")$items, `[[`, "text"))
   expect_true(all(c("5 m to the next", "6 m to the next", "7 m to the next") %in% texts))
 })
 
-test_that("ropes between layers are ordered so that the fewest cross", {
+test_that("rigging orders ropes between layers with the fewest crossings", {
   layer <- c(0, 1, 1, 2, 2)
   edges <- data.frame(from = c(1, 1, 2, 3), to = c(2, 3, 5, 4))
   order <- c(0, -0.5, 0.5, -0.5, 0.5)
   expect_identical(crossings(order, layer, edges), 1)
   expect_identical(crossings(uncrossed_layer(order, 4:5, layer, edges), layer, edges), 0)
-  # two of each side, each joined to both: one crossing whatever the order
+  # two of each side, each joined to both: one crossing in any order
   all <- data.frame(from = c(2, 2, 3, 3), to = c(4, 5, 4, 5))
   expect_identical(uncrossed_layer(order, 4:5, layer, all), order)
 })
 
-test_that("a liner stands beside what it lies in, once where both panels have the same", {
+test_that("drawing labels an inner liner once when both panels use it", {
   columns <- net_columns(plan_figure(plan_of_net("eastern_trawl")))
   expect_identical(vapply(columns, `[[`, "", "heading"),
     c("upper panel", "lower panel", "codend liner"))
@@ -154,24 +154,24 @@ test_that("a liner stands beside what it lies in, once where both panels have th
   expect_equal(columns[[3]]$panels$y, codend$y)
 })
 
-test_that("a wing and its jib are told apart", {
+test_that("drawing distinguishes a wing from its jib", {
   columns <- net_columns(plan_figure(read_gear("poly_noreastern_trawl")))
   side <- columns[[match("side panel", vapply(columns, `[[`, "", "heading"))]]
   expect_setequal(side$words["part", ], c("jib", "wing", "body", "intermediate", "codend"))
   expect_true("wings" %in% columns[[1]]$words["part", ])
 })
 
-test_that("labels keep their distance and stay near their places", {
+test_that("labels keep their distance and stay near their positions", {
   y <- c(5, 4.99, 4.98, 1)
   spread <- spread_labels(y, 0.1, 0, 10)
   expect_true(all(-diff(spread) > 0.1 - 1e-6))
   expect_equal(spread[4], 1)
   expect_equal(mean(spread[1:3]), mean(y[1:3]), tolerance = 1e-6)
-  # at the top they are pushed down, each by no more than it must
+  # at the top they move down by the minimum
   expect_equal(spread_labels(c(5, 4.99, 1), 0.1, 0, 5), c(5, 4.9, 1))
 })
 
-test_that("lines through a box are told from those beside it", {
+test_that("lines_cross_box() detects only lines through a box", {
   box <- c(0, 0, 2, 1)
   lines <- rbind(c(-1, 0.5, 3, 0.5), c(1, -1, 1, 3), c(-1, 0, 3, 4), c(0.5, 0.5, 1, 0.6),
     c(-1, 2, 3, 2), c(2.5, -1, 2.5, 3), c(0, 1, 2, 1), c(-2, 0.5, -1, 0.5))
@@ -181,12 +181,12 @@ test_that("lines through a box are told from those beside it", {
   expect_identical(lines_cross_box(lines[1, , drop = FALSE], boxes), c(TRUE, FALSE, TRUE))
 })
 
-test_that("nothing overlaps on any shipped gear, and the letters are those of ISO 3098", {
+test_that("drawings of shipped gears have no overlap and ISO 3098 letters", {
   nets <- c("eastern_trawl", "four_seam_trawl", "myctophid_trawl", "penaeid_trawl", "survey_trawl")
   gears <- c(lapply(gears()$name, read_gear), lapply(nets, plan_of_net))
   for (k in seq_along(gears)) {
     gear <- gears[[k]]
-    # the smallest page, and of every third gear one of the others
+    # the smallest page, and for every third gear a larger one
     for (page in c("A4", if (k %% 3 == 0) c("A3", "A2", "A1")[(k / 3) %% 3 + 1])) {
       sheet <- gear_sheet(gear, page)
       told <- paste(gear$plan$name, page)
@@ -202,7 +202,7 @@ test_that("nothing overlaps on any shipped gear, and the letters are those of IS
   }
 })
 
-test_that("the check finds texts over texts, lines and the frame", {
+test_that("overlaps() detects labels over labels, lines and the frame", {
   sheet <- new_sheet(c(100, 50))
   sheet_text(sheet, 30, 25, "one", 2)
   expect_identical(overlaps(sheet), character())
@@ -214,7 +214,7 @@ test_that("the check finds texts over texts, lines and the frame", {
   expect_identical(overlaps(sheet)[2], "out leaves the frame")
 })
 
-test_that("scales are round, and netting is drawn to them", {
+test_that("drawing uses a round scale for netting", {
   gear <- read_gear("pair_trawl")
   sheet <- gear_sheet(gear, "A3")
   expect_true(any(abs(sheet$scale / 10^(0:4) / rep(scale_steps, each = 5) - 1) < 1e-9))
@@ -225,7 +225,7 @@ test_that("scales are round, and netting is drawn to them", {
   expect_equal(diff(range(codend$y)), panel$deep * panel$mesh_size * 1000 / sheet$scale)
 })
 
-test_that("halves meet at one centre line, the upper panel left and the lower right", {
+test_that("drawing joins half panels at a centre line, upper left, lower right", {
   columns <- net_columns(plan_figure(read_gear("pair_trawl")))
   expect_identical(vapply(columns, `[[`, "", "heading"), c("upper panel", "lower panel"))
   expect_identical(vapply(columns, `[[`, "", "half"), c("left", "right"))
@@ -233,12 +233,12 @@ test_that("halves meet at one centre line, the upper panel left and the lower ri
   expect_gte(min(columns[[2]]$panels$ul), -1e-9)
 })
 
-test_that("parts of a mesh are told as they are", {
+test_that("drawing keeps fractional mesh counts", {
   expect_identical(mesh_number(c(78.75, 62.5, 120, 0.25, 65.44)),
     c("78\u00be", "62\u00bd", "120", "\u00bc", "65.4"))
 })
 
-test_that("rates are the plan's own, or the simplest that end within a mesh of the counts", {
+test_that("cutting rates come from the plan or are the simplest match", {
   expect_identical(simple_cutting_rate(21, 25), "1N10B")
   expect_identical(simple_cutting_rate(50, 100), "1N2B")
   expect_identical(simple_cutting_rate(0, 100), "AN")
@@ -246,7 +246,7 @@ test_that("rates are the plan's own, or the simplest that end within a mesh of t
   for (lost in c(3, 7.5, 31, 72, 107)) {
     for (deep in c(40, 75, 110)) {
       rate <- simple_cutting_rate(lost, deep)
-      # what it takes off, read by the rule of plans; of all bars the points apart
+      # meshes removed by the rule of plans; the points reduce a cut of all bars
       off <- if (startsWith(rate, "AB+")) deep - as.double(gsub("[^0-9]", "", rate)) else {
         cutting_slope(rate, "cutting") * deep
       }
@@ -254,7 +254,7 @@ test_that("rates are the plan's own, or the simplest that end within a mesh of t
       expect_lte(nchar(rate), nchar(cutting_rate(lost, deep)), label = rate)
     }
   }
-  # all bars but for four points, where 1N58B and 1N59B in turn end at the counts
+  # all bars except four points, where alternating 1N58B and 1N59B end at the counts
   expect_identical(cutting_rate(117, 121), "1(1N58B)+1(1N59B)")
   expect_identical(simple_cutting_rate(117, 121), "AB+4N")
   expect_identical(simple_cutting_rate(121, 117), "AB+4T")
@@ -263,20 +263,20 @@ test_that("rates are the plan's own, or the simplest that end within a mesh of t
   expect_identical(drawn_rates(panel, list(cutting = "2N3B"))[["right"]], "2N3B")
 })
 
-test_that("a rope laid straight has wing, bosom and wing, and its floats along it", {
+test_that("straight rope shows wing, bosom, wing and its floats", {
   figure <- plan_figure(read_gear("poly_noreastern_trawl"))
   ropes <- straight_ropes(figure)
-  head_line <- ropes[[match("head line", vapply(ropes, function(r) r$item$name, ""))]]
-  given <- figure$si$ropes$head_line
-  expect_identical(head_line$parts$words, c("wing", "bosom", "wing"))
-  expect_equal(sum(head_line$parts$length), given$length)
-  expect_equal(head_line$parts$length, given$length * given$shares)
-  expect_true(all(head_line$pieces$name == "float"))
+  headline <- ropes[[match("headline", vapply(ropes, function(r) r$item$name, ""))]]
+  given <- figure$si$ropes$headline
+  expect_identical(headline$parts$words, c("wing", "bosom", "wing"))
+  expect_equal(sum(headline$parts$length), given$length)
+  expect_equal(headline$parts$length, given$length * given$shares)
+  expect_true(all(headline$pieces$name == "float"))
   floats <- figure$pieces[figure$pieces$name == "float", ]
-  expect_equal(sum(head_line$pieces$number), sum(floats$count))
+  expect_equal(sum(headline$pieces$number), sum(floats$count))
 })
 
-test_that("discs stand on the ground gear as the plan has them, in proportion", {
+test_that("drawing shows discs of the ground gear in proportion", {
   gear <- plan_of_net("four_seam_trawl")
   figure <- plan_figure(gear)
   rope <- Find(function(r) r$item$name == "ground gear", straight_ropes(figure))
@@ -286,9 +286,9 @@ test_that("discs stand on the ground gear as the plan has them, in proportion", 
   expect_equal(rope$pieces$number, unname(vapply(given, `[[`, 0, "number")))
   sheet <- gear_sheet(gear, "A3")
   texts <- unlist(lapply(sheet$items, `[[`, "text"))
-  # 0.4 and 0.5 m apart, as the plan has them
+  # 0.4 and 0.5 m apart, as in the plan
   expect_true(any(grepl("disc \u00d8406, 21 off, 0.4 m apart", texts, fixed = TRUE)))
-  # as many bars as discs, those of the bosom higher; letters stand in squares
+  # as many bars as discs, the bosom's bars higher; letters are in squares
   bars <- Filter(function(i) {
     i$kind == "polygon" && i$component == "piece" && grepl("discs_", i$ref) &&
       diff(range(i$x)) < 0.5 * diff(range(i$y))
@@ -300,14 +300,14 @@ test_that("discs stand on the ground gear as the plan has them, in proportion", 
     356 / 406)
 })
 
-test_that("a DXF has no break and one scale", {
+test_that("DXF has no break and one scale", {
   wall <- gear_sheet(read_gear("gillnet"), "A1", true_size = TRUE)
   panel <- Filter(function(i) i$component == "panel" && i$kind == "polygon", wall$items)[[1]]
   flat <- flat_layout(gear_si(read_gear("gillnet")))$panels
   expect_equal(diff(range(panel$x)) / diff(range(panel$y)), flat$upper[1] / flat$depth[1])
 })
 
-test_that("a plan is drawn on the device, which is left as it was", {
+test_that("plot() of a plan restores the device settings", {
   grDevices::pdf(NULL, 11.69, 8.27)
   device <- grDevices::dev.cur()
   on.exit(grDevices::dev.off(device))

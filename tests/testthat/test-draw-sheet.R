@@ -1,4 +1,4 @@
-test_that("texts are as wide as the PDF device says", {
+test_that("text widths equal the widths of the PDF device", {
   grDevices::pdf(NULL, family = "Helvetica", useKerning = FALSE)
   on.exit(grDevices::dev.off())
   # the device counts in inches; text of 12 points has capitals of 0.718 times that
@@ -6,12 +6,12 @@ test_that("texts are as wide as the PDF device says", {
   texts <- c("1N2B", "wing, bosom: 9.85 + 7.50", "Poly Nor'Eastern", "R 7680 tex PE", "\u00d8 23")
   for (bold in c(FALSE, TRUE)) {
     drawn <- graphics::strwidth(texts, "inches", font = 1L + bold) * 25.4
-    # with what the device leaves out between pairs of letters, a few hundredths of the size
+    # including the device's kerning, a few hundredths of the size
     expect_equal(text_width(texts, size, bold), drawn, tolerance = 0.02)
   }
 })
 
-test_that("a sheet's SVG has its marks where they are, in millimetres from the top", {
+test_that("SVG of a sheet has its marks in millimetres from the top", {
   sheet <- new_sheet(c(100, 50))
   on_sheet(sheet, component = "rope", ref = "ropes.warp", draw = {
     sheet_line(sheet, c(10, 20), c(5, 10))
@@ -25,14 +25,14 @@ test_that("a sheet's SVG has its marks where they are, in millimetres from the t
   expect_identical(xml2::xml_attr(xml2::xml_find_first(svg, "//polyline"), "points"), "10,45 20,40")
   text <- xml2::xml_find_first(svg, "//text")
   expect_identical(xml2::xml_text(text), "a < b & \"c\"")
-  # the line that the text stands on is half its capitals below their middle
+  # the baseline is half of a capital below the middle
   expect_equal(as.double(xml2::xml_attr(text, "y")), 50 - 40 + 0.9)
   expect_identical(xml2::xml_attr(xml2::xml_find_first(svg, "//circle"), "cy"), "25")
 })
 
 svg_of <- function(gear) xml2::xml_ns_strip(xml2::read_xml(drawing_svg(gear)))
 
-test_that("what a drawing shows of a field names a field of the plan, with that value", {
+test_that("drawing names a plan field with its value for every figure", {
   for (name in c("midwater_trawl", "poly_noreastern_trawl", "gillnet", "flat_panel")) {
     gear <- read_gear(name)
     svg <- svg_of(gear)
@@ -49,7 +49,7 @@ test_that("what a drawing shows of a field names a field of the plan, with that 
   }
 })
 
-test_that("the panels of a trawl lead to its sections and wings", {
+test_that("path_finder() maps panels of a trawl to sections and wings", {
   find <- path_finder(read_gear("poly_noreastern_trawl"))
   expect_identical(find("panels.back_body.mesh_size"), "sections.body.mesh_size")
   expect_identical(find("panels.belly_body.twine.diameter"), "sections.body.belly.twine.diameter")
@@ -57,11 +57,11 @@ test_that("the panels of a trawl lead to its sections and wings", {
   expect_identical(find("panels.belly_wing_left.meshes.upper"), "wings.lower.meshes.tip")
   expect_identical(find("panels.back_wing_right"), "wings.upper")
   expect_identical(find("ropes.bridle_middle_port.length"), "bridles.middle.length")
-  expect_identical(find("ropes.head_line"), "head_line")
+  expect_identical(find("ropes.headline"), "headline")
   expect_identical(find("otter_boards.none"), "")
 })
 
-test_that("a DXF has the gear's size and is read by another program", {
+test_that("DXF has the gear's size and is readable by ezdxf", {
   sheet <- new_sheet(c(100, 50))
   sheet$scale <- 200
   on_sheet(sheet, component = "panel", layer = "NETTING",

@@ -1,8 +1,8 @@
-# The engine as a program of its own (tests/engine/programs/settle_file.cpp) against settle().
+# The engine as a separate program (tests/engine/programs/settle_file.cpp), compared with settle().
 
 engine_program <- test_path("..", "engine", "build", "optimised", "settle_file")
 
-# An engine's model as the program's text of arrays: see src/engine/base/text_source.hpp.
+# A model of the engine as the program's text of arrays: see src/engine/base/text_source.hpp.
 model_text <- function(x, name) {
   if (is.list(x) && (is.null(names(x)) || !length(x))) {
     items <- Map(model_text, x, paste0(name, ".", seq_along(x)))
@@ -29,52 +29,53 @@ array_of <- function(said, name) {
   as.numeric(words[at + 2L + seq_len(as.integer(words[at + 2L]))])
 }
 
-test_that("the engine settles a gear from a file as settle() does", {
+test_that("engine program settles a gear from a file as settle() does", {
   skip_if_not(file.exists(engine_program), "engine programs: make -C tests/engine programs")
   # triangles and catch of a trawl, ground and struts of a beam trawl, one body on a cable
   for (name in c("towed_cable", "beam_trawl", "midwater_trawl")) {
     state <- if (name == "midwater_trawl") settled(name, nodes = 400) else settled(name)
-    lattice <- state$lattice
-    from <- as.double(lattice$start)
-    run <- run_program(c(model_text(engine_mesh_fields(lattice$mesh), "model"), model_text(from, "start")))
+    mesh <- state$mesh
+    from <- as.double(mesh$start)
+    run <- run_program(c(model_text(engine_model_fields(mesh$model), "model"), model_text(from,
+      "start")))
     expect_identical(run$status, 0L, info = name)
     expect_identical(array_of(run$said, "converged"), 1)
     found <- matrix(array_of(run$said, "position"), 3L)
     size <- max(apply(state$position, 1L, function(x) diff(range(x))))
-    # from another start, both within the solver's tolerance; blended drag leaves 1.005e-9
+    # from another start, both within the solver's tolerance; blended drag differs by 1.005e-9
     expect_lt(max(abs(found - state$position)) / size, settle_tolerance)
   }
 })
 
-test_that("the program says which field of a file is wrong", {
+test_that("engine program names the wrong field of a file", {
   skip_if_not(file.exists(engine_program), "engine programs: make -C tests/engine programs")
-  lattice <- build_lattice(gear_si(read_gear("towed_cable")))
-  fields <- engine_mesh_fields(lattice$mesh)
+  mesh <- build_mesh(gear_si(read_gear("towed_cable")))
+  fields <- engine_model_fields(mesh$model)
   fields$bars$rest[2] <- NaN
   run <- run_program(c(
-    model_text(fields, "model"), model_text(as.double(lattice$start), "start")
+    model_text(fields, "model"), model_text(as.double(mesh$start), "start")
   ))
   expect_identical(run$status, 1L)
   expect_match(run$said, "model.bars.rest[2] must be a finite number", fixed = TRUE)
 })
 
-# All numbers of a gear, as src/engine/measure/measured_gear.hpp has them.
+# All numbers of a gear, as in src/engine/measure/measured_gear.hpp.
 gear_text <- function(state, asked) {
-  numbers <- c(lattice_numbers(state$si, NULL), list(
-    questions = questions_of(state$si, state$lattice, asked),
+  numbers <- c(mesh_numbers(state$si, NULL), list(
+    questions = questions_of(state$si, state$mesh, asked),
     blocked = planned_front(state$si), volume = max(0, state$si$catch$volume, na.rm = TRUE)
   ))
   unlist(Map(model_text, numbers, names(numbers)))
 }
 
-test_that("a program without R settles every shipped gear to the same measures and errors", {
+test_that("program without R gives the same measures and errors", {
   program <- sub("settle_file", "settle_gear", engine_program)
   skip_if_not(file.exists(program), "the engine's programs are not built")
   for (name in gears()$name) {
     state <- suppressWarnings(settle(name, nodes = 1500))
-    # what is shot begins from the shape in which it sinks, which R marches
+    # a shot gear starts from the shape in which it sinks, which R integrates in time
     if (!is.null(state$si$shooting)) next
-    asked <- asked_of(state$si)
+    asked <- measure_request(state$si)
     found <- run_program(gear_text(state, asked), program, "1500")
     expect_identical(found$status, 0L, label = paste(name, found$said[1]))
     told <- state_values(state)
@@ -86,7 +87,7 @@ test_that("a program without R settles every shipped gear to the same measures a
   }
 })
 
-test_that("the example at the head of codend.hpp runs", {
+test_that("example in the header of codend.hpp runs", {
   program <- sub("settle_file", "header_example", engine_program)
   skip_if_not(file.exists(program), "the engine's programs are not built")
   state <- settle("flat_panel", nodes = 1500)
@@ -96,6 +97,6 @@ test_that("the example at the head of codend.hpp runs", {
   expect_match(run$said[own], "^[-0-9.e]+ \\+- [-0-9.e]+$")
   found <- as.double(sub(" .*", "", run$said[own]))
   expect_equal(found, unname(state_values(state)$values)[own], tolerance = 1e-5)
-  # a gear at rest stays within what a step may err by
+  # a gear at rest stays within the allowed error of a step
   expect_lt(as.double(run$said[length(own) + 1L]), 0.01)
 })

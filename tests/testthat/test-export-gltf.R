@@ -1,4 +1,4 @@
-# Read back by the format's specification (glTF 2.0, sections 3.6 and 4.4).
+# Files are read back by the format's specification (glTF 2.0, sections 3.6 and 4.4).
 
 gltf_node <- function(found, name) {
   Filter(function(node) identical(node$name, name), found$tree$nodes)[[1]]
@@ -8,13 +8,13 @@ gltf_primitives <- function(found, name) {
   found$tree$meshes[[gltf_node(found, name)$mesh + 1]]$primitives
 }
 
-# Colours as screens take them, from shares of light.
+# Converts linear light to screen colours (sRGB).
 on_screen <- function(light) {
   share <- ifelse(light <= 0.0031308, 12.92 * light, 1.055 * light^(1 / 2.4) - 0.055)
   grDevices::rgb(share[1, ], share[2, ], share[3, ])
 }
 
-test_that("ropes and twines are lines in metres, with their colours and names", {
+test_that("glTF export writes ropes and twines as named, coloured lines", {
   folder <- test_folder()
   for (netting in c("bars", "cells")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
@@ -23,13 +23,13 @@ test_that("ropes and twines are lines in metres, with their colours and names", 
       expect_identical(write_result(state, file), file)
       found <- read_gltf_file(file)
       expect_identical(found$tree$asset$version, "2.0")
-      for (part in c("head_line", "net")) {
+      for (part in c("headline", "net")) {
         of_bars <- elements_of(state, "bar", part)
         if (!length(of_bars)) next
         lines <- gltf_primitives(found, part)[[1]]
         expect_identical(lines$mode, 1L)
         ends <- state_points(state)[, matrix(engine_array(state, "bars", "node"), 2L)[, of_bars]]
-        # single precision keeps 24 bits of metres
+        # single precision has 24 bits for metres
         expect_equal(found$get(lines$attributes$POSITION), ends, tolerance = 2^-23)
         colour <- on_screen(found$get(lines$attributes$COLOR_0))
         scale <- tension_scale(
@@ -43,7 +43,7 @@ test_that("ropes and twines are lines in metres, with their colours and names", 
       if (netting == "cells") {
         sheet <- gltf_primitives(found, "net")[[2]]
         expect_identical(sheet$mode, 4L)
-        # two triangles of every cell, all of four corners
+        # two triangles per cell, all with four corners
         corner <- matrix(engine_array(state, "cells", "node"), 4L)
         expect_equal(found$get(sheet$attributes$POSITION),
           state_points(state)[, c(corner[1:3, ], corner[c(1, 3, 4), ])], tolerance = 2^-23)
@@ -52,7 +52,7 @@ test_that("ropes and twines are lines in metres, with their colours and names", 
   }
 })
 
-test_that("every accessor lies in its buffer with the ends that it names", {
+test_that("glTF accessors fit their buffer and have correct limits", {
   file <- file.path(test_folder(), "trawl.glb")
   write_result(settled("midwater_trawl", nodes = 500), file, colours = "part")
   found <- read_gltf_file(file)
@@ -74,7 +74,7 @@ test_that("every accessor lies in its buffer with the ends that it names", {
   }
 })
 
-test_that("the scene is turned so that up is y, and pieces are balls of their height", {
+test_that("glTF export has y up and spheres for pieces", {
   state <- unsettled(sheets_plan)
   file <- file.path(test_folder(), "sheets.gltf")
   write_result(state, file)
@@ -95,14 +95,14 @@ test_that("the scene is turned so that up is y, and pieces are balls of their he
   expect_equal(unlist(ball$scale), rep(0.06, 3))
   places <- found$get(found$tree$meshes[[ball$mesh + 1]]$primitives[[1]]$attributes$POSITION)
   expect_equal(colSums(places^2), rep(1, ncol(places)), tolerance = 1e-6)
-  # its faces turn outward
+  # its faces point outwards
   corner <- array(places, c(3, 3, ncol(places) / 3))
   outward <- apply(corner, 3, function(face) det(face))
   expect_true(all(outward > 0))
   expect_identical(gltf_node(found, "board")$extras$role, "otter_board")
 })
 
-test_that("a free otter board is a plate", {
+test_that("glTF export shows a free otter board as a plate", {
   state <- unsettled(test_path("plans", "towed_board.yaml"))
   file <- file.path(test_folder(), "board.glb")
   write_result(state, file)
@@ -111,7 +111,7 @@ test_that("a free otter board is a plate", {
   expect_equal(unique(t(plate)), t(board_corners(state)), tolerance = 1e-6, ignore_attr = TRUE)
 })
 
-test_that("a tow is an animation: every kept time is there, at its time", {
+test_that("glTF export of a tow animates every saved time", {
   skip_if_not_installed("RNetCDF")
   folder <- test_folder()
   trajectory <- tow("towed_cable", until = 6, every = 2, nodes = 40,
@@ -124,7 +124,7 @@ test_that("a tow is an animation: every kept time is there, at its time", {
   first <- found$get(lines$attributes$POSITION)
   state <- state_at(trajectory, 6)
   ends <- state_points(state)[, engine_array(state, "bars", "node")]
-  # single precision of places of up to 1000 m
+  # single precision of positions up to 1000 m
   expect_equal(first + found$get(lines$targets[[3]]$POSITION), ends, tolerance = 2^-22)
   play <- found$tree$animations[[1]]
   at <- vapply(found$tree$nodes, function(node) identical(node$name, "cable"), NA)
@@ -132,7 +132,7 @@ test_that("a tow is an animation: every kept time is there, at its time", {
   expect_identical(channel$target$path, "weights")
   sampler <- play$samplers[[channel$sampler + 1]]
   expect_equal(drop(found$get(sampler$input)), c(0, 2, 4, 6))
-  # the shape as it begins, then each target in turn
+  # the initial shape, then each target
   expect_equal(matrix(found$get(sampler$output), 3), cbind(0, diag(3)))
   # from a shell, by the file of the tow
   kept <- file.path(folder, "tow.nc")
@@ -142,7 +142,7 @@ test_that("a tow is an animation: every kept time is there, at its time", {
   expect_identical(readBin(again, "raw", 1e7), readBin(file, "raw", 1e7))
 })
 
-test_that("the validator of glTF finds no error in a shape and in a tow", {
+test_that("glTF validator accepts a state and a tow", {
   folder <- test_path("..", "gltf")
   skip_if_not(dir.exists(file.path(folder, "node_modules", "gltf-validator")) &&
     nzchar(Sys.which("node")), "the validator of glTF is not here")

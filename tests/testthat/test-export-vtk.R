@@ -1,5 +1,5 @@
-# VTK's own reader in Python, where it is installed (Debian: python3-vtk9). Without it the files are
-# read as the format's specification says.
+# Uses VTK's own reader in Python if it is installed (Debian: python3-vtk9). Otherwise the files are
+# read by the format's specification.
 read_with_vtk <- function(file) {
   read_with_python(file,
     "import json, math, sys, vtk",
@@ -24,7 +24,7 @@ read_with_vtk <- function(file) {
   )
 }
 
-test_that("VTK's own reader finds every number that was written", {
+test_that("VTK's own reader returns every exported number", {
   skip_if_not(has_python("vtk"), "VTK for Python is not installed")
   folder <- test_folder()
   for (netting in c("bars", "cells")) {
@@ -59,7 +59,7 @@ test_that("VTK's own reader finds every number that was written", {
   }
 })
 
-test_that("meshio opens grids", {
+test_that("meshio opens exported grids", {
   skip_if_not(has_python("meshio"), "meshio is not installed")
   file <- file.path(test_folder(), "panel.vtu")
   state <- settled("panel_in_current", nodes = 200, netting = "cells")
@@ -78,7 +78,7 @@ test_that("meshio opens grids", {
   expect_identical(found$names, parts_of(state)$name)
 })
 
-test_that("forces on cells and knots are all that the water does to the gear", {
+test_that("VTK export writes forces that sum to the gear's drag", {
   file <- file.path(test_folder(), "net.vtu")
   for (netting in c("bars", "cells")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
@@ -101,7 +101,7 @@ test_that("forces on cells and knots are all that the water does to the gear", {
   }
 })
 
-test_that("slack and tension in cells tell both families of twine", {
+test_that("VTK export writes slack and tension of both twine families", {
   file <- file.path(test_folder(), "net.vtu")
   state <- settled("hung_panel")
   write_result(state, file)
@@ -109,11 +109,11 @@ test_that("slack and tension in cells tell both families of twine", {
   cells <- found$CellData
   net <- part_names_of(found$FieldData)[cells$part] == "net"
   expect_identical(cells$tension_N[net], pmax(state$u_tension, state$v_tension))
-  # crosswise twines hang loose, lengthwise ones are taut
+  # crosswise twines are slack, lengthwise twines are taut
   expect_true(all(cells$slack[net] == 0.5))
 })
 
-test_that("hexagonal meshes and a catch have their numbers", {
+test_that("VTK export writes hexagonal meshes and a catch", {
   net <- list(
     mesh_size = 0.144, meshes = list(upper = 5, lower = 5, deep = 20), orientation = "hexagonal",
     straight_bar = 0.012, twine = list(diameter = 0.003, material = "PA")
@@ -132,7 +132,7 @@ test_that("hexagonal meshes and a catch have their numbers", {
     (state$u_tension == 0) + (state$v_tension == 0) + (state$straight_tension == 0)))
 })
 
-test_that("a free otter board is a plate of its size, where its points are", {
+test_that("VTK export shows a free otter board as a plate", {
   state <- unsettled(test_path("plans", "towed_board.yaml"))
   board <- state$si$otter_boards[[1]]
   at <- nodes_at(state, board$points)
@@ -150,7 +150,7 @@ test_that("a free otter board is a plate of its size, where its points are", {
   expect_equal(found$CellData$drag_N[, quad], drop(state$forces$plate_force))
 })
 
-test_that("a trajectory is a series of grids over the ground", {
+test_that("VTK export of a tow is a series over the ground", {
   folder <- test_folder()
   file <- file.path(folder, "turn.pvd")
   turn <- tow("towed_cable", until = 30, every = 15,
@@ -166,18 +166,18 @@ test_that("a trajectory is a series of grids over the ground", {
     expect_identical(found$Points$points[, nodes], turn$position[, , k])
     expect_identical(found$PointData$velocity_m_per_s[, nodes], turn$velocity[, , k])
     expect_identical(found$FieldData$TimeValue, turn$time[k])
-    # the cable, in the axes over the ground, is pulled against its way through the water
+    # the drag of the cable, in axes over the ground, opposes its motion through the water
     drag <- rowSums(found$CellData$drag_N)
     expect_lt(sum(drag * rowMeans(turn$velocity[, , k])), 0)
   }
-  # written again it is replaced, but nothing else is
+  # a second export replaces only its own files
   write_result(turn, file)
   writeLines("mine", file.path(folder, "turn", "notes.txt"))
-  expect_error(write_result(turn, file), "holds other files", class = "codend_error_file")
+  expect_error(write_result(turn, file), "has other files", class = "codend_error_file")
   expect_true(file.exists(file.path(folder, "turn", "notes.txt")))
 })
 
-test_that("a series may have any name that a file can have", {
+test_that("VTK series accepts any valid file name", {
   skip_if_not_installed("xml2")
   name <- "a \"tow\" of <Tom's> & Co"
   file <- file.path(test_folder(), paste0(name, ".pvd"))
@@ -188,7 +188,7 @@ test_that("a series may have any name that a file can have", {
   expect_identical(listed, sprintf("%s/%04d.vtu", name, seq_along(tow$time)))
 })
 
-test_that("numbers beyond 32 bits keep their words", {
+test_that("low_word_first() splits numbers beyond 32 bits", {
   expect_identical(low_word_first(5), c(5L, 0L))
   expect_identical(low_word_first(2^32 + 7), c(7L, 1L))
   expect_identical(low_word_first(2^32 - 1), c(-1L, 0L))

@@ -1,7 +1,7 @@
-# What a full disk does is made by a limit on the size of files: the system gives writers the same
-# short counts and errors, only with another reason.
+# A limit on file size simulates a full disk: the system returns the same short counts and errors to
+# writers, with another reason.
 
-test_that("a file is replaced at once, and nothing else is left", {
+test_that("write_file() replaces a file atomically and leaves nothing else", {
   folder <- test_folder()
   file <- file.path(folder, "100 %s.txt")
   writeLines("old", file)
@@ -21,7 +21,7 @@ test_that("a file is replaced at once, and nothing else is left", {
   expect_setequal(list.files(folder, all.files = TRUE, no.. = TRUE), c("100 %s.txt", "a folder"))
 })
 
-test_that("a folder of files replaces an older one as a whole", {
+test_that("write_file() replaces a folder as a whole", {
   folder <- file.path(test_folder(), "series")
   fill <- function(name) write_file(folder, function(path) {
     dir.create(path)
@@ -33,7 +33,7 @@ test_that("a folder of files replaces an older one as a whole", {
   expect_identical(list.files(dirname(folder), all.files = TRUE, no.. = TRUE), "series")
 })
 
-test_that("a path is refused before anything is computed", {
+test_that("check_file_path() rejects a path before any computation", {
   folder <- test_folder()
   wrong <- function(file, message) {
     expect_error(check_file_path(file, ".csv"), message, class = "codend_error_file")
@@ -46,8 +46,8 @@ test_that("a path is refused before anything is computed", {
   expect_identical(check_file_path(file.path(folder, "a.CSV"), ".csv"), ".csv")
 })
 
-# Runs code in an R of its own whose files may hold no more than so many kilobytes. Returns what it
-# prints, line by line.
+# Runs code in a separate R whose files are limited to so many kilobytes. Returns the lines that it
+# prints.
 limited <- function(kilobytes, code) {
   script <- tempfile(fileext = ".R")
   on.exit(unlink(script))
@@ -59,7 +59,7 @@ limited <- function(kilobytes, code) {
   system2("sh", c("-c", shQuote(line)), stdout = TRUE, stderr = FALSE)
 }
 
-test_that("on a full disk every writer keeps the old file and says why", {
+test_that("every writer keeps the old file and reports a full disk", {
   skip_on_os("windows")
   folder <- test_folder()
   calls <- c(
@@ -88,7 +88,7 @@ test_that("on a full disk every writer keeps the old file and says why", {
   expect_setequal(list.files(folder, all.files = TRUE, no.. = TRUE), names(calls))
 })
 
-test_that("a tow whose file fails gives what it had done", {
+test_that("tow() returns its result so far if writing fails", {
   skip_on_os("windows")
   skip_if_not_installed("RNetCDF")
   file <- file.path(test_folder(), "tow.nc")
@@ -103,7 +103,7 @@ test_that("a tow whose file fails gives what it had done", {
   expect_gt(length(kept$time), 3)
 })
 
-test_that("files hold the same bytes whatever the session's settings are", {
+test_that("written files do not depend on options, locale or time zone", {
   folder <- test_folder()
   state <- settled("towed_cable", nodes = 100)
   bytes <- function(name) {
@@ -131,12 +131,12 @@ test_that("files hold the same bytes whatever the session's settings are", {
   for (locale in c("C", "en_US.UTF-8", "et_EE.UTF-8")) {
     suppressWarnings(Sys.setlocale("LC_COLLATE", locale))
     expect_identical(bytes("other"), usual, label = locale)
-    # nor may an order of names depend on the locale
+    # the order of names must not depend on the locale either
     expect_identical(settle(read_gear("towed_cable"), nodes = 100)$position, state$position)
   }
 })
 
-test_that("a link is followed, and stays", {
+test_that("write_text() writes through a link and keeps it", {
   skip_on_os("windows")
   folder <- test_folder()
   link <- file.path(folder, "link.csv")
@@ -147,16 +147,16 @@ test_that("a link is followed, and stays", {
   write_text("new", link)
   expect_identical(readLines(target, warn = FALSE), "new")
   expect_identical(Sys.readlink(link), file.path("deeper", "target.csv"))
-  # to what is not there yet, and round in a circle
+  # a link to a missing file, and a circular link
   file.remove(target)
   write_text("made", link)
   expect_identical(readLines(target, warn = FALSE), "made")
   file.symlink("b", file.path(folder, "a"))
   file.symlink("a", file.path(folder, "b"))
-  expect_error(write_text("x", file.path(folder, "a")), "circle", class = "codend_error_file")
+  expect_error(write_text("x", file.path(folder, "a")), "circular", class = "codend_error_file")
 })
 
-test_that("what killed processes left is removed, what others are writing is not", {
+test_that("write_file() removes files of dead processes only", {
   skip_on_os("windows")
   skip_if_not_installed("callr")
   folder <- test_folder()
@@ -180,7 +180,7 @@ test_that("what killed processes left is removed, what others are writing is not
   expect_true(all(file.exists(c(of_living, of_other, young))))
 })
 
-test_that("a spreadsheet runs nothing of a CSV file, and codend reads the texts back", {
+test_that("write_csv() quotes formulas and codend reads the strings back", {
   table <- data.frame(a = c("=1+1", "@SUM(A1)", "-2+3+cmd", "-5 deg", "+4.5 knot", "PE"),
     b = -(1:6))
   names(table)[2] <- "=HYPERLINK(0)"

@@ -1,19 +1,19 @@
-# What is worth a look: each check fires on a plan that is wrong in its way, with the number and the
-# place, and none on a gear that ships.
+# Warnings about plans: each check reports a plan with its mistake, with the number and the
+# location, and no shipped gear.
 
 quiet <- function(gear, ...) suppressWarnings(settle(gear, ...))
 
-# The one finding of a check, as list(check, place, value, ...).
+# Expects one finding of a check at a location; returns list(check, location, value, ...).
 expect_finding <- function(x, check, place) {
   found <- findings(x)
   mine <- found[found$check == check, ]
   expect_gte(nrow(mine), 1L)
-  expect_true(place %in% mine$place, info = paste(mine$place, collapse = ", "))
+  expect_true(place %in% mine$location, info = paste(mine$location, collapse = ", "))
   expect_true(all(nzchar(mine$advice)))
-  as.list(mine[match(place, mine$place), ])
+  as.list(mine[match(place, mine$location), ])
 }
 
-test_that("no shipped gear gives a false alarm", {
+test_that("findings() reports no false alarm for shipped gears", {
   for (name in gears()$name) {
     # a seine at rest in still water does hang as a bundle
     known <- if (name == "purse_seine") "bundle" else character()
@@ -23,41 +23,41 @@ test_that("no shipped gear gives a false alarm", {
   }
 })
 
-test_that("a forgotten unit shows", {
+test_that("findings() reports a forgotten unit", {
   cable <- update(read_gear("towed_cable"), ropes.cable.diameter = 17.3)
   expect_equal(expect_finding(cable, "rope diameter", "rope cable")$value, 17300)
   trawl <- read_gear("poly_noreastern_trawl")
   thick <- update(trawl, sections.body.twine.diameter = "25 mm")
   expect_equal(expect_finding(thick, "twine", "panel back_body")$value, 25)
-  # of the panels of one section with one twine the first speaks for all; the belly has its own
+  # panels of one section with the same twine give one finding; the belly has its own twine
   expect_equal(sum(findings(thick)$check == "twine"), 1)
   fast <- update(trawl, towing.speed = "40 knot")
   expect_equal(expect_finding(fast, "towing speed", "towing.speed")$value, 40)
-  # of kinds without a band of their own
+  # kinds without a specific range
   cable <- update(read_gear("towed_cable"), towing.speed = "40 knot")
   expect_equal(expect_finding(cable, "speed", "towing.speed")$value, 40)
   gillnet <- update(read_gear("gillnet"), water.current.speed = "15 m/s")
   expect_equal(expect_finding(gillnet, "speed", "water.current")$value, 15)
 })
 
-test_that("a coefficient beyond every test shows", {
+test_that("findings() reports a coefficient beyond all test data", {
   trawl <- read_gear("poly_noreastern_trawl")
   found <- expect_finding(update(trawl, otter_boards.lift_coefficient = 11), "lift coefficient",
     "otter board port")
   expect_equal(found$value, 11)
   found <- expect_finding(update(trawl, otter_boards.drag_coefficient = 5), "lift coefficient",
     "otter board port")
-  expect_match(found$words, "drag coefficient is 5")
+  expect_match(found$message, "drag coefficient is 5")
 })
 
-test_that("a number of panels that is not written shows", {
+test_that("findings() reports an omitted number of panels", {
   gear <- read_gear("midwater_trawl")
   found <- expect_finding(update(gear, panels = NULL), "number of panels", "panels")
-  # which is what the plan stands for
+  # the number that the plan expands to
   expect_equal(found$value, length(trawl_rings[["4"]]$panels))
 })
 
-test_that("edges that do not fit show", {
+test_that("findings() reports seam edges that do not fit", {
   plan <- spoil("seams:", "  mat:
     mesh_size: 100 mm
     meshes: {upper: 12, lower: 12, deep: 60}
@@ -75,58 +75,58 @@ seams:
   expect_equal(expect_finding(read_text(hung), "hanging ratio", "rope line")$value, 0.1)
 })
 
-test_that("cells finer than meshes show", {
+test_that("findings() reports cells finer than meshes", {
   # meshes of 32 m in the wings and the first section
   state <- settle("midwater_trawl", nodes = 1500, netting = "cells")
   found <- expect_finding(state, "cells finer than meshes", "panel back_wing_left")
-  # A wing that widens from 1 to 8 meshes, 3 deep, in cells of which half hold less than the mean.
-  counts <- matrix(state$lattice$division$count, 4L) - 1L
+  # A wing that widens from 1 to 8 meshes, 3 deep. Half of its cells contain less than the mean.
+  counts <- matrix(state$mesh$division$count, 4L) - 1L
   wing <- match("back_wing_left", names(state$si$panels))
   mean <- (1 + 8) / 2 * 3 / (counts[1L, wing] * counts[3L, wing])
   expect_equal(found$value, mean, tolerance = 0.25)
 })
 
-test_that("a bottom trawl that flies shows", {
+test_that("findings() reports a bottom trawl off the seabed", {
   gear <- update(read_gear("poly_noreastern_trawl"), warps.length = "50 m", seabed.depth = "60 m")
   state <- quiet(gear)
   found <- expect_finding(state, "net off the bed", "rope ground_gear")
   height <- measures(state)[["footrope_height_m"]]
-  # the height that half of it is above, less half its thickness, beside that of its middle
+  # median height of the rope less half its thickness, compared with the height of its middle
   expect_equal(found$value, height, tolerance = 0.1)
 })
 
-test_that("a beam trawl whose footrope hangs between its shoes shows", {
+test_that("findings() reports a beam trawl's footrope off the seabed", {
   gear <- read_gear("beam_trawl")
   expect_false("net off the bed" %in% findings(quiet(gear, nodes = 500))$check)
   state <- quiet(update(gear, towing.speed = "7 knot"), nodes = 500)
   found <- expect_finding(state, "net off the bed", "rope ground_gear")
-  # its middle less half its thickness; the shoes stand on the bed and hold the ends down
+  # height of its middle less half its thickness; the shoes are on the seabed and hold the ends down
   expect_gt(found$value,
     measures(state)[["footrope_height_m"]] - state$si$ropes$ground_gear$diameter)
   expect_gt(measures(state)[["footrope_height_m"]], 0.1)
 })
 
-test_that("a bridle that carries nearly all shows", {
+test_that("findings() reports a bridle that carries nearly all", {
   state <- quiet(update(read_gear("pair_trawl"), bridles.upper.length = "20.5 m"), nodes = 500)
   found <- expect_finding(state, "bridles", "rope bridle_lower_port")
   pull <- measures(state)[c("bridle_upper_tension_kN", "bridle_lower_tension_kN")]
-  # mean along the bridle beside the tension at its end
+  # mean along the bridle compared with the tension at its end
   expect_equal(found$value, 100 * pull[[2]] / sum(pull), tolerance = 0.02)
 })
 
-test_that("a spread that is odd for the head line, and loose netting, show", {
+test_that("findings() reports an unusual spread and hanging netting", {
   gear <- read_gear("poly_noreastern_trawl")
   narrow <- quiet(update(gear, otter_boards.lift_coefficient = 0.1), nodes = 500)
-  found <- expect_finding(narrow, "spread over head line", "rope head_line")
+  found <- expect_finding(narrow, "spread over headline", "rope headline")
   spread <- measures(narrow)[["upper_wing_spread_m"]]
-  expect_equal(found$value, spread / narrow$si$ropes$head_line$length)
+  expect_equal(found$value, spread / narrow$si$ropes$headline$length)
   slow <- quiet(update(gear, towing.speed = "0.01 knot"), nodes = 500)
   found <- expect_finding(slow, "slack netting", "netting")
-  # what hangs loose is part of what is slack
+  # hanging netting is part of the slack netting
   expect_lt(found$value, measures(slow)[["slack_netting_percent"]])
 })
 
-test_that("a net that is closed, and ropes that break, show first and by the field to change", {
+test_that("findings() reports closed nets and breaking ropes first with fields", {
   gear <- read_gear("poly_noreastern_trawl")
   bare <- quiet(update(gear, floats = NULL), nodes = 500)
   found <- expect_finding(bare, "opening", "net mouth height")
@@ -134,20 +134,20 @@ test_that("a net that is closed, and ropes that break, show first and by the fie
   expect_lt(found$value, 0)
   expect_identical(found$field, "floats")
   thin <- quiet(update(gear, warps.diameter = "6 mm"), nodes = 500)
-  # of two warps alike, whichever carries more in the last digit
-  side <- if (any(findings(thin)$place == "rope warp_port")) "port" else "starboard"
+  # the higher load of two equal warps is decided by rounding
+  side <- if (any(findings(thin)$location == "rope warp_port")) "port" else "starboard"
   found <- expect_finding(thin, "rope load", paste0("rope warp_", side))
   # breaking load of wire rope by EN 12385-4, 0.356 x 1770 MPa x d^2
   pull <- measures(thin)[["warp_tension_port_kN"]]
   expect_equal(found$value, 100 * pull * 1e3 / (0.356 * 1770e6 * 0.006^2), tolerance = 0.01)
   expect_identical(found$field, "warps.diameter")
-  # of both warps one line, and what breaks before what is out of proportion
-  expect_equal(found$alike, 1)
+  # one line for both warps; breaking ropes precede proportions
+  expect_equal(found$n_similar, 1)
   expect_match(finding_sentences(findings(thin))[1], "^rope warp_.* and 1 more: .*warps.diameter")
   expect_false(is.unsorted(findings(thin)$rank))
 })
 
-test_that("what is out of proportion for its kind shows", {
+test_that("findings() reports unusual proportions for the kind of gear", {
   trawl <- read_gear("poly_noreastern_trawl")
   seven <- update(trawl, towing.speed = "7 knot")
   expect_equal(expect_finding(seven, "towing speed", "towing.speed")$value, 7)
@@ -163,7 +163,7 @@ test_that("what is out of proportion for its kind shows", {
     100 / 4.86)
   start <- new_plan("bottom_trawl")
   short <- update(start, footrope.length = "21 m", ground_gear.length = "21 m")
-  expect_equal(expect_finding(short, "footrope over head line", "footrope.length")$value, 21 / 25)
+  expect_equal(expect_finding(short, "footrope over headline", "footrope.length")$value, 21 / 25)
   scant <- update(start, warps.length = "120 m")
   expect_equal(expect_finding(scant, "warp over depth", "warps.length")$value, 1.2)
   long <- quiet(update(start, sweeps.length = "300 m"), nodes = 500)
@@ -171,15 +171,15 @@ test_that("what is out of proportion for its kind shows", {
   expect_equal(found$value, measures(long)[["bridle_angle_deg"]])
   lying <- quiet(update(read_gear("gillnet"), water.current.speed = "0.6 m/s"), nodes = 300)
   found <- expect_finding(lying, "net height over hung height", "float_line")
-  # of 25 meshes of 150 mm hung by a half
+  # 25 meshes of 150 mm with a hanging ratio of 0.5
   hung <- 25 * 0.15 * sqrt(1 - (50 / (667 * 0.15))^2)
   expect_equal(found$value, measures(lying)[["net_height_m"]] / hung)
-  # an assembly has no kind to be compared with
+  # an assembly has no kind with usual ranges
   expect_false("towing speed" %in% findings(update(read_gear("towed_cable"),
     towing.speed = "8 knot"))$check)
 })
 
-test_that("every band has its quantity, a kind and a source", {
+test_that("every range has a quantity, a kind and a source", {
   bands <- known_bands()
   expect_setequal(unique(bands$quantity), intersect(bands$quantity, names(finding_checks)))
   expect_true(all(bands$kind %in% c(names(new_plan_kinds()), "assembly")))
@@ -189,7 +189,7 @@ test_that("every band has its quantity, a kind and a source", {
   expect_true(within(bands$usual_greatest, bands$greatest))
 })
 
-test_that("a rope that does nothing shows", {
+test_that("findings() reports a rope without tension", {
   line <- function(from, to) rope(from, to, length = "20 m", diameter = "20 mm", material = "PA")
   towed <- gear("Two ropes", towing = list(speed = "2 knot"),
     block = gear_point(position = c(0, 0, 0), held = "moved"), sphere = gear_point(),
@@ -201,26 +201,26 @@ test_that("a rope that does nothing shows", {
   expect_identical(found$field, "ropes.thread.length")
 })
 
-test_that("gear above the surface shows", {
+test_that("findings() reports gear above the water surface", {
   flying <- quiet(update(read_gear("pair_trawl"), floats.number = 2000), nodes = 500)
-  found <- expect_finding(flying, "out of the water", "rope `head_line`, netting `back_square`")
+  found <- expect_finding(flying, "out of the water", "rope `headline`, netting `back_square`")
   expect_equal(found$value, max(flying$position[3, ]))
 })
 
-test_that("a board at stall, or beyond what was tested, shows", {
+test_that("findings() reports a board that stalls or exceeds its tests", {
   gear <- read_gear(test_path("plans", "towed_board.yaml"))
   name <- names(gear$plan$otter_boards)[1]
   state <- quiet(gear)
-  # the same state with the flow turned beyond the tests, then below them
+  # the same state with angles of attack above and below the tested range
   for (case in list(list(deg = 50, words = "stalled"), list(deg = 4, words = "tested from"))) {
     state$boards$attack[1] <- case$deg * pi / 180
     found <- expect_finding(state, "boards", gsub("_", " ", name))
-    expect_match(found$words, case$words)
+    expect_match(found$message, case$words)
     expect_equal(found$value, case$deg)
   }
 })
 
-test_that("findings are told in the summary, the report and the record", {
+test_that("summary, report and record list findings", {
   gear <- update(read_gear("towed_cable"), pieces.sphere.lift_coefficient = 11,
     pieces.sphere.area = 1e-6, pieces.sphere.lift_direction = "up")
   state <- quiet(gear)
@@ -235,80 +235,80 @@ test_that("findings are told in the summary, the report and the record", {
   expect_identical(state_record(state)$findings[[1]]$check, "lift coefficient")
   expect_identical(unname(state_record(state)$findings[[1]]$value), 11)
   worth <- finding_rows(settled_start(gear, 100)$worth)
-  expect_match(worth$words, "lift coefficient is 11", all = FALSE)
+  expect_match(worth$message, "lift coefficient is 11", all = FALSE)
 })
 
-test_that("a weight that hangs on netting alone shows", {
+test_that("findings() reports a weight that hangs on netting alone", {
   cage <- update(read_gear("model_cage"), side_ropes = NULL)
   found <- expect_finding(quiet(cage, nodes = 300), "weight on netting", "piece sinker_1")
   expect_equal(found$value, 0.4)
-  # a rope along the edge will do as well
+  # a rope along the edge also suffices
   roped <- update(cage, bottom_rope = list(diameter = "2 mm", material = "polyamide"))
   expect_false("weight on netting" %in% findings(quiet(roped, nodes = 300))$check)
 })
 
-test_that("a net that hangs as a bundle shows", {
-  # In still water nothing holds the seine open.
+test_that("findings() reports a net that hangs as a bundle", {
+  # In still water no force opens the seine.
   rest <- suppressWarnings(settled("purse_seine", nodes = 300))
   found <- findings(rest)
   found <- found[found$check == "bundle", ]
-  expect_identical(found$place, "rope lead_line")
+  expect_identical(found$location, "rope lead_line")
   expect_equal(found$value, measures(rest)[["enclosed_volume_m3"]])
-  expect_match(found$words, "bundle")
+  expect_match(found$message, "bundle")
 })
 
-test_that("a law outside what it was measured for warns", {
+test_that("settle() warns about a drag model beyond its tested angles", {
   gear <- update(read_gear("poly_noreastern_trawl"), netting_drag = "loland")
-  expect_warning(state <- settle(gear, nodes = 500), class = "codend_warning_drag_law")
-  share <- expect_finding(state, "drag law", "netting_drag")$value
-  # a plane by hand: its normal 80 degrees from the flow
+  expect_warning(state <- settle(gear, nodes = 500), class = "codend_warning_drag_model")
+  share <- expect_finding(state, "drag model", "netting_drag")$value
+  # reference: a plane whose normal is 80 degrees from the flow
   tilt <- 80 * pi / 180
   plane <- list(si = list(towing = list(speed = 1), water = list(current = list(x = 0, y = 0))),
-    lattice = list(mesh = list(cells = list(node = c(1:3, 3L)))),
+    mesh = list(model = list(cells = list(node = c(1:3, 3L)))),
     position = cbind(c(0, 0, 0), c(0, 2, 0), c(sin(tilt), 0, cos(tilt))))
   expect_equal(netting_to_flow(plane, 1L), list(angle = 80, area = 1))
   expect_gt(share, 50)
-  # across the flow it is used as it was fitted
+  # across the flow the model is in its fitted range
   expect_no_warning(settle(read_gear("model_cage")))
 })
 
-test_that("a screen's law on netting denser than it was fitted to warns", {
+test_that("settle() warns about netting denser than a screen model's range", {
   cage <- update(read_gear("model_cage"), water.current.speed = 0.02)
   # squares of 16 mm: 2 d/a - (d/a)^2
   expect_equal(range(solidity_of_panels(quiet(cage, nodes = 300), "wall_1")),
     rep(2 * 1.8 / 16 - (1.8 / 16)^2, 2), tolerance = 0.02)
   dense <- update(cage, wall.twine.diameter = "4 mm")
   expect_warning(state <- settle(dense, nodes = 300), "fitted to at most 0.35",
-    class = "codend_warning_drag_law")
+    class = "codend_warning_drag_model")
   found <- subset(findings(state), check == "solidity")
-  expect_match(found$place, "^panel wall_")
+  expect_match(found$location, "^panel wall_")
   expect_equal(found$value, 0.5 - 0.25^2, tolerance = 0.02)
   expect_no_match(found$advice, "kristiansen_faltinsen")
-  # the engine holds that one at the same solidity (test-plan-laws.R)
+  # the engine limits this model to the same solidity (test-plan-drag-models.R)
   other <- quiet(update(dense, netting_drag = "kristiansen_faltinsen"), nodes = 300)
   found <- subset(findings(other), check == "solidity")
-  expect_match(found$words, "kristiansen_faltinsen was fitted to at most 0.35", fixed = TRUE)
+  expect_match(found$message, "kristiansen_faltinsen was fitted to at most 0.35", fixed = TRUE)
 })
 
-test_that("a screen's law on netting more open than it was fitted to warns", {
+test_that("settle() warns about netting more open than a screen model's range", {
   # squares of 16 mm: 2 d/a of twine of 0.6 mm
   cage <- update(read_gear("model_cage"), water.current.speed = 0.02,
     wall.twine.diameter = "0.6 mm")
   expect_warning(state <- settle(cage, nodes = 300), "fitted to at least 0.1",
-    class = "codend_warning_drag_law")
+    class = "codend_warning_drag_model")
   found <- subset(findings(state), check == "solidity")
   expect_equal(found$value, 2 * 0.6 / 16, tolerance = 0.05)
-  summed <- update(cage, netting_drag = "twines")
+  summed <- update(cage, netting_drag = "morison")
   expect_no_warning(state <- settle(summed, nodes = 300))
   expect_false("solidity" %in% findings(state)$check)
 })
 
-test_that("the screen by Reynolds number warns outside its range of them", {
+test_that("settle() warns about Reynolds numbers outside the screen model's range", {
   cage <- update(read_gear("model_cage"), netting_drag = "kristiansen_faltinsen")
   expect_false("Reynolds number" %in% findings(quiet(cage, nodes = 300))$check)
   slow <- update(cage, water.current.speed = 0.01)
   expect_warning(state <- settle(slow, nodes = 300), "Reynolds number",
-    class = "codend_warning_drag_law")
+    class = "codend_warning_drag_model")
   found <- subset(findings(state), check == "Reynolds number")
   si <- gear_si(slow)
   solidity <- 2 * 1.8 / 16 - (1.8 / 16)^2

@@ -1,5 +1,5 @@
 run_code <- function(code) {
-  # plot() and view_3d() have files and pages of their own
+  # plot() and view_3d() write files and pages
   code <- sub("view_3d(state)", "", code, fixed = TRUE)
   env <- new.env(parent = globalenv())
   grDevices::pdf(NULL)
@@ -8,7 +8,7 @@ run_code <- function(code) {
   env
 }
 
-test_that("the code of a changed shipped plan settles the same gear", {
+test_that("flume_code() of a changed shipped plan settles the same gear", {
   loaded <- read_gear("towed_cable")
   design <- update(loaded, towing.speed = "5 knot", ropes.cable.length = 800)
   code <- flume_code(loaded, loaded, design, 300)
@@ -19,8 +19,8 @@ test_that("the code of a changed shipped plan settles the same gear", {
   expect_identical(measures(ran$state), measures(settle(design, nodes = 300)))
 })
 
-test_that("the code of a plan that is no file here holds the plan, whatever is in it", {
-  # texts that would end a string, run, or be lost in another locale
+test_that("flume_code() contains an uploaded plan with any strings", {
+  # strings that would end a string literal, run, or be lost in another locale
   tree <- read_gear("towed_cable")$plan
   tree$name <- "net \"); stop('ran'); (\" \\ %s \u00e9\u4e2d\U0001f41f"
   tree$notes <- c("'; stop('ran') #", "`quit()`", "\\u0041 \t.")
@@ -33,7 +33,7 @@ test_that("the code of a plan that is no file here holds the plan, whatever is i
   expect_identical(ran$gear$plan, update(own, towing.speed = 3)$plan)
 })
 
-test_that("parts that come and go need the whole plan", {
+test_that("flume_code() writes the whole plan when parts are added or removed", {
   loaded <- read_gear("towed_cable")
   without <- loaded$plan
   without$pieces <- NULL

@@ -1,4 +1,4 @@
-test_that("a gear has controls of what it has, in its own units", {
+test_that("plan_controls() offers the main fields in the plan's units", {
   controls <- plan_controls(read_gear("midwater_trawl")$plan)
   labels <- vapply(controls, `[[`, "", "label", USE.NAMES = FALSE)
   expect_identical(labels[1:5],
@@ -6,11 +6,11 @@ test_that("a gear has controls of what it has, in its own units", {
   speed <- controls[[1]]
   expect_identical(speed[c("value", "unit")], list(value = 4, unit = "knot"))
   expect_equal(1 / speed$factor, 3600 / 1852)
-  # a half to one and a half times 4 in steps of a round number
+  # 0.5 to 1.5 times 4, in steps of a round number
   expect_equal(c(speed$low, speed$high, speed$step), c(2, 6, 0.05))
 })
 
-test_that("parts of one role in an assembly move together where they are alike", {
+test_that("plan_controls() joins identical parts of one role in an assembly", {
   plan <- assembly(read_gear("midwater_trawl"))$plan
   warps <- c("ropes.warp_port.length", "ropes.warp_starboard.length")
   paths <- lapply(plan_controls(plan), `[[`, "paths")
@@ -20,7 +20,7 @@ test_that("parts of one role in an assembly move together where they are alike",
   expect_true(all(lapply(warps, I) %in% unname(paths)))
 })
 
-test_that("every field that can be marked gives a control, and its own value changes nothing", {
+test_that("every markable field gives a control that keeps its value", {
   for (name in gears()$name) {
     gear <- read_gear(name)
     paths <- markable_fields(gear$plan)
@@ -36,7 +36,7 @@ test_that("every field that can be marked gives a control, and its own value cha
   }
 })
 
-test_that("choices and truth values are controls too", {
+test_that("plan_controls() includes choices and logical values", {
   plan <- read_gear("midwater_trawl")$plan
   controls <- plan_controls(plan, list("netting", "sections.section_1.knotted"))
   found <- controls[vapply(controls, function(c) c$kind != "number", NA)]
@@ -49,11 +49,11 @@ test_that("choices and truth values are controls too", {
     class = "codend_error_plan")
 })
 
-test_that("a slider goes no further than its field may", {
+test_that("control_range() stays within the bounds of its field", {
   range <- function(value, node, factor = 1) unlist(control_range(value, node, factor))
   most <- range(0.9, list(shape = "number", maximum = 1))
   expect_equal(most, c(low = 0.44, high = 1, step = 0.02))
-  # 2.5 to 7.5 in whole numbers
+  # 2.5 to 7.5 in integers
   expect_equal(range(5, list(shape = "integer", minimum = 3)), c(low = 3, high = 8, step = 1))
   # bounds are in SI, the slider in its unit
   expect_equal(range(1, list(shape = "quantity", minimum = 700), 1000)[["low"]], 0.7)

@@ -1,6 +1,6 @@
-test_that("every field of every kind has a place in the form", {
+test_that("form places every field of every kind once", {
   known <- unique(unlist(lapply(plan_kinds, function(kind) names(kind_node(kind)$properties))))
-  placed <- c(unlist(form_rooms, use.names = FALSE), form_leaves)
+  placed <- c(unlist(form_sections, use.names = FALSE), form_leaves)
   expect_setequal(placed, known)
   expect_identical(anyDuplicated(placed), 0L)
 })
@@ -11,13 +11,13 @@ form_controls <- function(form) {
   }), recursive = FALSE)
 }
 
-test_that("a form holds every value of a shipped plan, and its own values change nothing", {
+test_that("plan_form() contains every value and its values change nothing", {
   for (name in gears()$name) {
     gear <- read_gear(name)
     controls <- form_controls(plan_form(gear$plan))
     paths <- vapply(controls, function(control) control$paths[1], "")
     expect_identical(anyDuplicated(paths), 0L)
-    # values in lists are parts of a field that the form writes on one line
+    # values in lists belong to a field that the form shows on one line
     inside <- vapply(given_paths(gear$plan), function(path) {
       any(path == paths | startsWith(path, paste0(paths, ".")))
     }, NA)
@@ -28,7 +28,7 @@ test_that("a form holds every value of a shipped plan, and its own values change
   }
 })
 
-test_that("parts are copied behind their like, renamed with all that speaks of them, and moved", {
+test_that("edited_plan() copies, renames and moves parts with their references", {
   gear <- read_gear("poly_noreastern_trawl")
   plan <- edited_plan(gear$plan, list(
     sections.intermediate_2 = list(like = "sections.intermediate", after = "intermediate"),
@@ -44,7 +44,7 @@ test_that("parts are copied behind their like, renamed with all that speaks of t
   }
 })
 
-test_that("numbers are read as people write them, and one far from what it was is asked about", {
+test_that("edited_plan() reads numbers as typed and questions unlikely ones", {
   plan <- read_gear("midwater_trawl")$plan
   read <- function(text, unit, path = "warps.length") {
     edited_plan(plan, stats::setNames(list(list(value = text, unit = unit)), path))
@@ -59,12 +59,12 @@ test_that("numbers are read as people write them, and one far from what it was i
   expect_length(draft_gear(read("1,000", "m")$plan)$problems, 1L)
   mesh <- read("31", "m", "sections.codend.mesh_size")$understood[[1]]
   expect_identical(mesh$text, "31 m")
-  expect_match(mesh$doubt$message, "Is it really 31 m?", fixed = TRUE)
+  expect_match(mesh$doubt$message, "Is 31 m correct?", fixed = TRUE)
   expect_identical(mesh$doubt$instead, "31 mm")
   expect_null(read("600", "m")$understood[[1]]$doubt)
 })
 
-test_that("a form says what a field may be, and offers what a part could have", {
+test_that("plan_form() describes valid values and offers missing fields", {
   plan <- read_gear("midwater_trawl")$plan
   warp <- Filter(function(control) control$paths[1] == "warps.length",
     form_controls(plan_form(plan)))[[1]]
@@ -74,7 +74,7 @@ test_that("a form says what a field may be, and offers what a part could have", 
   expect_true("Strumming" %in% labels)
   expect_false("Length" %in% labels)
   of_group <- form_offers(plan, "", "Netting")
-  expect_true(all(vapply(of_group, function(one) one$paths[1], "") %in% form_rooms$Netting))
+  expect_true(all(vapply(of_group, function(one) one$paths[1], "") %in% form_sections$Netting))
   expect_error(form_offers(plan, "warps.lenght", "Rig"), class = "codend_error_argument")
   for (name in gears()$name) {
     plan <- read_gear(name)$plan
@@ -87,7 +87,7 @@ test_that("a form says what a field may be, and offers what a part could have", 
   }
 })
 
-test_that("parts are added like another, fields are added and taken out", {
+test_that("edited_gear() adds and removes parts and fields", {
   gear <- read_gear("midwater_trawl")
   longer <- edited_gear(gear, list(
     warps.strumming = list(value = 0.3),
@@ -109,7 +109,7 @@ test_that("parts are added like another, fields are added and taken out", {
   }
 })
 
-test_that("what the catalogue has fits its parts, and a pick gives a gear", {
+test_that("catalogue picks fit their parts and give a gear", {
   plan <- new_plan("bottom_trawl")$plan
   parts <- do.call(c, lapply(plan_form(plan), `[[`, "parts"))
   picks <- do.call(c, lapply(parts, `[[`, "picks"))
@@ -133,7 +133,7 @@ test_that("what the catalogue has fits its parts, and a pick gives a gear", {
   expect_true("otter_boards.polar" %in% unlist(lapply(parts, `[[`, "absent")))
 })
 
-test_that("own rows of the catalogue are kept with the designs, each checked", {
+test_that("own_rows() checks user-defined rows and stores them with designs", {
   given <- list(
     list(class = "float", title = " My\nfloat", values = list(diameter = "8 in", buoyancy = "2,9")),
     list(class = "rope", title = "Rope", values = list(strength = "50", material = "nylon")),
@@ -152,10 +152,10 @@ test_that("own rows of the catalogue are kept with the designs, each checked", {
   }
   wrong("one of", class = "boat")
   wrong("name", title = "")
-  wrong("figure", values = list(diameter = NULL))
+  wrong("no numbers", values = list(diameter = NULL))
   wrong("diameter is", values = list(diameter = "8 kg"))
   wrong("diameter is", values = list(diameter = "-8 in"))
-  wrong("short text", values = list(diameter = 8))
+  wrong("must be text of at most", values = list(diameter = 8))
   many <- lapply(1:101, function(k) utils::modifyList(given[[1]], list(title = paste(k))))
   expect_error(own_rows(many), "at most")
 
@@ -169,17 +169,17 @@ test_that("own rows of the catalogue are kept with the designs, each checked", {
     expect_identical(sent("flume_refused")[[1]]$where, "own")
     expect_identical(tank$own, rows)
   })
-  # as the address says them, on another page
+  # restored from the address, on another page
   in_flume(NULL, function(session, sent, tank) {
     session$setInputs(words = list(number = 3, asked = words))
     expect_identical(tank$own, rows)
   })
 })
 
-test_that("a bare number of a field with an example has its unit", {
+test_that("typed_quantity() adds the unit of the example to a number", {
   expect_identical(typed_quantity("15,6", "25 m"), "15.6 m")
   expect_identical(typed_quantity("11 fm", "25 m"), "11 fm")
   expect_identical(typed_quantity("1,000", "25 m"), "1,000")
   expect_identical(typed_quantity("80", "80"), "80")
-  expect_equal(said_number("5", "speed", "speed"), 5 * 1852 / 3600)
+  expect_equal(format_number("5", "speed", "speed"), 5 * 1852 / 3600)
 })

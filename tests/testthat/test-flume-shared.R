@@ -12,7 +12,7 @@ words_of_speed <- function(speed) {
   list(now = list(base = "towed_cable", edits = list(towing.speed = speed)))
 }
 
-test_that("a design comes back as it was, and only its author's word changes it", {
+test_that("shared design returns unchanged and only its author's password changes it", {
   folder <- new_folder()
   shared <- new_shared(folder)
   words <- words_of_speed("5 knot")
@@ -21,26 +21,26 @@ test_that("a design comes back as it was, and only its author's word changes it"
   expect_identical(shared$list()[[1]][c("author", "name")],
     list(author = "S\u00f8ren", name = "../../my net"))
   expect_error(shared$put("S\u00f8ren", "another", "../../my net", words_of_speed("6 knot")),
-    "not the word", class = "codend_error_argument")
-  expect_error(shared$put("S\u00f8ren", "another", "a second", words), "not the word")
-  expect_error(shared$take_out("S\u00f8ren", "another", "../../my net"), "not the word")
+    "password of .* is wrong", class = "codend_error_argument")
+  expect_error(shared$put("S\u00f8ren", "another", "a second", words), "password of .* is wrong")
+  expect_error(shared$take_out("S\u00f8ren", "another", "../../my net"), "password of .* is wrong")
   expect_identical(shared$words("S\u00f8ren", "../../my net")$now, words$now)
   shared$put("S\u00f8ren", "torsk og sei", "../../my net", words_of_speed("6 knot"))
   expect_identical(shared$words("S\u00f8ren", "../../my net")$now, words_of_speed("6 knot")$now)
-  # another server of the folder knows the word, which is nowhere in it
-  expect_error(new_shared(folder)$take_out("S\u00f8ren", "another", "../../my net"), "not the")
+  # another server of the folder accepts the password, which is not stored as text
+  expect_error(new_shared(folder)$take_out("S\u00f8ren", "another", "../../my net"), "is wrong")
   texts <- unlist(lapply(list.files(folder, full.names = TRUE), readLines, warn = FALSE))
   expect_false(any(grepl("torsk og sei", texts, fixed = TRUE)))
-  # no name leads out of the folder
+  # no name refers outside the folder
   expect_true(all(grepl("^[0-9a-f-]+[.](json|author)$", list.files(folder, all.files = TRUE,
     no.. = TRUE))))
   expect_length(list.files(dirname(folder), "my net"), 0L)
   shared$take_out("S\u00f8ren", "torsk og sei", "../../my net")
   expect_length(shared$list(), 0L)
-  expect_error(shared$words("S\u00f8ren", "../../my net"), "no such design")
+  expect_error(shared$words("S\u00f8ren", "../../my net"), "no longer in the folder")
 })
 
-test_that("names, words and designs that are wrong or too large leave nothing behind", {
+test_that("new_shared() rejects wrong or large input and writes nothing", {
   folder <- new_folder()
   shared <- new_shared(folder)
   words <- words_of_speed("5 knot")
@@ -54,28 +54,30 @@ test_that("names, words and designs that are wrong or too large leave nothing be
   large <- list(now = list(plan = strrep("x", most_shared_bytes)))
   expect_error(shared$put("Anna", "long word", "net", large), "too large")
   expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), character())
-  # files that are no designs
+  # files that are not designs
   writeLines("{", file.path(folder, "61-62.json"))
   writeLines("x", file.path(folder, "passwd"))
   expect_identical(shared$list()[[1]][c("author", "name")], list(author = "a", name = "b"))
-  expect_error(shared$words("a", "b"), "holds none")
+  expect_error(shared$words("a", "b"), "damaged")
 })
 
-test_that("words cannot be guessed one after the other", {
+test_that("new_shared() blocks repeated wrong passwords", {
   clock <- 0
   shared <- new_shared(new_folder(), function() clock)
   words <- words_of_speed("5 knot")
   shared$put("Anna", "long word", "net", words)
-  for (k in 1:5) expect_error(shared$take_out("Anna", "wrong word", "net"), "not the word")
+  for (k in 1:5) {
+    expect_error(shared$take_out("Anna", "wrong word", "net"), "password of .* is wrong")
+  }
   expect_error(shared$take_out("Anna", "long word", "net"), "in a minute")
-  # others are not held up
+  # other authors are not blocked
   shared$put("Bo", "long word", "net", words)
   clock <- 61
   shared$take_out("Anna", "long word", "net")
   expect_length(shared$list(), 1L)
 })
 
-test_that("pages share: one puts, another opens a copy with its own rows and is told of changes", {
+test_that("pages share designs as copies and receive changes", {
   folder <- new_folder()
   in_flume("towed_cable", folder = folder, function(session, sent, tank) {
     rows <- list(list(class = "rope", title = "Mine", values = list(diameter = "16,5")))
@@ -93,11 +95,11 @@ test_that("pages share: one puts, another opens a copy with its own rows and is 
     sent("flume_refused")
     session$setInputs(shared_open = list(number = 4, asked = list(author = "..", name = "/etc")))
     told <- sent("flume_refused")[[1]]$message
-    expect_match(told, "no such design")
+    expect_match(told, "no longer in the folder")
     session$setInputs(shared = list(act = "take_out", author = "Anna", word = "wrong one",
       name = "Net"))
     told <- sent("flume_refused")[[1]]$message
-    expect_match(told, "not the word")
+    expect_match(told, "password of .* is wrong")
   })
   expect_error(flume(folder = file.path(folder, "none")), "folder", class = "codend_error_argument")
 })

@@ -1,5 +1,5 @@
-test_that("changes are those of the measures, by name", {
-  kinds <- asked_kinds()
+test_that("measure_changes() matches measures by name", {
+  kinds <- user_measure_kinds()
   none <- rep(NA_real_, 3)
   table <- measure_changes(
     new_measures(c(a_m = 3, b_kN = 2000, c_m = 0), kinds[c("length", "tension", "length")],
@@ -7,23 +7,23 @@ test_that("changes are those of the measures, by name", {
     new_measures(c(a_m = 2, c_m = 0, d_m = 5), kinds[rep("length", 3)], none, FALSE)
   )
   expect_identical(table$unit, c("m", "kN", "m", "m"))
-  expect_identical(table$definition[c(1, 4)], rep("Straight distance between two places.", 2))
+  expect_identical(table$definition[c(1, 4)], rep("Straight distance between two locations.", 2))
   expect_identical(table$measure, c("a", "b", "c", "d"))
   expect_identical(table$change, c(1, NA, 0, NA))
   expect_identical(table$change_percent, c(50, NA, NA, NA))
 })
 
-test_that("changes show a sign and no more decimals than their values", {
+test_that("signed() shows a sign and the decimals of the values", {
   expect_identical(signed(c(1.26, -0.04, 0.04, NA, -12345.6), c(1, 1, 2, 1, 0)),
     c("+1.3", "0", "+0.04", "", "\u221212\u202f346"))
 })
 
-test_that("what shows no figure but zeros is 0, without a sign", {
+test_that("fixed_decimals() shows zero without a sign", {
   expect_identical(fixed_decimals(c(-2e-8, 4e-5, 0, -6e-5, NA, Inf), 4L),
     c("0", "0", "0", "-0.0001", "", "Inf"))
 })
 
-test_that("tables hold text as text", {
+test_that("html_table() escapes text", {
   skip_if_not_installed("shiny")
   html <- html_table("A <b>", c("x", "y"), list(list("<script>", "1 & 2")))
   expect_match(html, "&lt;script&gt;", fixed = TRUE)
@@ -31,7 +31,7 @@ test_that("tables hold text as text", {
   expect_no_match(html, "<script>", fixed = TRUE)
 })
 
-test_that("ropes are ranked by tension with their margin to the breaking load", {
+test_that("ranked_tensions() orders ropes by tension with their strength margin", {
   state <- settled("midwater_trawl", nodes = 500)
   ranked <- ranked_tensions(state)
   expect_false(is.unsorted(-ranked$highest_kN))
@@ -39,13 +39,13 @@ test_that("ropes are ranked by tension with their margin to the breaking load", 
   # 630 MPa on the square of 32 mm, from the table of materials
   expect_equal(warp$strength_kN, 630e3 * 0.032^2)
   expect_equal(warp$margin, warp$strength_kN / warp$highest_kN)
-  # the vessel's blocks hold nothing but the warps, of whose last half element, in the surface,
-  # water drags one end less
+  # The vessel's blocks carry only the warps. Water drags one end less of their last half element,
+  # in the surface.
   pull <- as.data.frame(state, what = "reactions")[c("x_kN", "y_kN", "z_kN")]
   expect_equal(warp$highest_kN, max(sqrt(rowSums(pull^2))), tolerance = 2e-4)
 })
 
-test_that("differences of plans are found at their paths", {
+test_that("plan_changes() finds differences of plans by path", {
   one <- list(a = list(b = 1, c = "x"), d = c(1, 2))
   other <- list(a = list(b = 2, c = "x"), d = c(1, 3), e = TRUE)
   found <- plan_changes(one, other)
@@ -53,7 +53,7 @@ test_that("differences of plans are found at their paths", {
   expect_length(plan_changes(one, one), 0L)
 })
 
-test_that("six measures come first, what is looked at first before the others", {
+test_that("key_names() returns six measures with the main ones first", {
   names <- c("a_m", "total_drag_kN", "b_m", "door_spread_m", "c_m", "d_m", "e_m")
   first <- c("door_spread_m", "total_drag_kN", "a_m", "b_m", "c_m", "d_m")
   expect_identical(key_names(names), first)

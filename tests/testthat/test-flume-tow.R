@@ -6,7 +6,7 @@ faster <- function(...) {
   list(until = "40 s", changes = list(speed = speed), ...)
 }
 
-test_that("the design on screen is towed, and the page plays what tow() finds", {
+test_that("page plays a tow of the current design that equals tow()", {
   in_flume("towed_cable", function(session, sent, tank) {
     session$setInputs(tow_wanted = faster())
     scene <- sent("flume_tow")[[1]]$scene
@@ -19,12 +19,12 @@ test_that("the design on screen is towed, and the page plays what tow() finds", 
     expect_identical(scene, viewed_scene(trajectory))
     words <- vapply(scene$graph, `[[`, "", "words")
     expect_true("body depth (m)" %in% words)
-    # of a march in balance within 2 % of what is put through
+    # energy balance of an accurate time integration: within 2 % of the total
     energy <- scene$graph[[grep("energy imbalance", words)]]$values
     expect_length(energy, length(trajectory$time))
     expect_lt(max(abs(energy)), 2)
 
-    # what is saved is what is played
+    # saved files equal the displayed tow
     table <- utils::read.csv(session$output$save_tow_measures)
     expect_equal(table$value, as.data.frame(trajectory, what = "measures")$value, tolerance = 1e-12)
     listed <- utils::untar(session$output$save_tow_grids, list = TRUE, tar = "internal")
@@ -35,9 +35,9 @@ test_that("the design on screen is towed, and the page plays what tow() finds", 
   })
 })
 
-test_that("warps are paid out from what they are, and a jump takes no time", {
+test_that("describe_tow() pays out warps from their length and allows jumps", {
   state <- settled("midwater_trawl", nodes = 500)
-  given <- said_tow(state, list(warp_out = list(by = "-50 m", from = "0 s", over = "20 s"),
+  given <- describe_tow(state, list(warp_out = list(by = "-50 m", from = "0 s", over = "20 s"),
     course = list(by = "90 deg", from = "10 s", over = "0 s")))$schedule
   expect_identical(names(Filter(Negate(is.null), unclass(given))), c("course", "warp_out"))
   warps <- Filter(function(rope) identical(rope$role, "warp"), state$si$ropes)
@@ -49,7 +49,7 @@ test_that("warps are paid out from what they are, and a jump takes no time", {
   expect_equal(given$course, data.frame(time = c(0, 10, 10), value = c(0, 0, pi / 2)))
 })
 
-test_that("a tow that cannot be is refused in words, and the last one stays", {
+test_that("page rejects an invalid tow and keeps the last one", {
   in_flume("towed_cable", function(session, sent, tank) {
     wrong <- list(
       list(), list(until = "2 days"), list(until = "-3 s"), list(until = 1:3),
@@ -64,19 +64,19 @@ test_that("a tow that cannot be is refused in words, and the last one stays", {
   })
 })
 
-test_that("the plan's own tow is towed", {
+test_that("page runs the tow of the plan", {
   gear <- update(read_gear("towed_cable"), tow = list(until = "5 min", speed = list(
     list(time = "0 s", value = "4 knot"), list(time = "10 s", value = "5 knot"))))
   in_flume(gear, function(session, sent, tank) {
     session$setInputs(tow_wanted = list(until = "20 s", planned = TRUE))
     trajectory <- unserialize(tank$trajectory)
-    # to the time that the page asks for
+    # until the requested time
     expect_identical(max(trajectory$time), 20)
     expect_equal(utils::tail(trajectory$conditions$speed, 1L), 5 * 1852 / 3600, tolerance = 1e-12)
   })
 })
 
-test_that("a plan without a tow offers none, whatever its other sections are called", {
+test_that("page offers no tow unless the plan has one", {
   beam <- read_gear("beam_trawl")
   expect_true("towing" %in% names(beam$plan) && !"tow" %in% names(beam$plan))
   in_flume(beam, function(session, sent, tank) {

@@ -1,4 +1,4 @@
-test_that("measures are shown in the units that a user likes", {
+test_that("in_preferred() shows measures in the user's units", {
   expect_identical(preferred_of(list(length = "fathom", force = "kN", speed = "furlong", x = 1)),
     list(m = "fathom"))
   expect_identical(unname(preferred_of("nonsense")), list())

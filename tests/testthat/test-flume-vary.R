@@ -6,7 +6,7 @@ speeds <- function(..., paths = list("towing.speed"), unit = "knot", from = "3",
   list(paths = paths, unit = unit, from = from, to = to, number = number, ...)
 }
 
-test_that("measures against a field are those of vary()", {
+test_that("page varies a field with the results of vary()", {
   in_flume("towed_cable", function(session, sent, tank) {
     session$setInputs(vary_wanted = speeds())
     told <- sent("flume_varied")
@@ -27,17 +27,17 @@ test_that("measures against a field are those of vary()", {
     depth <- varied$measures[[match("body depth (fathom)", vapply(varied$measures, `[[`, "",
       "words"))]]
     expect_equal(unclass(depth$values), found$body_depth_m / 1.8288, tolerance = 1e-6)
-    # a value that is none of a gear is said to be so
+    # an invalid value is reported as such
     session$setInputs(vary_wanted = speeds(from = "-1", to = "4", number = 2))
     varied <- utils::tail(sent("flume_varied"), 1L)[[1]]$varied
     expect_match(varied$problems[1], "towing.speed", fixed = TRUE)
     expect_identical(unclass(varied$problems)[2], "")
-    # the design on screen has not moved
+    # the current design has not changed
     expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
   })
 })
 
-test_that("one value is settled at a time, until somebody stops it or opens another gear", {
+test_that("page settles one value at a time until stopped", {
   jobs <- list()
   held <- function(late = FALSE, ...) {
     worker <- direct_worker()
@@ -66,7 +66,7 @@ test_that("one value is settled at a time, until somebody stops it or opens anot
   })
 })
 
-test_that("what is no field, unit, number or count of values is refused", {
+test_that("page rejects an unknown field, unit, number or count", {
   in_flume("towed_cable", function(session, sent, tank) {
     wrong <- list(
       speeds(paths = list("towing.sped")), speeds(paths = list("name")), speeds(paths = 3),

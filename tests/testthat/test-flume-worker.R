@@ -1,16 +1,16 @@
-# Workers of the flume tank, in processes of their own.
+# Workers of the flume tank, in separate processes.
 
 for (package in c("shiny", "callr", "later")) skip_if_not_installed(package)
 skip_on_os("windows")
 
-# Runs the event loop until done() says so, or for too long.
+# Runs the event loop until done() is TRUE, or for a maximum time.
 wait_until <- function(done, seconds = 120) {
   end <- proc.time()[["elapsed"]] + seconds
   while (!done() && proc.time()[["elapsed"]] < end) later::run_now(0.05)
   done()
 }
 
-# A worker's answers in the order in which they come, with the name of who asked.
+# A worker with its answers in order of arrival, by the name of the requester.
 asking <- function(...) {
   worker <- process_worker(...)
   answers <- list()
@@ -36,7 +36,7 @@ towed_at <- function(speed) {
   tank$request("design", draft)
 }
 
-test_that("a worker's process finds what this one would, and remembers what it found", {
+test_that("worker process returns the same results and keeps its state", {
   one <- asking()
   on.exit(one$worker$stop())
   one$ask("first", towed_at(5))
@@ -45,7 +45,7 @@ test_that("a worker's process finds what this one would, and remembers what it f
   memory <- new.env()
   here <- flume_answer(towed_at(5), memory)
   expect_identical(one$answers()[[1]]$answer$found$measures, here$found$measures)
-  # without a state the worker goes on from its own
+  # without a state the worker starts from its own
   next_one <- towed_at(5.2)
   next_one["state"] <- list(NULL)
   one$ask("second", next_one)
@@ -53,13 +53,13 @@ test_that("a worker's process finds what this one would, and remembers what it f
   expect_identical(
     one$answers()[[2]]$answer$found$measures, flume_answer(next_one, memory)$found$measures
   )
-  # what is wrong is told as in this process
+  # errors are the same as in this process
   one$ask("wrong", towed_at(-1))
   expect_true(one$wait(3))
   expect_match(one$answers()[[3]]$answer$problem$message, "`towing.speed`", fixed = TRUE)
 })
 
-test_that("of designs that wait the latest counts, and too many files are refused", {
+test_that("worker answers the latest design and rejects too many files", {
   one <- asking()
   on.exit(one$worker$stop())
   for (speed in 3:6) one$ask(speed, towed_at(speed))
@@ -74,14 +74,14 @@ test_that("of designs that wait the latest counts, and too many files are refuse
   expect_true(one$wait(10))
   came <- vapply(one$answers(), function(answer) as.character(answer$name), "")
   problem <- lapply(one$answers(), function(answer) answer$answer$problem$message)
-  # the process was not there yet, so all waited
+  # the process was still starting, so all requests waited
   expect_identical(came[1:3], c("3", "4", "5"))
-  refused <- grepl("Too much", vapply(problem, function(x) paste(x, collapse = ""), ""))
+  refused <- grepl("Too many", vapply(problem, function(x) paste(x, collapse = ""), ""))
   expect_identical(came[refused], paste("save", 4:6))
   expect_length(list.files(folder, "vtu$"), 3L)
 })
 
-test_that("the rest of a shape waits for its pause, gives way to a design and to nothing else", {
+test_that("worker delays the remaining picture until its pause or a design", {
   one <- asking()
   on.exit(one$worker$stop())
   one$ask("whole", towed_at(5))
@@ -92,7 +92,7 @@ test_that("the rest of a shape waits for its pause, gives way to a design and to
     request
   }
   one$ask("second", going_on(5.1))
-  # of the second only its shape, as the worker knows the first
+  # the second request returns only its shape, because the worker knows the first
   expect_true(one$wait(2))
   expect_type(one$answers()[[2]]$answer$found$moved, "raw")
   rest <- list(kind = "rest")
@@ -102,7 +102,7 @@ test_that("the rest of a shape waits for its pause, gives way to a design and to
   expect_true(one$wait(4))
   expect_identical(one$answers()[[3]], list(name = "rest of the second", answer = NULL))
   expect_type(one$answers()[[4]]$answer$found$moved, "raw")
-  # what waits behind it ends its pause
+  # a later request ends its pause
   one$ask("rest of the third", rest, "rest", pause = 1e4)
   drawing <- tank$request("drawing", tank$draft)
   drawing["state"] <- list(NULL)
@@ -111,15 +111,15 @@ test_that("the rest of a shape waits for its pause, gives way to a design and to
   came <- vapply(one$answers(), `[[`, "", "name")
   expect_identical(came[5:6], c("rest of the third", "drawing"))
   anew <- settle(update(read_gear("towed_cable"), towing.speed = "5.2 knot"), nodes = 300)
-  # both to 1e-8 of the largest tension; the cable's sag turns that into a few times more
+  # both to 1e-8 of the largest tension; the cable's sag increases that a few times
   expect_equal(one$answers()[[5]]$answer$found$measures, measures(anew), tolerance = 1e-6)
-  # a pause ends by itself
+  # a pause ends automatically
   one$ask("fourth", going_on(5.3))
   expect_true(one$wait(7))
   one$ask("rest of the fourth", rest, "rest", pause = 0.05)
   expect_true(one$wait(8))
   expect_null(one$answers()[[8]]$answer$problem)
-  # and one that did not end is forgotten with the worker
+  # the worker discards a pending pause when it stops
   one$ask("fifth", going_on(5.4))
   expect_true(one$wait(9))
   one$ask("rest of the fifth", rest, "rest", pause = 1e4)
@@ -128,10 +128,10 @@ test_that("the rest of a shape waits for its pause, gives way to a design and to
   expect_identical(later::next_op_secs(), Inf)
 })
 
-# Whether a process is there: signal 0 asks and does nothing.
+# TRUE if a process exists: signal 0 only checks.
 ps_there <- function(pid) tools::pskill(pid, 0L)
 
-test_that("what takes too long ends, others do not wait for it, and the next is answered", {
+test_that("worker ends slow requests without delaying others", {
   slow <- asking(seconds = 15)
   quick <- asking()
   on.exit({
@@ -142,7 +142,7 @@ test_that("what takes too long ends, others do not wait for it, and the next is 
   quick$ask("quick", towed_at(4))
   expect_true(slow$wait(1) && quick$wait(1))
   first <- slow$worker$process()$get_pid()
-  # one that stands still takes too long for sure
+  # a stopped process is sure to exceed the limit
   tools::pskill(first, tools::SIGSTOP)
   slow$ask("slow", towed_at(5))
   quick$ask("quick", towed_at(5))
@@ -157,7 +157,7 @@ test_that("what takes too long ends, others do not wait for it, and the next is 
   slow$ask("after", towed_at(5))
   expect_true(slow$wait(3))
   expect_null(slow$answers()[[3]]$answer$problem)
-  # a process that is ended from elsewhere is replaced too
+  # an externally killed process is replaced too
   tools::pskill(slow$worker$process()$get_pid(), tools::SIGKILL)
   expect_true(wait_until(function() !slow$worker$process()$is_alive()))
   slow$ask("again", towed_at(4))
@@ -165,13 +165,13 @@ test_that("what takes too long ends, others do not wait for it, and the next is 
   expect_null(slow$answers()[[4]]$answer$problem)
 })
 
-test_that("what is cancelled ends at once, and the next is answered by a new process", {
+test_that("cancel() ends a request and the next has a new process", {
   one <- asking()
   on.exit(one$worker$stop())
   one$ask("before", towed_at(4))
   expect_true(one$wait(1))
   first <- one$worker$process()$get_pid()
-  # one that stands still would take its 30 s
+  # a stopped process would take its 30 s
   tools::pskill(first, tools::SIGSTOP)
   one$ask("long", towed_at(5))
   one$ask("waits", kind = "save", tank$request("save", list(format = "vtu", file = tempfile())))
@@ -187,7 +187,7 @@ test_that("what is cancelled ends at once, and the next is answered by a new pro
   expect_length(one$answers(), 4L)
 })
 
-test_that("a late worker has no process before it is asked", {
+test_that("late worker starts its process with the first request", {
   late <- process_worker(late = TRUE)
   on.exit(late$stop())
   expect_null(late$process())
@@ -198,9 +198,9 @@ test_that("a late worker has no process before it is asked", {
   expect_null(found$problem)
 })
 
-test_that("a worker gets no more memory than the tank gives it", {
+test_that("worker process has a memory limit", {
   skip_on_os(c("mac", "windows"))
-  # the command beyond its own needs asks for 2.4 GB
+  # the command requests 2.4 GB on top of its own needs
   said <- callr::r(function() {
     asNamespace("codend")$prepare_worker(1.5e9)
     tryCatch(length(numeric(3e8)), error = conditionMessage)
@@ -213,12 +213,12 @@ test_that("a worker gets no more memory than the tank gives it", {
   expect_null(one$answers()[[1]]$answer$problem)
 })
 
-test_that("a page that sends too much is told from one that is used", {
+test_that("message_gate() blocks only a page that sends too much", {
   time <- 0
   pass <- message_gate(function() time)
   expect_true(pass(1000))
   expect_false(pass(most_message_bytes + 1))
-  # a slider that is moved as quickly as answers come, for a minute
+  # a slider that moves as fast as answers arrive, for a minute
   passed <- vapply(1:1800, function(k) {
     time <<- time + 1 / 30
     pass(200)
@@ -230,7 +230,7 @@ test_that("a page that sends too much is told from one that is used", {
   expect_true(pass(200))
 })
 
-test_that("all workers together take no more memory than they may: who takes most gives up", {
+test_that("bound_memory() ends the largest worker above the total limit", {
   memory_clock$next_look <- 0
   one <- asking()
   two <- asking()
@@ -249,17 +249,17 @@ test_that("all workers together take no more memory than they may: who takes mos
   memory_clock$next_look <- 0
   bound_memory(0.9 * taken)
   expect_length(ls(tank_workers), 1L)
-  # both go on, one in a new process
+  # both continue, one in a new process
   one$ask("one", towed_at(4.5))
   two$ask("two", towed_at(4.5))
   expect_true(one$wait(2) && two$wait(2))
   expect_null(one$answers()[[2]]$answer$problem)
   expect_null(two$answers()[[2]]$answer$problem)
-  # at work it answers so
+  # a busy worker returns this error
   two$worker$stop()
   memory_clock$next_look <- 0
   one$ask("one", towed_at(4.6))
   bound_memory(1)
   expect_true(one$wait(3))
-  expect_match(one$answers()[[3]]$answer$problem$message, "more memory", fixed = TRUE)
+  expect_match(one$answers()[[3]]$answer$problem$message, "no free memory", fixed = TRUE)
 })

@@ -1,12 +1,12 @@
 skip_if_not_installed("shiny")
 skip_if_not_installed("bslib")
 
-test_that("the page opens with the settled gear, its picture and its controls", {
+test_that("page opens with the settled gear, its picture and controls", {
   in_flume("towed_cable", function(session, sent, tank) {
     picture <- sent("flume_picture")[[1]]
     points <- matrix(unpacked(picture$now$points$floats, "double", 4), 3L)
     ends <- unpacked(picture$now$ropes$ends, "integer", 4) + 1L
-    # the cable's bars, one after the other, in single precision of lengths up to 1000 m
+    # the cable's bars in sequence, in single precision of lengths up to 1000 m
     expect_equal(points[, ends], unname(state_points(tank$state)[, rope_lines(
       tank$state, state_points(tank$state), 1e4)$ends]), tolerance = 1e-6)
     expect_identical(picture$kept[[1]]$scene$points, picture$now$points)
@@ -17,7 +17,7 @@ test_that("the page opens with the settled gear, its picture and its controls", 
   })
 })
 
-test_that("a control moves the gear to what settle() finds from the start", {
+test_that("control moves the gear to the result of settle()", {
   in_flume("towed_cable", function(session, sent, tank) {
     opened <- tank$measures
     sent("flume_picture")
@@ -25,19 +25,19 @@ test_that("a control moves the gear to what settle() finds from the start", {
     picture <- sent("flume_picture")
     expect_length(picture, 1L)
     expect_identical(picture[[1]]$answers, 7)
-    # what joins the points is not sent again
+    # the connections are not sent again
     expect_null(picture[[1]]$now$ropes)
-    # nor the kept design, which has not moved
+    # the stored design has not moved and is not sent again
     expect_null(picture[[1]]$kept[[1]]$scene$points)
     expect_type(picture[[1]]$now$points$floats, "character")
     anew <- settle(update(read_gear("towed_cable"), towing.speed = "5 knot"), nodes = 300)
-    # both to 1e-8 of the largest tension; the cable's sag turns that into a few times more
+    # both to 1e-8 of the largest tension; the cable's sag increases that a few times
     expect_equal(tank$measures, measures(anew), tolerance = 1e-6)
     expect_identical(tank$kept[[1]]$measures, opened)
   })
 })
 
-# The header and the numbers of a shape that a slider passes through.
+# Header and numbers of a shape during a slider movement.
 passed_shape <- function(bytes) {
   size <- readBin(bytes, "integer", endian = "little")
   header <- jsonlite::fromJSON(rawToChar(bytes[4L + seq_len(size)]), simplifyVector = FALSE)
@@ -47,7 +47,7 @@ passed_shape <- function(bytes) {
   list(header = header, numbers = split(numbers, rep(factor(names(counts), names(counts)), counts)))
 }
 
-test_that("once a gear has moved its shape comes before the rest of it", {
+test_that("page receives a moved shape before the rest of the picture", {
   in_flume("midwater_trawl", function(session, sent, tank) {
     ask(session, towing.speed = list(value = 4.1, unit = "knot"), number = 1)
     expect_length(sent("flume_moved"), 0L)
@@ -60,18 +60,18 @@ test_that("once a gear has moved its shape comes before the rest of it", {
     drawn <- scene_shape(tank$state, flume_lines)
     expect_equal(matrix(shape$numbers$points, 3L), unname(drawn$points), tolerance = 1e-6)
     expect_equal(unname(shape$numbers$u), drawn$u, tolerance = 1e-6)
-    # the rest has no shape, which the page has, but how its meshes stand
+    # the rest omits the shape, which the page has, but includes mesh openings
     ask(session, towing.speed = list(value = 4.3, unit = "knot"), number = 3)
     picture <- sent("flume_picture")
     expect_identical(picture[[1]]$answers, 3)
     expect_null(picture[[1]]$now$points)
     expect_type(picture[[1]]$now$opening$floats, "character")
     expect_identical(tank$measures, measures(tank$state))
-    # what changes of the parts comes with the shape
+    # changes of parts arrive with the shape
     ask(session, canvas.area = list(value = 14, unit = "m2"), number = 4)
     shape <- passed_shape(sent("flume_moved")[[1]]$bytes)
     expect_named(shape$header$part, c("conditions", "flow", "marks"))
-    # so does a step back
+    # the same for an undo step
     ask(session, warps.length = list(value = 700, unit = "m"), number = 5)
     sent("flume_moved")
     session$setInputs(undo = list(number = 6))
@@ -79,9 +79,9 @@ test_that("once a gear has moved its shape comes before the rest of it", {
   })
 })
 
-test_that("a shape whose rest gave way to a wrong design is told whole after all", {
+test_that("page receives the whole shape when a wrong design interrupts it", {
   waiting <- list()
-  # a worker that keeps what is asked of the rest of shapes until it is let
+  # a worker that delays the rest of shapes until released
   keeping_worker <- function(...) {
     worker <- direct_worker()
     answer <- worker$ask
@@ -110,7 +110,7 @@ test_that("a shape whose rest gave way to a wrong design is told whole after all
   })
 })
 
-test_that("a step whose rest gives way to the next step is answered, so that nobody waits", {
+test_that("server answers a step whose rest the next step replaces", {
   rest <- NULL
   passing_worker <- function(...) {
     worker <- direct_worker()
@@ -134,7 +134,7 @@ test_that("a step whose rest gives way to the next step is answered, so that nob
   })
 })
 
-test_that("what a page asks before it was answered is answered once, by the last of it", {
+test_that("server answers queued requests once with the last draft", {
   jobs <- list()
   held_worker <- function(...) {
     worker <- direct_worker()
@@ -152,10 +152,10 @@ test_that("what a page asks before it was answered is answered once, by the last
       ask(session, towing.speed = list(value = 4 + number / 100, unit = "knot"), number = number)
     }
     ask(session, ropes.cable.length = list(value = 410, unit = "m"), number = 41)
-    # nothing is sent for them but that another takes their place
+    # no other message is sent for replaced requests
     expect_length(sent("flume_draft"), 0L)
     expect_length(jobs, 1L)
-    # each answer is of the draft as it is by then
+    # each answer refers to the current draft
     jobs[[1]]$answer()
     expect_identical(vapply(jobs, `[[`, "", "kind"), c("design", "design"))
     told <- sent("flume_picture")[[1]]
@@ -168,7 +168,7 @@ test_that("what a page asks before it was answered is answered once, by the last
   })
 })
 
-test_that("a part that is clicked in the picture is found in the plan", {
+test_that("click on a part returns its plan field", {
   in_flume("midwater_trawl", function(session, sent, tank) {
     found <- function(name) {
       session$setInputs(part_wanted = list(number = stats::runif(1), name = name))
@@ -183,7 +183,7 @@ test_that("a part that is clicked in the picture is found in the plan", {
   })
 })
 
-test_that("every part and support of the shipped gears is found in its plan", {
+test_that("clicked_field() finds every part and support of shipped gears", {
   for (gear in names(shipped_plans())) {
     gear <- read_gear(gear)
     si <- gear_si(gear)
@@ -205,7 +205,7 @@ test_that("every part and support of the shipped gears is found in its plan", {
   expect_identical(place("purse_seine", "davit_last"), "purse_wire")
 })
 
-test_that("a wrong value is kept in the draft and told of, and the last shape stays", {
+test_that("draft keeps a wrong value while the last shape stays", {
   in_flume("towed_cable", function(session, sent, tank) {
     before <- tank$state
     draft <- function() utils::tail(sent("flume_draft"), 1L)[[1]]
@@ -221,7 +221,7 @@ test_that("a wrong value is kept in the draft and told of, and the last shape st
     }
     expect_identical(tank$state$position, before$position)
     expect_identical(tank$gear$plan, before$gear$plan)
-    # what no field can hold changes nothing
+    # values that no field accepts change nothing
     draft_before <- tank$draft
     wrong <- list(
       list(value = NULL), list(value = 1:3, unit = "knot"), list(), list(value = list(1)),
@@ -234,13 +234,13 @@ test_that("a wrong value is kept in the draft and told of, and the last shape st
       expect_length(refused, 1L)
       expect_identical(refused[[1]]$path, "towing.speed")
     }
-    # fields that there are not, and no values at all
+    # unknown fields, and missing values
     ask(session, towing.sped = list(value = 1, unit = "m"))
     got <- sent("flume_refused")[[1]]$message
     expect_match(got, "did you mean `speed`", fixed = TRUE)
     ask(session, ropes.cable = list(like = "ropes.other"))
     got <- sent("flume_refused")[[1]]$message
-    expect_match(got, "no such part")
+    expect_match(got, "does not have this part")
     session$setInputs(design = "nonsense")
     session$setInputs(design = list(number = 3, edits = list(1, 2)))
     expect_identical(tank$draft, draft_before)
@@ -250,12 +250,12 @@ test_that("a wrong value is kept in the draft and told of, and the last shape st
   })
 })
 
-test_that("fields that contradict each other until all are changed reach their net in any order", {
+test_that("page reaches a consistent net by contradicting edits in any order", {
   plan <- system.file("extdata", "survey_trawl.yaml", package = "codend")
   edits <- list(
     wings.upper.meshes.deep = list(value = "60", unit = ""),
     wings.lower.meshes.deep = list(value = "87", unit = ""),
-    head_line.length = list(value = "32,5", unit = "m")
+    headline.length = list(value = "32,5", unit = "m")
   )
   whole <- as_gear(edited_plan(read_gear(plan)$plan, edits)$plan)
   in_flume(plan, function(session, sent, tank) {
@@ -274,11 +274,11 @@ test_that("fields that contradict each other until all are changed reach their n
   }, nodes = 150)
 })
 
-test_that("a design that does not settle keeps the last shape and says where", {
+test_that("page keeps the last shape if a design fails to settle", {
   in_flume("towed_cable", function(session, sent, tank) {
     before <- tank$state
     sent("flume_draft")
-    # a cable as soft as this stretches without end
+    # such a soft cable stretches without limit
     typed <- sub("12.717 MN", "0.001 N", format(tank$gear), fixed = TRUE)
     session$setInputs(plan_text = typed)
     draft <- utils::tail(sent("flume_draft"), 1L)[[1]]
@@ -290,7 +290,7 @@ test_that("a design that does not settle keeps the last shape and says where", {
   })
 })
 
-test_that("files that are no plans are refused by their own name", {
+test_that("page rejects invalid plan files by their own name", {
   in_flume("towed_cable", function(session, sent, tank) {
     upload <- function(text, name = "mine.yaml") {
       sent("flume_refused")
@@ -304,7 +304,7 @@ test_that("files that are no plans are refused by their own name", {
     expect_match(large$message, "at most 2 MB")
     ran <- tempfile()
     code <- upload(sprintf("codend: 1\nname: !expr file.create('%s')\n", ran))[[1]]
-    expect_match(code$message, "holds no code")
+    expect_match(code$message, "cannot contain code")
     expect_false(file.exists(ran))
     wrong <- upload(spoil("length: 100 m", "lenght: 100 m"))[[1]]
     expect_identical(wrong$path, "ropes.warp.lenght")
@@ -323,7 +323,7 @@ test_that("files that are no plans are refused by their own name", {
   })
 })
 
-test_that("no message makes the server read a file, or compute for longer than a page may ask", {
+test_that("messages cannot make the server read files or compute too long", {
   in_flume("towed_cable", function(session, sent, tank) {
     before <- tank$state
     refused <- function(...) {
@@ -336,19 +336,21 @@ test_that("no message makes the server read a file, or compute for longer than a
       data.frame(name = "a", size = 1, type = "", datapath = there),
       list(name = there, datapath = there), list(list(there)), there
     )
-    for (message in forged) expect_identical(refused(plan_file = message), "A plan is text.")
-    expect_match(refused(plan_file = list(name = "a", text = there)), "must hold a map")
+    for (message in forged) {
+      expect_identical(refused(plan_file = message), "The plan must be text.")
+    }
+    expect_match(refused(plan_file = list(name = "a", text = there)), "must be a map")
     expect_match(refused(plan_text = strrep("a", 3 * 1024^2)), "at most 2 MB")
 
     divided <- read_gear("flat_panel")
     divided$plan$panels$netting[c("columns", "rows")] <- list(1000, 1000)
     expect_match(refused(plan_file = list(name = "a", text = format(divided))),
-      "needs 1e+06 nodes, which would take about 10 GB of memory; at most 20000", fixed = TRUE)
+      "needs 1e+06 nodes (about 10 GB of memory), but at most 20000", fixed = TRUE)
     expect_identical(tank$state$position, before$position)
   })
 })
 
-test_that("a typed plan takes effect and keeps what was typed", {
+test_that("typed plan takes effect and keeps its text", {
   in_flume("towed_cable", function(session, sent, tank) {
     sent("flume_picture")
     typed <- sub("length: 1000 m", "length: 700 m  # shorter", format(tank$gear))
@@ -362,34 +364,34 @@ test_that("a typed plan takes effect and keeps what was typed", {
   })
 })
 
-test_that("a page begins at the gallery: shipped gears, and new ones from a few numbers", {
+test_that("page starts at the gallery of shipped and new gears", {
   in_flume(NULL, function(session, sent, tank) {
     expect_null(tank$gear)
     expect_length(sent("flume_picture"), 0L)
-    # asked for before there is a gear
+    # requests before there is a gear
     ask(session, towing.speed = list(value = 5, unit = "knot"))
     session$setInputs(undo = list(number = 1), keep = list(), words_wanted = 1, plan_wanted = 1)
     expect_null(tank$gear)
     session$setInputs(shipped = list(number = 4, asked = "../towed_cable"))
     got <- sent("flume_refused")[[1]]$message
-    expect_match(got, "no shipped gear")
+    expect_match(got, "No shipped gear")
     session$setInputs(shipped = list(number = 5, asked = "towed_cable"))
     expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
     session$setInputs(new = list(asked = list(kind = "bottom_trawl",
-      values = list(head_line = "20 m", depth = "", file = tempfile()))))
-    expect_identical(tank$gear$plan, new_plan("bottom_trawl", head_line = "20 m")$plan)
+      values = list(headline = "20 m", depth = "", file = tempfile()))))
+    expect_identical(tank$gear$plan, new_plan("bottom_trawl", headline = "20 m")$plan)
     sent("flume_refused")
     session$setInputs(new = list(asked = list(kind = "bottom_trawl",
-      values = list(head_line = "wide"))))
+      values = list(headline = "wide"))))
     got <- sent("flume_refused")[[1]]$message
-    expect_match(got, "head_line", fixed = TRUE)
+    expect_match(got, "headline", fixed = TRUE)
     session$setInputs(new = list(asked = list(kind = "boat")))
     got <- sent("flume_refused")[[1]]$message
     expect_match(got, "boat")
   })
 })
 
-test_that("every movement can be undone and done again", {
+test_that("page undoes and redoes every movement", {
   in_flume("towed_cable", function(session, sent, tank) {
     speed <- function() tank$gear$plan$towing$speed
     opened <- speed()
@@ -409,7 +411,7 @@ test_that("every movement can be undone and done again", {
     step("redo")
     step("redo")
     expect_identical(speed(), "6 knot")
-    # to 1e-8 of the largest tension; the cable's sag turns that into a few times more
+    # to 1e-8 of the largest tension; the cable's sag increases that a few times
     expect_equal(tank$measures, faster, tolerance = 1e-6)
     step("undo")
     ask(session, ropes.cable.length = list(value = 900, unit = "m"), gesture = 3)
@@ -417,7 +419,7 @@ test_that("every movement can be undone and done again", {
   })
 })
 
-test_that("designs are kept beside each other, by name, and come back", {
+test_that("page stores named designs and restores them", {
   in_flume("towed_cable", function(session, sent, tank) {
     ask(session, towing.speed = list(value = 5, unit = "knot"))
     session$setInputs(keep = list(number = 1, name = "  Fast\n one "))
@@ -437,19 +439,19 @@ test_that("designs are kept beside each other, by name, and come back", {
     for (wrong in list(ids[2], "1", NULL, list(1), 1:2)) {
       act(id = wrong, act = "open")
       got <- sent("flume_refused")[[1]]$message
-      expect_match(got, "no such kept design")
+      expect_match(got, "no longer exists")
     }
     act(id = ids[1], act = "remove")
     got <- sent("flume_refused")[[1]]$message
-    expect_match(got, "One design stays")
+    expect_match(got, "last kept design")
     for (k in 1:30) session$setInputs(keep = list(number = k))
-    expect_length(tank$kept, most_kept)
+    expect_length(tank$kept, most_stored_designs)
     table <- utils::read.csv(session$output$save_designs, check.names = FALSE)
-    expect_identical(dim(table), c(length(tank$measures), 3L + most_kept))
+    expect_identical(dim(table), c(length(tank$measures), 3L + most_stored_designs))
   })
 })
 
-test_that("an address carries the designs, and is checked as any message", {
+test_that("address contains the designs and is validated", {
   words <- NULL
   in_flume("towed_cable", function(session, sent, tank) {
     ask(session, towing.speed = list(value = 5, unit = "knot"))
@@ -487,7 +489,7 @@ test_that("an address carries the designs, and is checked as any message", {
   })
 })
 
-test_that("what is on screen is saved as it is", {
+test_that("page saves the displayed plan, tables and pictures", {
   in_flume("towed_cable", function(session, sent, tank) {
     ask(session, towing.speed = list(value = 5, unit = "knot"))
     expect_identical(read_gear(session$output$save_plan)$plan, tank$gear$plan)
@@ -499,27 +501,27 @@ test_that("what is on screen is saved as it is", {
   })
 })
 
-test_that("the drawing names fields that the form has", {
+test_that("drawing names only fields of the form", {
   in_flume("midwater_trawl", function(session, sent, tank) {
     sent("flume_drawing")
     session$setInputs(drawing_wanted = 1)
     svg <- sent("flume_drawing")[[1]]$svg
     named <- unlist(regmatches(svg, gregexpr("(?<=data-path=\")[^\"]+", svg, perl = TRUE)))
     expect_gt(length(unique(named)), 20L)
-    # Chromium calls a point that is no number an error
+    # Chromium reports an error for a point that is not a number
     expect_no_match(svg, "points=\"[^\"]*NA")
     parts <- unlist(lapply(plan_form(tank$gear$plan), function(group) {
       lapply(group$parts, function(part) {
         c(part$path, unlist(lapply(part$fields, function(field) field$paths)))
       })
     }))
-    # a field of the form, or one around it
+    # a field of the form, or a parent of one
     at <- sub("[.].*", "", unique(named))
     expect_true(all(at %in% sub("[.].*", "", parts)))
   }, nodes = 200)
 })
 
-test_that("sessions do not share a gear", {
+test_that("sessions have separate gears", {
   gear <- read_gear("towed_cable")
   start <- list(gear = gear, state = settle(gear, nodes = 300))
   server <- flume_server(start, list(), 300, direct_worker)
@@ -533,29 +535,29 @@ test_that("sessions do not share a gear", {
   })
 })
 
-test_that("flume() takes a gear and fields that it has", {
+test_that("flume() accepts a gear and its fields, and rejects others", {
   expect_s3_class(flume("towed_cable", fields = "ropes.cable.length"), "shiny.appobj")
   expect_error(flume("towed_cable", fields = "ropes.cable.lengt"), "did you mean",
     class = "codend_error_argument")
-  expect_error(flume("towed_cable", fields = "notes"), "no single number",
+  expect_error(flume("towed_cable", fields = "notes"), "has no control for that field",
     class = "codend_error_argument")
   expect_error(flume("towed_cable", fields = 3), class = "codend_error_argument")
   expect_error(flume("towed_cabel"), class = "codend_error_plan")
   expect_s3_class(flume(), "shiny.appobj")
-  expect_error(flume(fields = "ropes.cable.length"), "give `gear` too",
+  expect_error(flume(fields = "ropes.cable.length"), "needs `gear`",
     class = "codend_error_argument")
   expect_error(flume("towed_cable", nodes = 0), class = "codend_error_argument")
 })
 
-test_that("the page asks for nothing from elsewhere", {
-  # sources of the catalogue are words of it
+test_that("page loads nothing from other servers", {
+  # addresses of catalogue sources are text
   asked <- "(src|href|action) *= *[\"']?https?://|url[(] *[\"']?https?://"
   expect_false(grepl(asked, as.character(flume_page())))
   files <- list.files(system.file("app", package = "codend"), "[.](js|css)$", full.names = TRUE)
   expect_false(any(grepl("https?://|@import", unlist(lapply(files, readLines)))))
 })
 
-test_that("the page leads to what the measures mean", {
+test_that("page links to the definitions of measures", {
   words <- as.character(flume_page())
   leads <- if (has_measures_guide()) {
     "href=\"codend-doc/measures.html\""
@@ -565,7 +567,7 @@ test_that("the page leads to what the measures mean", {
   expect_true(grepl(leads, words, fixed = TRUE))
 })
 
-test_that("a page of another origin is not served", {
+test_that("same_origin() rejects pages of another origin", {
   of <- function(origin, host) same_origin(list(HTTP_ORIGIN = origin, HTTP_HOST = host))
   expect_true(of("http://127.0.0.1:3838", "127.0.0.1:3838"))
   expect_true(of("https://tank.example.org", "tank.example.org"))

@@ -1,6 +1,6 @@
-# What leaves the water at its surface loses buoyancy and drag.
+# Parts that leave the water at its surface lose buoyancy and drag.
 
-test_that("a float swims with the draught of its weight", {
+test_that("float swims at the draught of its load", {
   state <- settle(gear("float",
     anchor = gear_point(position = c(0, 0, -10), held = "fixed"), at_float = gear_point(),
     line = rope("anchor", "at_float", length = "14 m", diameter = "6 mm", material = "polyamide"),
@@ -15,9 +15,9 @@ test_that("a float swims with the draught of its weight", {
   weight <- down$z_kN[down$force == "weight_in_water"] * 1000
   full <- 1025 * gear_gravity * pi / 6 * 0.3^3
   lost <- -1000 * down$z_kN[down$force == "out_of_water"]
-  # Besides, the line's last half element, 0.12 m of 6 mm: 0.03 N of 88 N.
+  # Also the line's last half element, 0.12 m of 6 mm: 0.03 N of 88 N.
   expect_equal(lost, full - carried, tolerance = 5e-4)
-  # It carries its own weight and the line's pull, so it swims a little deeper than alone.
+  # It carries its own weight and the line's pull, so it swims slightly deeper than alone.
   excess <- function(h) 1025 * pi * h^2 * (3 * 0.15 - h) / 3 - 5
   alone <- uniroot(excess, c(0, 0.3), tol = 1e-12)$root
   expect_gt(h, alone)
@@ -25,7 +25,7 @@ test_that("a float swims with the draught of its weight", {
   expect_lt(abs(down$z_kN[down$force == "remainder"]), 1e-9)
 })
 
-test_that("drag fades with what is in the water", {
+test_that("drag decreases with the immersed part", {
   rope_at <- function(height, free) {
     state <- settle(gear("a bar",
       a = gear_point(position = c(0, 0, height), held = "fixed"),
@@ -42,27 +42,27 @@ test_that("drag fades with what is in the water", {
   expect_equal(rope_at(0.03, TRUE), 0)
 })
 
-test_that("a line leaves the water over a twentieth of its bars' length, or its diameter", {
+test_that("line leaves the water over 1/20 of its bars or its diameter", {
   height <- function(segments, of) {
-    lattice <- build_lattice(gear_si(gear("a line",
+    mesh <- build_mesh(gear_si(gear("a line",
       a = gear_point(position = c(0, 0, 0), held = "fixed"), b = gear_point(),
       line = rope("a", "b", length = "10 m", diameter = "60 mm", material = "PA",
         segments = segments),
       water = list(free_surface = TRUE)
     )))
-    engine_array(lattice, of, "height")
+    engine_array(mesh, of, "height")
   }
   expect_equal(height(5, "bars"), rep(0.1, 5))
   expect_equal(height(5, "volumes"), rep(0.1, 6))
   expect_equal(height(50, "bars"), rep(0.06, 50))
 })
 
-test_that("a trawl with little warp out swims at the surface", {
-  # with floats to spare: netting of large meshes that meets the surface from below planes, and
-  # lifts the head line of few floats out of the water by half a metre
+test_that("trawl with short warps swims at the surface", {
+  # Surplus floats: large-mesh netting that meets the surface from below planes, and lifts the
+  # headline of few floats out of the water by half a metre.
   trawl <- update(read_gear("midwater_trawl"), warps.length = "50 m", floats.number = 200,
     water.free_surface = TRUE)
   state <- settle(trawl, nodes = 500)
-  # the floats, which hold the head line up, leave the water over 0.305 m
+  # the floats, which support the headline, leave the water over 0.305 m
   expect_lt(abs(measures(state)[["headline_depth_m"]]), 0.305 / 2)
 })

@@ -1,6 +1,6 @@
 # optimise and calibrate from the command line.
 
-test_that("an optimum is found and written from the command line", {
+test_that("optimise command finds an optimum and writes its plan", {
   skip_if_not_installed("nloptr")
   out <- tempfile(fileext = ".yaml")
   said <- capture.output(status <- suppressMessages(run_command(c(
@@ -13,7 +13,7 @@ test_that("an optimum is found and written from the command line", {
     tolerance = 1e-3)
 })
 
-test_that("hauls of a CSV file calibrate, predict others and say what their misfit points at", {
+test_that("calibrate command fits hauls of a CSV file and predicts others", {
   data <- tempfile(fileext = ".csv")
   others <- tempfile(fileext = ".csv")
   plan <- tempfile(fileext = ".yaml")
@@ -34,7 +34,7 @@ test_that("hauls of a CSV file calibrate, predict others and say what their misf
   expect_true(found$low < found$fit && found$fit < found$high)
 })
 
-test_that("a trade-off and slopes come from the command line as CSV", {
+test_that("optimise command writes a trade-off, sensitivities command derivatives, as CSV", {
   skip_if_not_installed("nloptr")
   curve <- tempfile(fileext = ".csv")
   status <- suppressMessages(run_command(c(
@@ -52,10 +52,10 @@ test_that("a trade-off and slopes come from the command line as CSV", {
   found <- utils::read.csv(text = said)
   expect_identical(found$field, c("towing.speed", "ropes.cable.length"))
   same <- sensitivities(settle("towed_cable", nodes = 50), "total_drag_kN", found$field)
-  expect_equal(found$slope, same$slope)
+  expect_equal(found$derivative, same$derivative)
 })
 
-test_that("a study of ranges is made, run, read and drawn from the command line", {
+test_that("study command creates, runs, reads and draws a study", {
   skip_if_not_installed("RNetCDF")
   skip_if_not_installed("spacefillr")
   store <- file.path(test_folder(), "cable.study")

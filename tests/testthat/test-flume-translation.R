@@ -1,4 +1,4 @@
-# Texts that are said by their key alone, as say("keep"), in the tank's R code and its scripts.
+# Keys of strings used directly, such as `say("keep")`, in the tank's R code and its scripts.
 keys_of_r <- function() {
   said <- character()
   walk <- function(x) {
@@ -21,12 +21,12 @@ scripts <- function(folder = "app") {
   paste(unlist(lapply(files, readLines, encoding = "UTF-8")), collapse = "\n")
 }
 
-# What the viewer says: its own words, those over its scales and at its marks, and roles of ropes.
+# Strings of the viewer: its own, headings of scales and marks, and roles of ropes.
 viewer_words <- function() {
   roles <- unlist(lapply(gears()$name, function(name) {
     lapply(gear_si(read_gear(name))$ropes, `[[`, "role")
   }))
-  # those that are fields of a plan as well are said as these
+  # roles that are also plan fields use the field's string
   roles <- setdiff(roles, c(NA, sub("^field[.]", "", word_table()$key)))
   headings <- c(
     scale_heading(NULL, "rope"), scale_heading(NULL, "netting"), "Drag of ropes",
@@ -37,20 +37,20 @@ viewer_words <- function() {
   unique(c(own, headings, labels, gsub("_", " ", roles)))
 }
 
-# What findings say: texts with places, sentences of advice, and what stands in places.
+# Strings of findings: templates, advice, and values of their placeholders.
 finding_words <- function() {
   said <- character()
   walk <- function(x, is_check) {
     if (is.character(x) && is_check) said <<- c(said, x[grepl("^[A-Z].* .*[.?]$", x)])
     if (!is.call(x)) return()
-    if (identical(x[[1]], quote(told)) && is.character(x[[2]])) said <<- c(said, x[[2]])
+    if (identical(x[[1]], quote(template)) && is.character(x[[2]])) said <<- c(said, x[[2]])
     for (inner in as.list(x)) if (!missing(inner)) walk(inner, is_check)
   }
   ns <- asNamespace("codend")
   for (name in ls(ns)) if (is.function(ns[[name]])) walk(body(ns[[name]]), FALSE)
   for (check in as.list(finding_checks)) {
     walk(body(check$test), TRUE)
-    # a band's own
+    # strings of a usual range
     given <- environment(check$test)
     if (!identical(given, ns)) said <- c(said, given$quantity, given$low, given$high)
   }
@@ -63,7 +63,7 @@ found_in <- function(text, pattern) {
   unique(sub(pattern, "\\1", hits, perl = TRUE))
 }
 
-# What keys with a point must be named after, by family.
+# Names that keys with a dot must use, by family.
 families <- function() {
   schema <- jsonlite::read_json(system.file("schema", "plan.schema.json", package = "codend"))
   fields <- character()
@@ -73,7 +73,7 @@ families <- function() {
     lapply(node, walk)
   }
   walk(schema)
-  asked <- unlist(lapply(new_plan_kinds(), function(kind) names(kind$asks)))
+  asked <- unlist(lapply(new_plan_kinds(), function(kind) names(kind$requests)))
   gears <- c(
     lapply(gears()$name, read_gear), lapply(names(new_plan_kinds()), function(kind) new_plan(kind))
   )
@@ -81,7 +81,8 @@ families <- function() {
     names(standard_measures), unlist(lapply(gears, function(gear) names(gear_si(gear)$measures)))
   )
   list(
-    language = c("name", "checked_by"), room = names(form_rooms), field = unique(c(fields, asked)),
+    language = c("name", "checked_by"), room = names(form_sections), field = unique(c(fields,
+      asked)),
     also = unique(fields), usual = names(usual_fields), unit = c("knot", "fathom", "ft", "meshes"),
     measure = unique(sub("[0-9]+", "#", measures)),
     kind = c("assembly", names(new_plan_kinds()), gears()$kind),
@@ -92,7 +93,7 @@ families <- function() {
 }
 named <- families()
 
-test_that("every word that the page says is in the table, and every row is said somewhere", {
+test_that("word table contains exactly the strings of the page", {
   skip_if_not_installed("shiny")
   keys <- word_table()$key
   expect_identical(anyDuplicated(keys), 0L)
@@ -101,7 +102,7 @@ test_that("every word that the page says is in the table, and every row is said 
   expect_gt(length(said), 150L)
   of_family <- paste0(names(named), ".")
   expect_identical(setdiff(said, c(keys, of_family)), character())
-  # those said by a name are named after what there is
+  # keys with a family are named after existing items
   plain <- !grepl(".", keys, fixed = TRUE)
   quoted <- c(said, found_in(code, "'([a-z_]+)'"))
   expect_identical(setdiff(keys[plain], quoted), character())
@@ -109,18 +110,19 @@ test_that("every word that the page says is in the table, and every row is said 
   expect_identical(setdiff(keys[!plain], known), character())
 })
 
-test_that("what people look at first is said in every language", {
+test_that("every language translates the most visible strings", {
   keys <- word_table()$key
   of_all <- c("room", "kind", "measure", "usual", "field", "tow_saves", "busy", "view", "finding")
   for (family in of_all) {
     expect_identical(setdiff(paste0(family, ".", named[[family]]), keys), character(),
       label = family)
   }
-  expect_identical(unlist(usual_fields), words_in("en")[paste0("usual.", names(usual_fields))],
+  expect_identical(unlist(usual_fields), strings_of_language("en")[paste0("usual.",
+    names(usual_fields))],
     ignore_attr = TRUE)
 })
 
-test_that("a translation has the places of the English text", {
+test_that("translations keep the placeholders of the English strings", {
   table <- word_table()
   places <- function(texts) lapply(texts, function(text) sort(found_in(text, "[{]([a-z]+)[}]")))
   english <- places(table$en)
@@ -131,43 +133,43 @@ test_that("a translation has the places of the English text", {
   }
 })
 
-test_that("a word that a language lacks is English, and places are filled", {
-  say <- new_say("fr")
+test_that("missing translations fall back to English and placeholders are filled", {
+  say <- make_translator("fr")
   expect_identical(say("must_be", must = "x"), "Must be x.")
   expect_identical(say("fields_many", n = 3), "3 champs")
   expect_identical(say("field.nothing", otherwise = "nothing"), "nothing")
   expect_error(say("nothing"), "no words")
-  expect_identical(said_path(say, "otter_boards.lift_coefficient"),
+  expect_identical(label_of_path(say, "otter_boards.lift_coefficient"),
     "Panneaux: coefficient de portance")
-  expect_identical(said_path(new_say(), "otter_boards.lift_coefficient"),
+  expect_identical(label_of_path(make_translator(), "otter_boards.lift_coefficient"),
     "Otter boards: lift coefficient")
-  expect_identical(said_measure(say, c("door spread", "hook 3 depth", "my own")),
+  expect_identical(label_of_measure(say, c("door spread", "hook 3 depth", "my own")),
     c("\u00e9cartement des panneaux", "profondeur de l'hame\u00e7on 3", "my own"))
 })
 
-test_that("findings are said in the language of the page", {
+test_that("findings appear in the language of the page", {
   skip_if_not_installed("shiny")
   fast <- update(read_gear("poly_noreastern_trawl"), towing.speed = "40 knot",
     sections.body.twine.diameter = "25 mm")
   found <- list_findings(fast, sorted_checks())
   english <- finding_rows(found)
   expect_identical(english, findings(fast))
-  translate <- said_finding(new_say("fr"))
+  translate <- translated_finding(make_translator("fr"))
   french <- finding_rows(found, translate)
   for (column in c("check", "place", "value", "field", "rank", "alike")) {
     expect_identical(french[[column]], english[[column]])
   }
-  expect_identical(french$shown[french$check == "towing speed"], "40.00 n\u0153uds")
+  expect_identical(french$label[french$check == "towing speed"], "40.00 n\u0153uds")
   said <- finding_sentences(french, translate)
   expect_match(said, "^pi\u00e8ce back_body: son fil a 25.00 mm", all = FALSE)
-  # the tank has them among its warnings
-  tank <- shiny::isolate(new_tank(NULL, character(), 200, new_say("fr")))
+  # the tank shows them among its warnings
+  tank <- shiny::isolate(new_tank(NULL, character(), 200, make_translator("fr")))
   tank$notes <- "a warning"
   tank$worth <- found
   expect_identical(tank$warnings(), c("a warning", said))
 })
 
-test_that("a page speaks its address's language, then its browser's, then English", {
+test_that("page_language() prefers the address, then the browser, then English", {
   skip_if_not_installed("shiny")
   expect_identical(page_language("?lang=es", "fr-FR,fr;q=0.9"), "es")
   expect_identical(page_language("?lang=xx", "de;q=0.9, nb-NO;q=0.8, en;q=0.7"), "no")
@@ -177,13 +179,13 @@ test_that("a page speaks its address's language, then its browser's, then Englis
   }
 })
 
-test_that("the page and its tables are in the language of the page, which is told as unchecked", {
+test_that("page and tables use its language and mark machine translations", {
   skip_if_not_installed("shiny")
-  page <- as.character(flume_page(TRUE, new_say("no")))
+  page <- as.character(flume_page(TRUE, make_translator("no")))
   expect_match(page, "Behold denne konstruksjonen", fixed = TRUE)
   expect_match(page, "machine_made", fixed = TRUE)
   expect_no_match(as.character(flume_page()), "id=\"machine_made\"", fixed = TRUE)
   now <- measures(settled("towed_cable"))
-  expect_match(as.character(measures_html(now, now, say = new_say("fr"))),
+  expect_match(as.character(measures_html(now, now, say = make_translator("fr"))),
     "<th scope='col' class='number'>Actuel</th>", fixed = TRUE)
 })

@@ -1,42 +1,43 @@
 skip_if_not_installed("shiny")
 skip_if_not_installed("bslib")
 
-test_that("a page is told what more of a field does, in the units that it likes", {
+test_that("page receives sensitivities to a field in its preferred units", {
   in_flume("towed_cable", function(session, sent, tank) {
     session$setInputs(slopes_wanted = list(paths = list("ropes.cable.length"), number = 1))
-    told <- sent("flume_slopes")[[1]]$fields
+    told <- sent("serve_sensitivities")[[1]]$fields
     expect_length(told, 1L)
     expect_identical(unclass(told[[1]]$paths), "ropes.cable.length")
     expect_identical(told[[1]]$unit, "m")
     found <- sensitivities(tank$state, to = "ropes.cable.length")
-    expect_identical(unclass(told[[1]]$slope), found$slope)
-    # to a design settled with that much more: the slope is within 0.5 % of 1 % to both sides where
-    # it is called smooth
+    expect_identical(unclass(told[[1]]$slope), found$derivative)
+    # Compared with a design settled with the larger value. The sensitivity is within 0.5 % of 1 %
+    # steps to both sides where it is marked as smooth.
     depth <- match("body depth", told[[1]]$measures)
     expect_true(told[[1]]$smooth[depth])
     ask(session, ropes.cable.length = list(value = 1010, unit = "m"))
     more <- tank$measures[["body_depth_m"]] - tank$kept[[1]]$measures[["body_depth_m"]]
     expect_equal(more / 10, unclass(told[[1]]$slope)[depth], tolerance = 0.02)
-    # those of another design count no more
+    # sensitivities of another design are discarded
     expect_null(tank$slopes)
 
     session$setInputs(preferred = list(length = "fathom"))
     session$setInputs(slopes_wanted = list(number = 2))
-    told <- sent("flume_slopes")[[1]]$fields
+    told <- sent("serve_sensitivities")[[1]]$fields
     expect_gt(length(told), 1L)
     depth <- match("body depth", told[[1]]$measures)
     expect_identical(unclass(told[[1]]$units)[depth], "fathom")
     found <- sensitivities(tank$state)
-    expect_equal(unclass(told[[1]]$slope)[depth], found$slope[depth] / 1.8288, tolerance = 1e-12)
-    # percent for a tenth more, to the figures that are shown
+    expect_equal(unclass(told[[1]]$slope)[depth], found$derivative[depth] / 1.8288,
+      tolerance = 1e-12)
+    # percent for 10 % more, to the displayed digits
     speed <- found$elasticity[found$measure == "body_depth_m" & found$field == "towing.speed"]
     expect_match(session$output$slopes$html, signed(10 * speed, 1L), fixed = TRUE)
     table <- utils::read.csv(session$output$save_slopes)
-    expect_equal(table$slope, found$slope, tolerance = 1e-12)
+    expect_equal(table$derivative, found$derivative, tolerance = 1e-12)
   })
 })
 
-test_that("intervals stand next to the estimated error, of the design on screen", {
+test_that("page shows intervals next to the errors of the current design", {
   in_flume("towed_cable", function(session, sent, tank) {
     expect_no_match(session$output$measures$html, "90 %", fixed = TRUE)
     session$setInputs(with_intervals = TRUE)
@@ -50,15 +51,15 @@ test_that("intervals stand next to the estimated error, of the design on screen"
     }
     row <- found$measures[found$measures$measure == "body_depth_m", ]
     said <- sprintf("90 %%: %.0f to %.0f", row$low, row$high)
-    expect_match(depth_cell(), paste0(error_text(row$lattice), "&#10;", said), fixed = TRUE)
-    # the same words as in a summary
+    expect_match(depth_cell(), paste0(error_text(row$mesh), "&#10;", said), fixed = TRUE)
+    # the same string as in a summary
     expect_match(gsub(" +", " ", format(summary(tank$state, uncertainty = found))), said,
       fixed = TRUE, all = FALSE)
-    # in the units that a page likes
+    # in the page's preferred units
     session$setInputs(preferred = list(length = "fathom"))
     expect_match(depth_cell(), sprintf("90 %%: %.0f to %.0f", row$low / 1.8288, row$high / 1.8288),
       fixed = TRUE)
-    # of another design anew, and none where nobody wants them
+    # computed again for another design, and only on request
     ask(session, ropes.cable.length = list(value = 900, unit = "m"))
     expect_identical(tank$uncertainty$measures, uncertainty(tank$state)$measures)
     session$setInputs(with_intervals = FALSE)
@@ -68,7 +69,7 @@ test_that("intervals stand next to the estimated error, of the design on screen"
   })
 })
 
-test_that("slopes of what is no field are refused", {
+test_that("page rejects sensitivities to unknown fields", {
   in_flume("towed_cable", function(session, sent, tank) {
     wrong <- list(list("ropes.cable.lenght"), list(3), list(list("a")), list(strrep("a", 5000)),
       list("towing.speed", "ropes.cable.length"))
@@ -78,11 +79,11 @@ test_that("slopes of what is no field are refused", {
   })
 })
 
-test_that("a star marks slopes that do not hold", {
+test_that("sensitivities_html() marks sensitivities that are not smooth with a star", {
   state <- settled("towed_cable", nodes = 300)
   slopes <- sensitivities(state, to = c("towing.speed", "ropes.cable.length"))
   slopes$smooth[slopes$field == "towing.speed"] <- FALSE
-  html <- as.character(slopes_html(slopes))
+  html <- as.character(sensitivities_html(slopes))
   row <- regmatches(html, regexpr("<tr><th scope='row'>body depth</th>.*?</tr>", html, perl = TRUE))
   cells <- regmatches(row, gregexpr("(?<='number'>)[^<]*", row, perl = TRUE))[[1]]
   expect_match(cells[1], " \\*$")
