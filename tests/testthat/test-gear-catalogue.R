@@ -1,4 +1,4 @@
-test_that("every thing of the catalogue has a source, figures and a material that is known", {
+test_that("catalogue() entries have sources, numbers and known materials", {
   table <- catalogue()
   expect_setequal(unique(table$class), c("board", "float", "twine", "rope", "wire", "chain"))
   expect_false(anyNA(table[c("class", "item", "source")]))
@@ -14,8 +14,8 @@ test_that("every thing of the catalogue has a source, figures and a material tha
   }
 })
 
-test_that("masses and breaking loads come near what the materials of plans give", {
-  # MoorPy's chain, EN 12385-4's wire of another make, ISO's laid ropes: 35 % between makes
+test_that("catalogue() masses and strengths agree with the materials of plans", {
+  # MoorPy's chain, another make of wire by EN 12385-4, ISO's laid ropes: 35 % between makes
   for (class in c("wire", "chain")) {
     table <- catalogue(class)
     material <- gear_materials[table$material[1], ]
@@ -28,9 +28,9 @@ test_that("masses and breaking loads come near what the materials of plans give"
   }
 })
 
-test_that("floats lift no more than the water that they displace", {
+test_that("catalogue() floats lift at most the water they displace", {
   table <- catalogue("float")
   displaced <- pi / 6 * (table$diameter_mm / 1000)^3 * 1025
-  # heights that are not quite a sphere's diameter
+  # heights that are slightly less than a sphere's diameter
   expect_true(all(table$buoyancy_kgf < 1.05 * displaced))
 })

@@ -1,4 +1,4 @@
-test_that("references must exist", {
+test_that("check rejects references to missing parts with a suggestion", {
   e <- expect_plan_error
   e("from: ship", "from: shop", "ropes.warp.from", "there is no point `shop`; did you mean `ship`?")
   e("from: ship", "from: nett.upper_left", "ropes.warp.from", "there is no panel `nett`")
@@ -13,7 +13,7 @@ test_that("references must exist", {
   e("knot: {}", "knot: {at: other}", "points.knot.at", "there is no point `other`")
 })
 
-test_that("a mesh range lies within its edge", {
+test_that("check rejects a mesh range outside its edge", {
   for (range in c("[0:11]", "[5:5]", "[6:2]")) {
     expect_plan_error(
       "[net.upper]", paste0("[\"net.upper", range, "\"]"), "seams.top.edges[1]",
@@ -22,31 +22,31 @@ test_that("a mesh range lies within its edge", {
   }
 })
 
-test_that("points must be held, once, and not two ways", {
+test_that("check rejects points without support, or supported twice", {
   e <- expect_plan_error
   e("position: [0, 0, 0], held: fixed", "", "points", "no held point")
   e(
     "knot: {}", "knot: {}\n  twin: {at: ship, position: [0, 0, 0], held: fixed}", "points.twin",
-    "already holds"
+    "same position as the held point"
   )
-  e("knot: {}", "knot: {at: again}\n  again: {at: knot}", "points.knot.at", "leads back to itself")
+  e("knot: {}", "knot: {at: again}\n  again: {at: knot}", "points.knot.at", "refers to itself")
   towed <- spoil("points:", "towing: {speed: 3 knot}\npoints:")
   e("codend: 1", "codend: 1", "towing.speed", "no point is moved", plan = towed)
   e("knot: {}", "knot: {position: [9, 0, 0], held: moved}", "points", "drift apart", plan = towed)
 })
 
-test_that("a rope leads somewhere else", {
+test_that("check rejects a rope that ends where it starts", {
   e <- expect_plan_error
-  e("to: knot", "to: ship", "ropes.warp.to", "the same place as its start")
-  e("knot: {}", "knot: {at: ship}", "ropes.warp.to", "the same place as its start")
-  e("to: knot", "to: knot\n    along: net.left", "ropes.warp", "exactly one of: `from`; `along`")
+  e("to: knot", "to: ship", "ropes.warp.to", "the same position as the start")
+  e("knot: {}", "knot: {at: ship}", "ropes.warp.to", "the same position as the start")
+  e("to: knot", "to: knot\n    along: net.left", "ropes.warp", "has `from` and `along` together")
 })
 
-test_that("everything hangs on something held", {
+test_that("check rejects parts that no support holds", {
   e <- expect_plan_error
-  e("knot: {}", "knot: {}\n  lonely: {}", "points.lonely", "is not held")
+  e("knot: {}", "knot: {}\n  lonely: {}", "points.lonely", "is not attached")
   e(", gathered_at: knot", "", "seams.top.edges", "has one chain")
-  e("seams:\n  top: {edges: [net.upper], gathered_at: knot}\n", "", "panels.net", "is not held")
+  e("seams:\n  top: {edges: [net.upper], gathered_at: knot}\n", "", "panels.net", "is not attached")
 })
 
 two_panels <- paste0(sub("seams:.*", "", small_plan), "  mat:
@@ -58,14 +58,14 @@ seams:
   join: {edges: [net.left, mat.upper]}
 ")
 
-test_that("seams join lengths that can be joined, and each mesh once", {
+test_that("check rejects seams of unequal lengths or meshes joined twice", {
   expect_s3_class(read_text(two_panels), "codend_gear")
   e <- function(...) expect_plan_error(..., plan = two_panels)
   e("[net.left, mat.upper]", "[net.left, mat.right]", "seams.join.edges", "a factor of at most 3")
-  e("upper: 10, lower: 10", "upper: 0, lower: 10", "seams.join.edges", "can only be `gathered_at`")
+  e("upper: 10, lower: 10", "upper: 0, lower: 10", "seams.join.edges", "needs `gathered_at`")
   e(
     "  join:", "  again: {edges: [net.left, mat.lower]}\n  join:", "seams.join",
-    "that seam `again` already joins"
+    "but seam `again` already joins them"
   )
   e("[net.left, mat.upper]", "[net.upper, mat.upper]", "seams.join", "already joins")
   parts <- spoil(
@@ -81,15 +81,15 @@ test_that("seams join lengths that can be joined, and each mesh once", {
   expect_match(text_error(overlap)$message, "already joins", fixed = TRUE)
 })
 
-test_that("an edge held at both ends by one seam is not held twice, two held ends are", {
+test_that("check accepts two fixed corners but not the same corner twice", {
   plan <- spoil(
     "knot: {}", "knot: {}\n  clamp: {at: net.upper_left, position: [1, 0, 0], held: fixed}"
   )
   expect_s3_class(read_text(plan), "codend_gear")
   twice <- sub("clamp:",
     "other: {at: net.upper_right, position: [1, 0, 0], held: fixed}\n  clamp:", plan)
-  # the whole upper edge is gathered, so its corners are one place
-  expect_match(text_error(twice)$message, "already holds", fixed = TRUE)
+  # the whole upper edge is gathered, so its corners are one position
+  expect_match(text_error(twice)$message, "same position as the held point", fixed = TRUE)
 })
 
 framed <- paste0(sub("seams:.*", "", small_plan), "seams:
@@ -98,13 +98,13 @@ framed <- paste0(sub("seams:.*", "", small_plan), "seams:
 framed <- sub("knot: {}", "knot: {}\n  post: {position: [0, 0.6, 0], held: fixed}", framed,
   fixed = TRUE)
 
-test_that("an edge is held between two held points no further apart than netting stretches", {
+test_that("check rejects `held_between` points that the edge cannot reach", {
   expect_s3_class(read_text(framed), "codend_gear")
   e <- function(...) expect_plan_error(..., plan = framed)
   e("[ship, post]", "[ship, pots]", "seams.top.held_between", "did you mean `post`?")
-  e("[ship, post]", "[ship]", "seams.top.held_between", "a list of 2 (each a place)")
+  e("[ship, post]", "[ship]", "seams.top.held_between", "a list of 2 (each a location)")
   e("[ship, post]", "[ship, knot]", "seams.top.held_between[2]",
-    "is \"knot\"; it must be a held point, one of ship, post")
+    "is \"knot\"; it must be a held point from this list: ship, post")
   e("[ship, post]", "[net.upper_left, post]", "seams.top.held_between[1]", "a held point")
   e("[ship, post]", "[ship, ship]", "seams.top.held_between", "two points at different positions")
   # the upper edge: 10 meshes of 100 mm
@@ -113,9 +113,9 @@ test_that("an edge is held between two held points no further apart than netting
     "has both `gathered_at` and `held_between`")
 })
 
-test_that("an edge is not held between points of which one holds another corner of it", {
+test_that("check rejects `held_between` if a point holds another corner", {
   expect_plan_error(
     "knot: {}", "knot: {}\n  nail: {at: net.upper_left, position: [1, 0, 0], held: fixed}",
-    "points.nail", "already holds", plan = framed
+    "points.nail", "same position as the held point", plan = framed
   )
 })

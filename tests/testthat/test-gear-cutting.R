@@ -1,5 +1,5 @@
-# Meshes across and down that a cutting rate takes, by walking along its cuts: independent of how
-# the rate was found. A cycle stands for as many turns as its text says.
+# Meshes across and down of a cutting rate, counted along its cuts: independent of the code that
+# finds the rate. The factor of a cycle is its number of repeats.
 walk_rate <- function(text) {
   total <- c(across = 0, down = 0)
   for (group in strsplit(text, "+", fixed = TRUE)[[1]]) {
@@ -15,7 +15,7 @@ walk_rate <- function(text) {
   total
 }
 
-test_that("cutting rates are those of the textbooks", {
+test_that("cutting_rate() returns the textbook rates", {
   # meshes lost over meshes deep; the usual table of net makers (J. Prado, Fisherman's Workbook, FAO
   # and Fishing News Books, 1990)
   known <- c(
@@ -25,13 +25,13 @@ test_that("cutting rates are those of the textbooks", {
   for (rate in names(known)) expect_identical(cutting_rate(known[[rate]] * 630, 630), rate)
   expect_identical(cutting_rate(0, 40), "AN")
   expect_identical(cutting_rate(40, 40), "AB")
-  # 180 meshes to 140 in 30, half of it at each side: 4 bars to 1 point (Fishing Gear Technology,
-  # Marine Institute course MSC 132, after A. L. Fridman 1986)
+  # 180 meshes to 140 in 30, half of the loss at each side: 4 bars to 1 point (Fishing Gear
+  # Technology, Marine Institute course MSC 132, after A. L. Fridman 1986)
   expect_identical(cutting_rate((180 - 140) / 2, 30), "1N4B")
   expect_identical(cutting_rate(-20, 30), "1N4B")
 })
 
-test_that("a rate repeated makes up the whole edge", {
+test_that("cutting_rate() repeats to the whole edge", {
   for (deep in c(17, 84, 120, 150, 201)) {
     for (lost in c(0.5, 1, 7, 16, 52.5, 91.5, 149, 260)) {
       text <- cutting_rate(lost, deep)
@@ -39,7 +39,7 @@ test_that("a rate repeated makes up the whole edge", {
       if (text == "AB") next
       walked <- walk_rate(text)
       expect_equal(walked[["across"]] / walked[["down"]], lost / deep)
-      # two cycles end where the edge does, or where two edges do that lose half a mesh
+      # two cycles end with the edge, or with two edges that lose half a mesh
       turns <- 2 * deep / walked[["down"]]
       if (grepl("+", text, fixed = TRUE)) expect_equal(turns, round(turns))
     }
@@ -47,12 +47,12 @@ test_that("a rate repeated makes up the whole edge", {
   expect_identical(cutting_rate(91.5, 120), "11(1N6B)+8(1N7B)")
 })
 
-test_that("an edge of no whole number of meshes has the nearest short rate", {
-  # 32.72 of 65.93: bars over points 1.97, where 1N2B has 2 and no other of up to 7 cuts is nearer
+test_that("cutting_rate() approximates an edge of fractional meshes", {
+  # 32.72 of 65.93: bars over points 1.97; 1N2B has 2 and is the nearest of up to 7 cuts
   expect_identical(cutting_rate(32.72, 65.93), "~1N2B")
 })
 
-test_that("turned, square and hexagonal netting have their own rules", {
+test_that("cutting_rate() has rules for turned, square and hexagonal netting", {
   expect_identical(cutting_rate(0, 40, "turned"), "AT")
   expect_identical(cutting_rate(20, 40, "turned"), "1T2B")
   expect_identical(cutting_rate(0, 40, "square"), "AB")
@@ -60,7 +60,7 @@ test_that("turned, square and hexagonal netting have their own rules", {
   expect_identical(cutting_rate(10, 40, "hexagonal"), "")
 })
 
-test_that("a panel's taper goes to its edges as the plan says", {
+test_that("panel taper is divided between its edges", {
   panel <- list(upper = 60, lower = 20, deep = 40, orientation = "diamond", taper_left = 0.5,
     taper_right = 0.5)
   expect_identical(panel_rates(panel), c(left = "1N2B", right = "1N2B"))

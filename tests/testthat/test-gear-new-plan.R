@@ -1,6 +1,6 @@
 new_text <- function(...) strsplit(format(new_plan(...), remarks = TRUE), "\n", fixed = TRUE)[[1]]
 
-test_that("every kind has a plan to begin with, with remarks", {
+test_that("new_plan() returns a commented plan for every kind", {
   for (kind in names(new_plan_kinds())) {
     gear <- new_plan(kind)
     expect_identical(gear$plan$kind, kind)
@@ -10,7 +10,7 @@ test_that("every kind has a plan to begin with, with remarks", {
   expect_setequal(names(new_plan_kinds()), setdiff(plan_kinds, "assembly"))
 })
 
-# Least and greatest of what sources print for a kind (inst/extdata/bands.csv).
+# Usual range of published values for a kind (inst/extdata/bands.csv).
 usual_band <- function(quantity, kind) {
   bands <- read.csv(system.file("extdata", "bands.csv", package = "codend"))
   unlist(bands[bands$quantity == quantity & bands$kind == kind, c("usual_least", "usual_greatest")])
@@ -29,70 +29,71 @@ settled_starter <- function(kind, ...) {
   list(measures = as.list(measures(state)), loads = tension_table(state)$strength_percent)
 }
 
-test_that("a new bottom trawl of every size is in the bands that are published, and none warns", {
+test_that("new_plan() bottom trawls of every size match published ranges without warnings", {
   # Widths of otter trawls by engine power, kW (Eigaard et al. 2016, ICES J. Mar. Sci. 73:27, with
-  # additions of ICES 2015): a mixed fishery, crustaceans, demersal fish. They spread by a third
-  # about these means.
+  # additions of ICES 2015): a mixed fishery, crustaceans, demersal fish. Their scatter
+  # is a third of the mean.
   widths <- function(kw) c(10.6608 * kw^0.2921, 5.1039 * kw^0.469, 9.6054 * kw^0.4337)
-  # bollard pull: 30 / 2240 long tons a horsepower (US Navy, open propellers), of which a trawler
-  # has about 0.7 at 3 knot
+  # bollard pull: 30 / 2240 long tons a horsepower (US Navy, open propellers); at 3 knot a
+  # trawler has about 0.7 times this pull
   power <- function(drag) drag / (9.964 * 0.7 * 30 / 2240) * 0.7457
   for (h in c(8, 25, 50, 80)) {
-    found <- settled_starter("bottom_trawl", head_line = paste(h, "m"))
+    found <- settled_starter("bottom_trawl", headline = paste(h, "m"))
     m <- found$measures
-    # spread to a sixth beyond what courses print
-    expect_in_band(m$wing_end_spread_m / h, "spread over head line", "bottom_trawl", h, 1 / 6)
-    expect_in_band(m$net_mouth_height_m / h, "headline height over head line", "bottom_trawl", h)
+    # spread up to a sixth beyond published course values
+    expect_in_band(m$wing_end_spread_m / h, "spread over headline", "bottom_trawl", h, 1 / 6)
+    expect_in_band(m$net_mouth_height_m / h, "headline height over headline", "bottom_trawl", h)
     expect_in_band(m$bridle_angle_deg, "bridle angle", "bottom_trawl", h)
     expect_gt(m$door_spread_m, 2 / 3 * min(widths(power(m$total_drag_kN))), label = h)
     expect_lt(m$door_spread_m, 4 / 3 * max(widths(power(m$total_drag_kN))), label = h)
-    # ropes at a quarter of their breaking load at most
+    # rope tensions are at most a quarter of the breaking load
     expect_lt(max(found$loads, na.rm = TRUE), 25)
     expect_gt(m$ground_load_kN, 0)
     # A vessel of 3000 hp pulls about 270 kN at this speed (as above, with a nozzle) and tows a
-    # trawl of 60 m; by area, small gear at 2.5 knot has half of that for its speed alone.
+    # trawl of 60 m. By area, small gear at 2.5 knot has half of this pull because of its speed
+    # alone.
     expect_lt(m$total_drag_kN / (h / 60)^2, 270)
     expect_gt(m$total_drag_kN / (h / 60)^2, 270 / 3)
   }
-  pair <- settled_starter("pair_trawl", head_line = "40 m")$measures
-  expect_in_band(pair$wing_end_spread_m / 40, "spread over head line", "pair_trawl", "pair")
-  expect_in_band(pair$net_mouth_height_m / 40, "headline height over head line", "pair_trawl", "")
+  pair <- settled_starter("pair_trawl", headline = "40 m")$measures
+  expect_in_band(pair$wing_end_spread_m / 40, "spread over headline", "pair_trawl", "pair")
+  expect_in_band(pair$net_mouth_height_m / 40, "headline height over headline", "pair_trawl", "")
 })
 
-test_that("bottom trawls are scaled from one of 25 m, which is towed at 3 knot", {
-  plan <- new_plan("bottom_trawl", head_line = "25 m")$plan
+test_that("new_plan() scales bottom trawls from 25 m at 3 knot", {
+  plan <- new_plan("bottom_trawl", headline = "25 m")$plan
   expect_identical(plan$towing$speed, "3 knot")
   expect_identical(plan$otter_boards$lift_coefficient, 1.2)
   expect_equal(speed_over_usual(3 * 1852 / 3600, 25), 1)
 })
 
-test_that("a new midwater trawl of every size is in the bands that are published, and none warns", {
+test_that("new_plan() midwater trawls of every size match published ranges without warnings", {
   for (h in c(20, 50, 120)) {
-    found <- settled_starter("midwater_trawl", head_line = paste(h, "m"))
+    found <- settled_starter("midwater_trawl", headline = paste(h, "m"))
     m <- found$measures
-    expect_in_band(m$net_mouth_height_m / h, "mouth height over head line", "midwater_trawl", h)
-    expect_in_band(m$wing_end_spread_m / h, "spread over head line", "midwater_trawl", h, 0.25)
+    expect_in_band(m$net_mouth_height_m / h, "mouth height over headline", "midwater_trawl", h)
+    expect_in_band(m$wing_end_spread_m / h, "spread over headline", "midwater_trawl", h, 0.25)
     expect_lt(max(found$loads, na.rm = TRUE), 40)
     if (h != 50) next
-    # A midwater trawl of 45 m has 48 to 72 kN at 2 to 3 knot with boards of 5 m2 (CIFT), and a pair
-    # trawl of Korea 53 kN at 4 knot (479 V^1.75 kgf, V in knot); of 400 m around at 4 knot
-    # therefore within half of their middle.
+    # A midwater trawl of 45 m has 48 to 72 kN at 2 to 3 knot with boards of 5 m2 (CIFT). A Korean
+    # pair trawl has 53 kN at 4 knot (479 V^1.75 kgf, V in knot). A trawl with a circumference of
+    # 400 m at 4 knot is therefore within half of their middle.
     expect_gt(m$total_drag_kN, 40)
     expect_lt(m$total_drag_kN, 100)
   }
-  # meshes of 64 m, each its bars
-  large <- settled_starter("midwater_trawl", head_line = "250 m", mesh_size = "64 m")$measures
+  # meshes of 64 m, with every bar modelled
+  large <- settled_starter("midwater_trawl", headline = "250 m", mesh_size = "64 m")$measures
   expect_gt(large$net_mouth_height_m / 250, 0.2)
 })
 
-test_that("a new beam trawl, gillnet, cage, stow net, purse seine or longline has its size", {
+test_that("new_plan() gives other kinds the requested dimensions", {
   beam <- settled_starter("beam_trawl", beam = "9 m", speed = "5 knot")$measures
   expect_equal(beam$wing_end_spread_m, 9, tolerance = 0.05)
   net <- settled_starter("gillnet", length = "80 m", height = "5 m", mesh_size = "100 mm",
     current = "0.05 m/s")$measures
   expect_equal(net$net_height_m, 5, tolerance = 0.1)
   cage <- new_plan("cage", diameter = "50 m", depth = "20 m", current = "0.1 m/s")
-  # moorings are a fiftieth longer than the way from the collar to their anchors
+  # moorings are 2 % longer than the distance from the collar to their anchors
   line <- cage$plan$moorings
   metres <- vapply(line[c("length", "reach", "anchor_depth")], quantity_si, 0, "length")
   expect_equal(metres[[1]], 1.02 * sqrt(metres[[2]]^2 + metres[[3]]^2), tolerance = 2e-3)
@@ -111,14 +112,19 @@ test_that("a new beam trawl, gillnet, cage, stow net, purse seine or longline ha
   expect_match(format(line, remarks = TRUE), "Scaled from the shipped plan", fixed = TRUE)
 })
 
-test_that("what a new plan is asked for is checked by name", {
-  text <- new_text("bottom_trawl", head_line = "31 m", depth = 77)
+test_that("new_plan() checks its arguments by name", {
+  text <- new_text("bottom_trawl", headline = "31 m", depth = 77)
   expect_true(any(grepl("depth: 77 m,", text, fixed = TRUE)))
-  expect_true(any(startsWith(text, "head_line: {length: 31 m")))
-  expect_wrong(new_plan("bottom_trawl", headline = "3 m"), "Did you mean `head_line`")
+  expect_true(any(startsWith(text, "headline: {length: 31 m")))
+  expect_wrong(new_plan("bottom_trawl", hedline = "3 m"), "Did you mean `headline`")
   expect_wrong(new_plan("bottom_trawl", depth = "3 kg"), "must be a length")
   expect_wrong(new_plan("botom_trawl"), "Did you mean \"bottom_trawl\"")
   expect_wrong(new_plan("bottom_trawl", mesh_size = "20 m"), "quarter")
+  # the message names the argument and no position in the generated plan
+  large <- tryCatch(new_plan("bottom_trawl", headline = "3000 m"), codend_error_plan = identity)
+  expect_match(large$message, "`headline` is 3000 m, outside the tested sizes from 8 m to 80 m")
+  expect_identical(large$path, "headline")
+  expect_null(large$line)
   expect_refused(new_plan("gillnet", wall.mesh_sise = "1 m"))
   expect_identical(new_plan("cage", diameter = "30 m")$plan$diameter, "30 m")
   expect_wrong(new_plan("stow_net", width = "3 kg"), "must be a length")
@@ -127,48 +133,49 @@ test_that("what a new plan is asked for is checked by name", {
     "0.4 mm")
 })
 
-test_that("a number that is given is kept to its last digit, whatever its unit", {
+test_that("new_plan() keeps given numbers to their last digit and unit", {
   for (kind in c("bottom_trawl", "pair_trawl", "demersal_seine", "midwater_trawl")) {
-    for (head_line in c("36.13 m", "20.15 fathom")) {
-      gear <- new_plan(kind, head_line = head_line)
-      expect_identical(gear$plan$head_line$length, head_line)
-      expect_match(gear$plan$name, paste("head line", head_line), fixed = TRUE)
+    for (headline in c("36.13 m", "20.15 fathom")) {
+      gear <- new_plan(kind, headline = headline)
+      expect_identical(gear$plan$headline$length, headline)
+      expect_match(gear$plan$name, paste("headline", headline), fixed = TRUE)
     }
   }
-  expect_identical(new_plan("bottom_trawl", head_line = 15.6)$plan$head_line$length, "15.6 m")
+  expect_identical(new_plan("bottom_trawl", headline = 15.6)$plan$headline$length, "15.6 m")
   expect_identical(new_plan("purse_seine", length = "301.2 m")$plan$float_line$length, "301.2 m")
   expect_match(new_plan("gillnet", height = "3.27 m")$plan$name, "50 m by 3.27 m", fixed = TRUE)
 })
 
-test_that("values are asked for, and an empty answer takes the usual one", {
+test_that("prompt_for_values() takes the usual value for an empty answer", {
   answers <- textConnection(c("22 m", "", " 60 mm"))
   on.exit(close(answers))
-  asks <- new_plan_kinds()$bottom_trawl$asks
-  capture.output(given <- asked_values(asks, list(speed = "2 knot"), answers), type = "message")
-  expect_identical(given, list(speed = "2 knot", head_line = "22 m", codend_mesh_size = "60 mm"))
+  requests <- new_plan_kinds()$bottom_trawl$requests
+  capture.output(given <- prompt_for_values(requests, list(speed = "2 knot"), answers),
+    type = "message")
+  expect_identical(given, list(speed = "2 knot", headline = "22 m", codend_mesh_size = "60 mm"))
 })
 
-test_that("meshes that are usual go with the head line", {
+test_that("prompt_for_values() offers mesh sizes that suit the headline", {
   answers <- textConnection(c("64 m", "", "", "", ""))
   on.exit(close(answers))
   about <- new_plan_kinds()$bottom_trawl
-  said <- capture.output(given <- asked_values(about$asks, list(), answers, about$usual),
+  said <- capture.output(given <- prompt_for_values(about$requests, list(), answers, about$usual),
     type = "message")
-  expect_identical(given, list(head_line = "64 m"))
-  # twice the root of 25 m's
+  expect_identical(given, list(headline = "64 m"))
+  # 25 m's value times the square root of 64/25 gives about double
   expect_match(said, "mesh size [160 mm]", fixed = TRUE, all = FALSE)
-  expect_identical(new_plan("bottom_trawl", head_line = "64 m")$plan$square$mesh_size, "160 mm")
+  expect_identical(new_plan("bottom_trawl", headline = "64 m")$plan$square$mesh_size, "160 mm")
 })
 
-test_that("a typed number has the unit of the usual value, and what is none is asked for again", {
+test_that("prompt_for_values() adds the usual unit and repeats invalid questions", {
   answers <- textConnection(c("32", "80", "wide", "3 knot", "-1", "60 mm", "2.5", "-4 m"))
   on.exit(close(answers))
-  asks <- new_plan_kinds()$bottom_trawl$asks
-  said <- capture.output(given <- asked_values(asks, list(), answers), type = "message")
-  # what was typed last stands where answers end, for its own error
-  expect_identical(given, list(head_line = "32 m", mesh_size = "80 mm", codend_mesh_size = "60 mm",
+  requests <- new_plan_kinds()$bottom_trawl$requests
+  said <- capture.output(given <- prompt_for_values(requests, list(), answers), type = "message")
+  # if input ends, the last answer remains and its own error is thrown
+  expect_identical(given, list(headline = "32 m", mesh_size = "80 mm", codend_mesh_size = "60 mm",
     speed = "2.5 knot", depth = "-4 m"))
-  expect_match(said, "\"wide\" is no length; it must be one such as 80 mm", fixed = TRUE,
+  expect_match(said, "\"wide\" is not a length; enter one such as 80 mm", fixed = TRUE,
     all = FALSE)
-  expect_length(grep("is no length", said), 4L)
+  expect_length(grep("is not a length", said), 4L)
 })

@@ -1,4 +1,4 @@
-test_that("defaults are filled in and units resolved", {
+test_that("gear_si() fills in defaults and converts units", {
   si <- gear_si(read_text(small_plan))
   expect_identical(si$water$density, 1025)
   expect_identical(si$water$viscosity, 1.19e-6)
@@ -9,10 +9,10 @@ test_that("defaults are filled in and units resolved", {
   net <- si$panels$net
   expect_equal(net$mesh_size, 0.1, tolerance = 1e-15)
   expect_identical(c(net$taper_left, net$taper_right), c(0.5, 0.5))
-  # as the schema says
+  # the schema's default
   expect_equal(net$knot_diameter, 2 * net$twine_diameter, tolerance = 1e-15)
   expect_match(path_node(list(), "panels.any.knot_diameter")$description, fixed = TRUE,
-    "twice the twine diameter by default")
+    "Default: twice the twine diameter")
   expect_null(net$bar_segments)
   expect_identical(net$added_mass, c(normal = 1, tangential = 0))
   expect_identical(net$coefficients,
@@ -21,7 +21,7 @@ test_that("defaults are filled in and units resolved", {
     list(panel = "net", edge = "upper"))
 })
 
-test_that("a trawl warp weighs and stretches as steel wire does", {
+test_that("trawl warp has the mass and stiffness of steel wire", {
   si <- gear_si(read_text(spoil("20 mm\n    material: PA", "32 mm\n    material: steel_wire")))
   warp <- si$ropes$warp
   # 4.1 kg/m and 48 MN at 32 mm, to the digits of the table
@@ -30,7 +30,7 @@ test_that("a trawl warp weighs and stretches as steel wire does", {
   expect_equal(warp$volume_per_length, 4.1 / 7850, tolerance = 1e-3)
 })
 
-test_that("explicit values win over the material; without one the full circle displaces water", {
+test_that("explicit rope values override the material", {
   plan <- spoil("material: PA", "material: PA\n    axial_stiffness: 1 MN\n    mass_per_length: 1")
   warp <- gear_si(read_text(plan))$ropes$warp
   expect_identical(c(warp$axial_stiffness, warp$mass_per_length), c(1e6, 1))
@@ -41,7 +41,7 @@ test_that("explicit values win over the material; without one the full circle di
   expect_identical(warp$strength, NA_real_)
 })
 
-test_that("a plan's own material is a solid circle", {
+test_that("user-defined material is a solid circle", {
   plan <- spoil("material: PA", "material: rod")
   plan <- spoil("points:", "materials:\n  rod: {density: 2, modulus: 3 Pa, strength: 5}\npoints:",
     plan)
@@ -53,7 +53,7 @@ test_that("a plan's own material is a solid circle", {
   )
 })
 
-test_that("a double twine has twice the mass, volume and stiffness of one", {
+test_that("double twine has twice the mass, volume and stiffness", {
   one <- gear_si(read_text(small_plan))$panels$net
   two <- gear_si(read_text(spoil("twine: {", "twine: {double: yes, ")))$panels$net
   expect_identical(two$twine_count, 2)
@@ -65,8 +65,8 @@ test_that("a double twine has twice the mass, volume and stiffness of one", {
     "knotted: no\n    mesh_size")))$panels$net$knot_diameter, 0)
 })
 
-test_that("an edge is as long as the shortest way along its twines", {
-  # counted bar by bar: breadth-first search over the knots of a lattice
+test_that("edge length equals the shortest path along its twines", {
+  # counted bar by bar: breadth-first search over the knots of the netting
   walk <- function(across, down, square) {
     steps <- if (square) {
       rbind(c(1, 0), c(-1, 0), c(0, 1), c(0, -1))
@@ -94,7 +94,7 @@ test_that("an edge is as long as the shortest way along its twines", {
   }
 })
 
-test_that("a laced rope takes its length from the hanging ratio", {
+test_that("laced rope takes its length from the hanging ratio", {
   plan <- spoil(
     "panels:",
       paste0(
@@ -125,7 +125,7 @@ piece_si <- function(fields) {
     paste0("pieces:\n  p: {at: knot, ", fields, "}\nseams:"))))$pieces$p
 }
 
-test_that("pieces have the mass, volume and areas of what they are", {
+test_that("pieces have the mass, volume and areas of their fields", {
   weight <- piece_si("mass: 1 tonne, material: steel_chain")
   expect_equal(weight$volume, 1000 / 7850, tolerance = 1e-15)
   expect_equal(weight$added_mass, 0.5 * 1025 * 1000 / 7850, tolerance = 1e-15)
@@ -149,27 +149,27 @@ test_that("pieces have the mass, volume and areas of what they are", {
   expect_identical(board$lift_direction, "port")
 })
 
-test_that("pieces that contradict themselves are refused", {
+test_that("check rejects pieces with contradicting fields", {
   e <- function(fields, path, message) {
     expect_plan_error("seams:", paste0("pieces:\n  p: {at: knot, ", fields, "}\nseams:"), path,
       message)
   }
-  e("role: weight", "pieces.p", "does nothing")
+  e("role: weight", "pieces.p", "has no effect")
   e("buoyancy: 5, mass: 3", "pieces.p", "both `buoyancy` and `mass`")
   e("mass: 5, density: 7850, volume: 1", "pieces.p", "both `volume` and `density`")
   e("density: 7850", "pieces.p.mass", "is missing")
-  e("buoyancy: 1000 N, diameter: 10 cm", "pieces.p.buoyancy", "a sphere of its diameter displaces")
+  e("buoyancy: 1000 N, diameter: 10 cm", "pieces.p.buoyancy", "the buoyancy of a weightless sphere")
   e("mass: 5, drag_coefficient: 1", "pieces.p.area", "is missing")
   e("area: 5, lift_coefficient: 1", "pieces.p.lift_direction", "is missing")
-  e("mass: 5, share: [0, 1]", "pieces.p.along", "is missing")
-  e("mass: 5, along: warp", "pieces.p", "exactly one of: `at`; `along`")
+  e("mass: 5, extent: [0, 1]", "pieces.p.along", "is missing")
+  e("mass: 5, along: warp", "pieces.p", "has `at` and `along` together")
   expect_plan_error(
-    "seams:", "pieces:\n  p: {along: warp, share: [0.5, 0.2], mass: 1}\nseams:", "pieces.p.share",
+    "seams:", "pieces:\n  p: {along: warp, extent: [0.5, 0.2], mass: 1}\nseams:", "pieces.p.extent",
       "larger"
   )
 })
 
-test_that("measures are taken apart", {
+test_that("measures are parsed into kinds and positions", {
   plan <- spoil("seams:", "measures:
   opening: {height: [ship, net.lower_left]}
   wing_spread: {spread: [[net.lower_left, net.lower_right], [net.upper_left, net.upper_right]]}
@@ -190,12 +190,12 @@ seams:")
     list(rope = "warp", place = "start", angle = "declination"))
   expect_plan_error(
     "[[net.lower_left, net.lower_right], [net.upper_left, net.upper_right]]",
-    "[ship, knot, ship]", "measures.wing_spread.spread", "two places, or a list of pairs",
+    "[ship, knot, ship]", "measures.wing_spread.spread", "two positions, or a list of pairs",
       plan = plan
   )
 })
 
-test_that("coefficient sets by name and by number", {
+test_that("coefficient sets are read by name and by number", {
   law <- function(text) gear_si(read_text(spoil("points:",
     paste0("coefficients: ", text, "\npoints:"))))$ropes$warp$coefficients
   expect_identical(law("wan"), list(law = "constant", normal = 1.3, tangential = 0, skin = 0))
@@ -206,7 +206,7 @@ test_that("coefficient sets by name and by number", {
     "Did you mean `hoerner`?")
 })
 
-test_that("each kind of gear has the law that its data support where its plan names none", {
+test_that("each kind of gear has its default drag model", {
   law <- function(name) {
     gear <- update(read_gear(name), netting_drag = NULL)
     unique(vapply(gear_si(gear)$panels, `[[`, "", "netting_drag", USE.NAMES = FALSE))
@@ -215,31 +215,31 @@ test_that("each kind of gear has the law that its data support where its plan na
     vapply(c("midwater_trawl", "poly_noreastern_trawl", "pair_trawl", "beam_trawl", "stow_net",
       "cage", "gillnet", "purse_seine"), law, ""),
     c(midwater_trawl = "blended", poly_noreastern_trawl = "blended", pair_trawl = "blended",
-      beam_trawl = "blended", stow_net = "twines", cage = "loland", gillnet = "twines",
-      purse_seine = "twines")
+      beam_trawl = "blended", stow_net = "morison", cage = "loland", gillnet = "morison",
+      purse_seine = "morison")
   )
-  # the shipped trawl of the paper keeps the paper's sum
-  expect_identical(gear_si(read_gear("midwater_trawl"))$panels[[1]]$netting_drag, "twines")
+  # the paper's shipped trawl keeps the paper's twine-by-twine drag
+  expect_identical(gear_si(read_gear("midwater_trawl"))$panels[[1]]$netting_drag, "morison")
 })
 
-test_that("the paper's method is one word, whatever else the plan says", {
-  explicit <- list(netting = "bars", netting_drag = "twines", coefficients = "hoerner",
+test_that("`method: paper` overrides all other model choices", {
+  explicit <- list(netting = "bars", netting_drag = "morison", coefficients = "hoerner",
     slack_twine = "straight", shielding = "none")
-  # a short form that chooses otherwise
+  # a short form with other choices
   trawl <- read_gear("poly_noreastern_trawl")
   si <- gear_si(update(trawl, method = "paper"))
   expect_identical(si[c("netting", "slack_twine")],
     list(netting = "bars", slack_twine = "straight"))
   for (panel in si$panels) {
-    expect_identical(panel$netting_drag, "twines")
+    expect_identical(panel$netting_drag, "morison")
     expect_identical(panel$shielding, "none")
     expect_identical(panel$added_mass, c(normal = 1, tangential = 1))
   }
-  expect_identical(si$panels[[1]]$coefficients, drag_law("hoerner"))
-  expect_identical(si$ropes$head_line$coefficients$law, drag_law("hoerner")$law)
+  expect_identical(si$panels[[1]]$coefficients, drag_model("hoerner"))
+  expect_identical(si$ropes$headline$coefficients$law, drag_model("hoerner")$law)
   expect_false(identical(gear_si(trawl)$netting, "bars"))
 
-  # the same shape as with each of these given, where knots weigh nothing
+  # the same shape as with each choice given, for massless knots
   panel <- read_gear("flat_panel")
   name <- names(panel$plan$panels)[1]
   panel <- do.call(update, c(list(panel),
@@ -250,12 +250,12 @@ test_that("the paper's method is one word, whatever else the plan says", {
   expect_refused(update(trawl, method = "papers"), "method")
 })
 
-test_that("a ball's area across the flow is that of its circle", {
+test_that("ball has the area of its circle across the flow", {
   ball <- gear_si(read_gear("midwater_trawl"))$pieces$floats
   expect_equal(ball$area, pi / 4 * ball$height^2)
 })
 
-test_that("a piece of a volume alone is as high as a cube of it", {
+test_that("piece with only a volume is as high as a cube", {
   expect_equal(piece_height(list(), 0.027), 0.3)
   expect_equal(piece_height(list(diameter = 0.2), 0.027), 0.2)
 })

@@ -1,4 +1,4 @@
-test_that("calls give the same tree as a file", {
+test_that("gear() calls give the same tree as a file", {
   built <- gear(
     "A net on a warp",
     ship = gear_point(position = c(0, 0, 0), held = "fixed"), knot = gear_point(),
@@ -17,7 +17,7 @@ test_that("calls give the same tree as a file", {
   expect_identical(gear_si(built), gear_si(read))
 })
 
-test_that("the constructors take every field of the schema", {
+test_that("constructors accept every field of the schema", {
   fields <- kind_node("assembly")$properties
   groups <- list(
     points = gear_point, ropes = rope, panels = netting_panel, pieces = piece, seams = seam,
@@ -29,23 +29,23 @@ test_that("the constructors take every field of the schema", {
   }
 })
 
-test_that("a gear that was changed is checked to what its plan gives anew", {
+test_that("update() gives the same gear as reading the changed plan", {
   changes <- list(
     list(towing.speed = "1.1 knot"), list(name = "Another name"), list(water.density = 1010),
-    list(warps.length = "123 m"), list(head_line.length = NULL), list(notes = list()),
+    list(warps.length = "123 m"), list(headline.length = NULL), list(notes = list()),
     list(sections.intermediate.meshes.deep = 20), list(towing.speed = 1), list(canvas = NULL),
     list(coefficients = "wan"), list(sections.codend.rows = 3), list(measures = NULL),
     list(ropes.cable.length = "800 m"), list(ropes.cable.material = "polyester"),
     list(water.current = list(speed = 0.7, toward = "45 deg")), list(depth = "11 m"),
     list(towing = NULL)
   )
-  # one of each kind
+  # one gear of each kind
   table <- gears()
   taken <- 0
   for (name in table$name[!duplicated(table$kind)]) {
     gear <- chained <- read_gear(name)
     for (change in changes) {
-      # some gears have no such field
+      # some gears lack the field
       changed <- tryCatch(do.call(update, c(list(chained), change)),
         codend_error = function(e) NULL)
       if (is.null(changed)) next
@@ -61,14 +61,14 @@ test_that("a gear that was changed is checked to what its plan gives anew", {
   expect_gt(taken, 5 * sum(!duplicated(table$kind)))
 })
 
-test_that("two components of one name are an error", {
+test_that("gear() rejects two components of one name", {
   expect_refused(
     gear("x", a = gear_point(position = c(0, 0, 0), held = "fixed"), a = gear_point()),
     "given twice"
   )
 })
 
-test_that("update changes, adds and takes out fields by path, and checks again", {
+test_that("update() changes, adds and removes fields by path and checks them", {
   gear <- read_gear("towed_cable")
   faster <- update(gear, towing.speed = "5 knot", ropes.cable.segments = NULL)
   expect_identical(faster$plan$towing$speed, "5 knot")
@@ -90,27 +90,27 @@ test_that("update changes, adds and takes out fields by path, and checks again",
   expect_refused(update(gear, water.current.1.speed = 1))
 })
 
-test_that("printing takes few lines and says what there is", {
+test_that("print() of a gear takes few lines with counts of parts", {
   lines <- capture.output(print(read_text(small_plan)))
   expect_lte(length(lines), 10)
   expect_match(lines[1], "A net on a warp.*assembly")
   expect_match(lines[2], "panels 1, seams 1, ropes 1, pieces 0, points 2")
 })
 
-test_that("an assembly stands for itself", {
+test_that("assembly() returns an assembly unchanged", {
   gear <- read_gear("towed_cable")
   expect_identical(assembly(gear), gear)
   expect_wrong(assembly(list()))
 })
 
-test_that("a wrong change after a right one is found", {
+test_that("update() rejects a wrong change after a right one", {
   gear <- update(read_gear("midwater_trawl"), towing.speed = 2)
   expect_refused(update(gear, warps.length = "-3 m"))
   expect_refused(update(gear, towing = NULL))
   expect_refused(update(read_gear("towed_cable"), ropes.cable.to = "nowhere"), "there is no point")
 })
 
-test_that("a plan that was changed by hand is checked again", {
+test_that("plan changed by hand is checked again", {
   gear <- read_gear("towed_cable")
   gear$plan$towing$speed <- 1.5
   expect_identical(gear_si(gear)$towing$speed, 1.5)
@@ -118,13 +118,13 @@ test_that("a plan that was changed by hand is checked again", {
   expect_refused(gear_si(gear))
 })
 
-test_that("places and edges of a gear know its panels by their shape alone", {
+test_that("check reuses panel edges only while shapes are the same", {
   gear <- assembly(read_gear("midwater_trawl"))
   path <- "panels.belly_section_2.twine.diameter"
   thicker <- do.call(update, c(list(gear), setNames(list("4.1 mm"), path)))
   expect_identical(thicker$checked, as_gear(thicker$plan)$checked)
   expect_identical(gear_structure(gear_si(thicker)), gear_structure(gear_si(gear)))
-  # edges are taken over where shapes are the same, and only there
+  # edges are reused only for the same shape
   si <- gear_si(gear)
   marked <- gear$checked
   marked$si$seams[[1]]$edges[[1]][[1]]$mark <- TRUE
@@ -136,7 +136,7 @@ test_that("places and edges of a gear know its panels by their shape alone", {
   expect_null(of(finer))
 })
 
-test_that("a part that changes is put into its plain form wherever it stands", {
+test_that("update() converts changed parts to their plain form", {
   gear <- assembly(read_gear("midwater_trawl"))
   changed <- update(gear,
     panels.belly_section_2.twine = list(diameter = 0.004, material = factor("PA"), double = FALSE),

@@ -1,4 +1,4 @@
-# Sensor logs with spikes that are planted.
+# Sensor logs with artificial spikes.
 
 log_of <- function(lines) {
   file <- tempfile(fileext = ".csv")
@@ -6,7 +6,7 @@ log_of <- function(lines) {
   file
 }
 
-test_that("spikes go, what is real stays", {
+test_that("read_sensor_log() removes spikes and keeps real changes", {
   n <- 300
   time <- 82800 + 10 * seq_len(n)
   door <- 80 + 3 * sin(seq_len(n) / 40) + 0.3 * sin(seq_len(n) * 1.7)
@@ -25,7 +25,7 @@ test_that("spikes go, what is real stays", {
     "headline_height: {column: Height (ft), unit: ft}"
   ), columns)
   found <- read_sensor_log(file, columns)
-  # past midnight the clock goes on
+  # time continues past midnight
   expect_equal(found$time, 10 * (seq_len(n) - 1))
   expect_identical(which(is.na(found$door_spread)), as.integer(sort(c(planted, 250))))
   expect_identical(attr(found, "removed"), c(door_spread = 5L, headline_height = 0L))
@@ -37,7 +37,7 @@ test_that("spikes go, what is real stays", {
   expect_identical(means$haul, 1:2)
 })
 
-test_that("a reading is judged by the spread next to it", {
+test_that("is_spike() uses the scatter of neighbouring readings", {
   # quiet, then rough water
   noise <- sin((1:120)^2)
   values <- noise * rep(c(1, 100), c(90, 30))
@@ -46,16 +46,16 @@ test_that("a reading is judged by the spread next to it", {
   expect_identical(is_spike(values, 15, 5)[c(40, 105)], c(TRUE, FALSE))
 })
 
-test_that("a wrong log is one error", {
+test_that("read_sensor_log() reports a wrong log in one error", {
   file <- log_of(c("a,b", "0,1", "x,2"))
   columns <- list(time = list(column = "a"), door = list(column = "b", unit = "m"))
   expect_error(read_sensor_log(file, columns), "\"x\".*row 2", class = "codend_error_file")
   columns$door$column <- "c"
   expect_error(read_sensor_log(file, columns), "\"c\".*a, b", class = "codend_error_file")
   columns$door$unit <- "parsec"
-  expect_wrong(read_sensor_log(file, columns), "door.*parsec")
+  expect_wrong(read_sensor_log(file, columns), "parsec.*door")
   expect_wrong(read_sensor_log(file, list()), "time")
   expect_wrong(read_sensor_log(file, columns, window = 4), "odd")
   log <- data.frame(time = 0:10, door = 1)
-  expect_wrong(haul_means(log, 5, 1), "begin before")
+  expect_wrong(haul_means(log, 5, 1), "before its end")
 })

@@ -13,7 +13,7 @@ small_bottom_trawl <- function(panels = 2, ...) {
     otter_boards = list(area = "1 m2", mass = "250 kg", density = "7850 kg/m3",
       lift_coefficient = 1.2, drag_coefficient = 0.6),
     sweeps = wire("20 m"), bridles = list(upper = wire("10 m"), lower = wire("10 m")),
-    head_line = list(length = "17 m", bosom = "4 m", diameter = "14 mm", material = "PE"),
+    headline = list(length = "17 m", bosom = "4 m", diameter = "14 mm", material = "PE"),
     footrope = list(length = "20 m", bosom = "3 m", diameter = "12 mm", material = "steel_wire"),
     ground_gear = list(length = "20 m", diameter = "60 mm", mass_in_water = "6 kg/m",
       axial_stiffness = "8 MN"),
@@ -41,14 +41,14 @@ small_bottom_trawl <- function(panels = 2, ...) {
     Filter(Negate(is.null), fields)))
 }
 
-test_that("ground gear of which the mass in water is given is of steel", {
+test_that("ground gear with mass in water has the mass of steel", {
   si <- gear_si(small_bottom_trawl())
   rope <- si$ropes[[which(vapply(si$ropes, `[[`, "", "role") == "ground_gear")]]
   expect_equal(rope$mass_per_length, 6 * 7850 / (7850 - 1025))
   expect_equal(rope$mass_per_length - si$water$density * rope$volume_per_length, 6)
 })
 
-test_that("bottom trawls of 2 and 4 panels settle on the sea bed, port as starboard", {
+test_that("bottom trawls of 2 and 4 panels settle symmetrically", {
   for (panels in c(2, 4)) {
     trawl <- small_bottom_trawl(panels)
     state <- settle(trawl, nodes = 400)
@@ -57,7 +57,7 @@ test_that("bottom trawls of 2 and 4 panels settle on the sea bed, port as starbo
       tolerance = 1e-6)
     expect_gt(found[["door_spread_m"]], found[["wing_end_spread_m"]])
     expect_gt(found[["net_mouth_height_m"]], 0.3)
-    # the discs of 60 mm carry the footrope, sunk in by a few millimetres
+    # the discs of 60 mm carry the footrope, with a penetration of some millimetres
     expect_gt(found[["footrope_height_m"]], 0.02)
     expect_lt(found[["footrope_height_m"]], 0.03)
     expect_equal(
@@ -67,7 +67,7 @@ test_that("bottom trawls of 2 and 4 panels settle on the sea bed, port as starbo
   }
 })
 
-test_that("a jib, flying wings, extensions and a middle bridle make the four-bridled wing end", {
+test_that("bottom trawl with jib and middle bridle has four-bridled wing ends", {
   wings <- list(
     upper = list(mesh_size = "100 mm", meshes = list(tip = 0, base = 30, deep = 80), flying = 20,
       twine = list(diameter = "3 mm", material = "PE")),
@@ -84,15 +84,15 @@ test_that("a jib, flying wings, extensions and a middle bridle make the four-bri
   found <- measures(settle(trawl, nodes = 400))
   expect_true(is.finite(found[["bridle_middle_tension_kN"]]))
   ropes <- assembly(trawl)$plan$ropes
-  # square and upper wings reach 15 meshes further forward than the side wings: that much of the jib
-  # is joined to them, the rest is free
+  # Square and upper wings reach 15 meshes further forward than the side wings. That length of the
+  # jib is joined to them; the other part is free.
   expect_identical(ropes$side_line_starboard$along, c(
     "back_wing_right.right[0:20]", "-side_starboard_jib.left[0:25]", "side_starboard_jib.right",
     "-belly_wing_left.left[0:15]"
   ))
 })
 
-test_that("a net towed from two points spreads as far as they are apart", {
+test_that("bottom trawl towed from two points keeps their distance", {
   rig <- update(small_bottom_trawl(), warps = NULL, otter_boards = NULL,
     towing_points = list(spread = "22 m", height = "1 m"))
   state <- settle(rig, nodes = 400)
@@ -110,7 +110,7 @@ test_that("free boards tow sweeps by their backstrops", {
     upper_backstrop_at = place(0.85, 0.05, 0.5), lower_backstrop_at = place(0.85, 0.05, -0.5))
   backstrops <- list(length = "2.5 m", diameter = "12 mm", material = "steel_wire")
   trawl <- small_bottom_trawl(otter_boards = boards, backstrops = backstrops)
-  # such small boards may stall or fall over beside so large a net
+  # boards this small may stall or fall over with such a large net
   state <- suppressWarnings(settle(trawl, nodes = 400))
   tension <- tapply(state$bar_tension, parts_of(state)$name[part_of(state, "bar")], max)
   pulled <- c("backstrop_upper_port", "backstrop_lower_port")
@@ -120,7 +120,7 @@ test_that("free boards tow sweeps by their backstrops", {
   expect_refused(small_bottom_trawl(backstrops = backstrops), "backstrops")
 })
 
-test_that("the vessels' distance spreads a pair trawl, on the sea bed and off it", {
+test_that("pair trawl spreads with the distance of the vessels", {
   trawl <- read_gear("pair_trawl")
   near <- measures(settle(update(trawl, vessels.distance = "80 m"), nodes = 400))
   far <- measures(settle(update(trawl, vessels.distance = "160 m"), nodes = 400))
@@ -134,12 +134,12 @@ test_that("the vessels' distance spreads a pair trawl, on the sea bed and off it
   expect_refused(update(trawl, otter_boards.area = 2), "otter_boards")
 })
 
-test_that("a rope is hung by edge where its lengths are given", {
+test_that("rope with lengths by edge is hung edge by edge", {
   trawl <- small_bottom_trawl()
   state <- settle(trawl, nodes = 400)
-  bars <- elements_of(state, "bar", "head_line")
+  bars <- elements_of(state, "bar", "headline")
   expect_equal(sum(engine_array(state, "bars", "rest")[bars]), 17)
-  at <- along_rope(state, "head_line")$at * 17
+  at <- along_rope(state, "headline")$at * 17
   # the bosom runs between the wings' bases, 6.5 m from each end
   expect_true(any(abs(at - 6.5) < 1e-9) && any(abs(at - 10.5) < 1e-9))
   expect_refused(
@@ -152,13 +152,13 @@ test_that("a rope is hung by edge where its lengths are given", {
   )
 })
 
-test_that("what a bottom trawl lacks or cannot have is told", {
+test_that("bottom trawl plans are rejected with the missing or wrong field", {
   refused <- function(pattern, ...) {
     expect_refused(small_bottom_trawl(...), pattern)
   }
   refused("`warps` is missing", warps = NULL)
   refused("`seabed` is missing", seabed = NULL)
-  refused("left out where the net is towed from", towing_points = list(spread = "20 m"))
+  refused("omitted in a plan with", towing_points = list(spread = "20 m"))
   refused("wings.side` is missing", 4, wings = small_bottom_trawl()$plan$wings)
   wings <- small_bottom_trawl()$plan$wings
   refused("wings.jib", wings = c(wings, list(jib = list(deep = 10))))
@@ -171,14 +171,14 @@ test_that("what a bottom trawl lacks or cannot have is told", {
   flying <- wings
   flying$upper$flying <- 60
   refused("wings.upper.flying", wings = flying)
-  line <- small_bottom_trawl()$plan$head_line
-  refused("head_line.bosom.*less than its whole length", head_line = modifyList(line,
+  line <- small_bottom_trawl()$plan$headline
+  refused("headline.bosom.*less than its whole length", headline = modifyList(line,
     list(bosom = "18 m")))
   bridles <- small_bottom_trawl()$plan$bridles
   refused("bridles.middle.*jib", bridles = c(bridles, list(middle = bridles$upper)))
 })
 
-test_that("a pointed panel ends in one node, gathered or not", {
+test_that("pointed panel ends in one node, gathered or not", {
   twine <- list(diameter = 0.002, material = "PE")
   tip <- gear("x",
     top = gear_point(position = c(0, 0, 0), held = "moved"),
@@ -198,9 +198,9 @@ test_that("a pointed panel ends in one node, gathered or not", {
 })
 
 # The flume tests with bridles of 54.9 m and 16 m between the upper wing ends, see the data file.
-# The towing points are as far apart as that needs (vignette "bottom-trawl"); the gear is tuned to
-# those at 2, 3 and 4 knot among others.
-test_that("the survey trawl closes and pulls with speed as its flume model does", {
+# The distance of the towing points follows from this spread (vignette "bottom-trawl"). The gear is
+# tuned to the tests at 2, 3 and 4 knot, among others.
+test_that("survey trawl closes and pulls with speed as its flume model", {
   tests <- read.csv(system.file("extdata", "flume_poly_noreastern.csv", package = "codend"),
     comment.char = "#")
   tests <- tests[tests$bridles == "standard" & tests$spread_treatment_m == 16 &
@@ -220,15 +220,16 @@ test_that("the survey trawl closes and pulls with speed as its flume model does"
   }, numeric(4))
   measured <- rbind(tests$bridle_tension_t, tests$headline_height_m, tests$upper_wing_spread_m,
     tests$lower_wing_spread_m)
-  # A finite-element model of a deep bottom trawl is off its tank model by 10 % on the mean (Front.
-  # Mar. Sci. 2022, 891046). Of the four the height of the mouth is worst: refined, cells are 10.1 %
-  # off and bars 9.6 % (6,000 nodes), as it falls too little at 4 knot; tension is 2.1 and 3.7 %.
+  # A finite-element model of a deep bottom trawl deviates from its tank model by 10 % on average
+  # (Front. Mar. Sci. 2022, 891046). The mouth height is the worst of the four measures. On fine
+  # meshes cells deviate by 10.1 % and bars by 9.6 % (6,000 nodes), because it falls too little at 4
+  # knot; tension deviates by 2.1 and 3.7 %.
   off <- rowMeans(abs(found / measured - 1))
   expect_lt(max(off[-2]), 0.04)
   expect_lt(off[2], 0.12)
-  # The flume's own powers scatter by 0.07 (tension) and 0.14 (height) among its six series.
-  # Refined, the height's is off by 0.18 (cells) and 0.17 (bars): it falls too little at the highest
-  # speeds.
+  # The flume's exponents scatter by 0.07 (tension) and 0.14 (height) among its six series. On fine
+  # meshes the height's exponent deviates by 0.18 (cells) and 0.17 (bars): the height falls too
+  # little at the highest speeds.
   power <- function(y) unname(coef(lm(log(y) ~ log(tests$speed_knot)))[2])
   expect_lt(abs(power(found[1, ]) - power(measured[1, ])), 0.14)
   expect_lt(abs(power(found[2, ]) - power(measured[2, ])), 0.2)

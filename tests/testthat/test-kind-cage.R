@@ -3,8 +3,8 @@ model_at <- function(speed, ..., nodes = 600) {
   measures(settle(cage, nodes = nodes))
 }
 
-test_that("a cage in still water has the volume of its design", {
-  # The round collar of a flexible cage gives a little, and its pipes have straight bars.
+test_that("cage in still water has its design volume", {
+  # The round collar of a flexible cage gives way slightly, and its pipes have straight bars.
   expect_equal(model_at(0)[["volume_left_percent"]], 100, tolerance = 0.005)
   round <- update(read_gear("cage"), water.current.speed = 0, tow = NULL)
   expect_equal(measures(settle(round, nodes = 600))[["volume_left_percent"]], 100,
@@ -13,29 +13,29 @@ test_that("a cage in still water has the volume of its design", {
   expect_equal(measures(settle(open, nodes = 600))[["volume_left_percent"]], 100, tolerance = 0.025)
 })
 
-test_that("slow water meets the drag of a stiff cylinder by the formulas of Loland", {
+test_that("cage in slow water has the drag of a cylinder by Loland", {
   speed <- 0.02
   si <- settle(update(read_gear("model_cage"), water.current.speed = speed), nodes = 2500)
   found <- measures(si)[["net_drag_kN"]] * 1000
-  # C_D = 0.04 + (across - 0.04) cos(t) around half a cylinder, and its rear half in slower water;
-  # the netting counts its crossings twice, as 2 d / a: Sn 0.225 rather than 0.212.
+  # C_D = 0.04 + (across - 0.04) cos(t) around half a cylinder, and its rear half in slower water.
+  # The netting counts its crossings twice, as 2 d / a: Sn 0.225 rather than 0.212.
   drag <- function(sn) {
     across <- 0.33 * sn + 6.54 * sn^2 - 4.88 * sn^3
     slowed <- 1 - 0.46 * across
     0.5 * 1000 * speed^2 * 1.435 / 2 * 1.44 * (0.04 * pi + 2 * (across - 0.04)) * (1 + slowed^2)
   }
-  # Sheets that stand along the flow slow nothing (up to 20 deg from it), and 16 flat panels are
-  # no circle: together under 3 %.
+  # Sheets along the flow (up to 20 deg) have no wake, and 16 flat panels are not a circle: together
+  # under 3 %.
   expect_gt(found, 0.97 * drag(0.212))
   expect_lt(found, 1.03 * drag(0.225))
-  # The same formulas slow the flow behind a sheet by 15 %, whose crossings count once. (Lader and
+  # The same formulas slow the flow behind a sheet, whose crossings count once, by 15 %. (Lader and
   # Enerhaug measured 20 % in the middle of their model, as C. Bi, Y. Zhao and G. Dong report,
-  # Hydrodynamics: Concepts and Experiments, InTech, 2015.) The sheets' own lattice is no plane.
+  # Hydrodynamics: Concepts and Experiments, InTech, 2015.) The sheets' own mesh is not a plane.
   slowed <- 1 - 0.46 * (0.33 * 0.212 + 6.54 * 0.212^2 - 4.88 * 0.212^3)
   expect_equal(min(engine_array(si, "wake")), slowed, tolerance = 0.01)
 })
 
-test_that("drag grows slower than the speed's square, and light sinkers leave less volume", {
+test_that("cage drag grows slower than speed squared, light sinkers lose volume", {
   found <- lapply(c("400 g", "800 g"), function(mass) {
     vapply(c(0.13, 0.26, 0.52), function(speed) {
       model_at(speed, sinkers.mass = mass)[c("net_drag_kN", "volume_left_percent")]
@@ -49,18 +49,18 @@ test_that("drag grows slower than the speed's square, and light sinkers leave le
   expect_true(all(slope(light) < slope(heavy)))
   expect_true(all(diff(light["volume_left_percent", ]) < 0))
   expect_true(all(light["volume_left_percent", ] < heavy["volume_left_percent", ]))
-  # What gives way is dragged less.
+  # A net that deforms more has less drag.
   expect_true(all(light["net_drag_kN", ] < heavy["net_drag_kN", ]))
 })
 
-test_that("shielding takes up to a quarter of a cage's drag", {
+test_that("shielding reduces a cage's drag by up to a quarter", {
   # Up to 22 % in the simulations of ASME OMAE2013, V003T05A027.
   share <- model_at(0.13)[["net_drag_kN"]] / model_at(0.13, shielding = "none")[["net_drag_kN"]]
   expect_gt(share, 0.75)
   expect_lt(share, 0.92)
 })
 
-test_that("a floating cage lies symmetrically in its moorings", {
+test_that("floating cage settles symmetrically in its moorings", {
   state <- settle(read_gear("cage"), nodes = 600)
   found <- measures(state)
   for (m in 1:4) {
@@ -72,15 +72,15 @@ test_that("a floating cage lies symmetrically in its moorings", {
   expect_lt(max(abs(unlist(balance[balance$force == "remainder", -1]))), 1e-6)
   collar <- state$position[, along_rope(state, "collar")$node]
   expect_lt(max(abs(collar[3, ])), 0.32)
-  # Bent over its moorings, and no longer than it is.
+  # Bent over its moorings, with unchanged length.
   expect_equal(sum(sqrt(colSums(apply(collar, 1, diff)^2 |> t()))), 40 * pi, tolerance = 1e-3)
 })
 
-test_that("a square cage keeps its frame square", {
+test_that("square cage keeps its frame square", {
   cage <- update(read_gear("cage"), shape = "square")
   state <- settle(cage, nodes = 600)
   corner <- state$position[, nodes_at(state, c("collar_1", "collar_5", "collar_9"))]
-  # The sides bow in a little under their moorings.
+  # The sides bend inward slightly under their moorings.
   expect_equal(sqrt(colSums((corner[, 2:3] - corner[, 1:2])^2)), c(40, 40), tolerance = 0.01)
   diagonal <- sqrt(sum((corner[, 3] - corner[, 1])^2))
   # Braces are as stiff as the pipes, 54 MN, and carry less than the total drag of 60 kN twice.
@@ -88,7 +88,7 @@ test_that("a square cage keeps its frame square", {
   expect_gt(measures(state)[["volume_left_percent"]], 60)
 })
 
-test_that("what is wrong with a cage is told", {
+test_that("cage plans are rejected with the wrong field", {
   cage <- read_gear("cage")
   wrong <- function(gear, field, ...) {
     expect_refused(update(gear, ...), field)

@@ -1,6 +1,6 @@
 # The demersal seine: its ropes on the ground, its haul and its measures.
 
-# A rope of 1 kg/m on the sea bed, without water, so that friction alone acts on it.
+# A rope of 1 kg/m on the seabed, without water, so that only friction acts on it.
 dry_rope <- function(...) {
   rope(..., length = "100 m", diameter = "20 mm", mass_per_length = "1 kg/m",
     axial_stiffness = "2 MN", role = "warp")
@@ -11,14 +11,14 @@ dry_ground <- list(
 )
 friction_of_metre <- 0.5 * gear_gravity
 
-test_that("a rope that is dragged sideways lies as a catenary of its friction", {
+test_that("rope dragged sideways has the catenary of its friction", {
   end <- function(y) gear_point(position = c(0, y, -9.99), held = "moved")
   gear <- do.call("gear", c(list("Dragged rope", port = end(-30), starboard = end(30),
     rope = dry_rope("port", "starboard", segments = 50)), dry_ground))
   state <- settle(gear)
   a <- stats::uniroot(function(a) 2 * a * sinh(30 / a) - 100, c(5, 100))$root
   sag <- a * (cosh(30 / a) - 1)
-  # chords of 2 m and the bed's give; friction is regularised by 2 parts in 10,000 at 1 m/s
+  # chords of 2 m and the penetration; friction is regularised by 2 parts in 10,000 at 1 m/s
   expect_equal(max(state$position[1, ]), sag, tolerance = 0.005)
   expect_equal(state$bar_tension[1], friction_of_metre * (a + sag), tolerance = 0.02)
 })
@@ -30,67 +30,67 @@ hauled_rope <- function() {
     laid = list(net = c(100, 0), ropes = list(rope = list()))), dry_ground))
 }
 
-test_that("a rope that was laid comes in at the vessel and pulls as what is left of it rubs", {
+test_that("laid rope is hauled with the friction of its remaining length", {
   haul <- tow(hauled_rope(), until = 200, every = 20, accuracy = 0.02,
     schedule = tow_schedule(speed = 0, warp_out = data.frame(time = c(0, 200), value = c(100, 40))))
   expect_equal(haul$conditions$rope, seq(100, 40, by = -6), tolerance = 1e-9)
-  end <- haul$lattice$places[["end"]]
+  end <- haul$mesh$places[["end"]]
   for (k in 3:11) {
     out <- haul$conditions$rope[k]
     state <- state_at(haul, haul$time[k])
-    # what was laid slack, and stretch
+    # slack from laying, and stretch
     expect_lt(abs(haul$position[1, end, k] - out), 0.1)
-    # every metre but half of the bar at the block, of 4 m, rubs against the bed
+    # every metre rubs on the bed, except half of the bar at the block, of 4 m
     pull <- 1000 * measures(state)[["total_drag_kN"]]
     expect_gt(pull, friction_of_metre * (out - 4))
     expect_lt(pull, friction_of_metre * (out + 0.5))
   }
 })
 
-test_that("a winch that is steered cannot haul a rope that was laid", {
+test_that("tow() rejects a controlled winch for a laid rope", {
   expect_error(tow(hauled_rope(), until = 10,
     schedule = tow_schedule(winch = list(tension_limit = 100))), "winch",
     class = "codend_error")
 })
 
-test_that("the way along which ropes are laid is no longer than they are", {
+test_that("tow() rejects ropes longer than their laying path", {
   gear <- update(read_gear("demersal_seine"), laying.net = list("1500 m", "0 m"))
-  expect_error(tow(gear, nodes = 150), "laid along a way", class = "codend_error")
+  expect_error(tow(gear, nodes = 150), "shorter than its laid path", class = "codend_error")
 })
 
-test_that("a haul closes, balances and ends at the speed of vessel and winch", {
+test_that("haul closes, balances energy and ends at vessel plus winch speed", {
   gear <- update(read_gear("demersal_seine"), warps.segments = 40)
   haul <- tow(gear, nodes = 150, every = 120, accuracy = 0.5)
   table <- as.data.frame(haul, what = "measures")
   series <- function(name) table$value[table$measure == name]
   area <- series("enclosed_area_m2")
-  # the kite from the vessel by both corners to the net; bridles and half of the mouth come to it
+  # the kite from the vessel by both corners to the net; bridles and half of the mouth add to it
   expect_equal(area[1], 1140 * 640, tolerance = 0.05)
-  # two ropes enclose at most a circle's area, by which Eigaard et al. (2016) reckon a haul's
+  # two ropes enclose at most a circle's area, by which Eigaard et al. (2016) estimate a haul's area
   circle <- (2 * 1760)^2 / (4 * pi)
   expect_lt(max(area), circle)
   expect_gt(area[1], 0.6 * circle)
-  # it ends closed, and grows by no more than the vessel's way ahead takes in
+  # the haul ends closed; the vessel's motion ahead bounds its growth
   expect_lt(area[length(area)], 0.01 * area[1])
   speed <- series("net_speed_m_per_s")
-  # while the vessel takes up the slack the net lies still, but for netting that sinks
+  # while the vessel takes up the slack the net is at rest, except for sinking netting
   expect_lt(max(speed[haul$time > 200 & haul$time < 420]), 0.1)
   last <- speed[length(speed)]
-  # 1 knot of the vessel and 1 of the winch: 2 knots, the published most (Seafood Scotland)
+  # 1 knot of the vessel and 1 of the winch: 2 knots, the published maximum (Seafood Scotland)
   expect_equal(last, 2 * 1852 / 3600, tolerance = 0.02)
-  # wing ends are pulled apart, and come together
+  # wing ends separate first and then close
   wide <- series("wing_end_spread_m")
   expect_gt(max(wide), 0.5 * 36)
   expect_lt(wide[length(wide)], 0.2 * max(wide))
   expect_lt(max(abs(haul$conditions$energy_imbalance)),
     0.02 * max(haul$conditions$energy_put_through))
-  # towed steadily at the end, what moves the gear is nothing to its drag
+  # at the end the tow is steady, so inertia is negligible
   state <- state_at(haul, max(haul$time))
-  free <- !state$lattice$mesh$held
+  free <- !state$mesh$model$held
   expect_lt(abs(sum(state$force[1, free])), 0.05 * 1000 * measures(state)[["total_drag_kN"]])
 })
 
-test_that("a wrong demersal seine is told by its field", {
+test_that("demersal seine plans are rejected with the wrong field", {
   gear <- read_gear("demersal_seine")
   wrong <- function(path, value, says = path) {
     expect_refused(codend:::set_field(gear, path, value), says, fixed = TRUE)
@@ -101,6 +101,6 @@ test_that("a wrong demersal seine is told by its field", {
   wrong("hauling", list(list(winch = "1 m/s")))
   wrong("hauling", list(list(rope_out = "2000 m", winch = "1 m/s")), "hauling[1].rope_out")
   wrong("hauling", list(list(rope_out = "300 m", winch = 0)), "hauling[1].winch")
-  wrong("hauling", list(list(time = "1 h", winch = "2 m/s")), "such that at most")
+  wrong("hauling", list(list(time = "1 h", winch = "2 m/s")), "hauls 7200 m of each rope")
   wrong("warps.length", NULL)
 })

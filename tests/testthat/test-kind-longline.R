@@ -1,4 +1,4 @@
-# The shipped longline without current, all floats held in place; `...` changes fields.
+# The shipped longline without current, with all floats fixed; `...` changes fields.
 still_longline <- function(...) {
   fields <- list(floats.held = "all", end_lines = NULL, tow = NULL, water.current = NULL, ...)
   do.call(update, c(list(read_gear("longline")), fields))
@@ -12,8 +12,8 @@ sheared <- function(speed) {
 }
 
 # Depth (m) of hook j of n in a basket of main line of length L (m) by the catenary of T. Yoshihara
-# (Bulletin of the Japanese Society of Scientific Fisheries 16:370, 1951, and 19:1012, 1954), at the
-# shortening ratio k, below a float line and a branch line of these lengths (m).
+# (Bulletin of the Japanese Society of Scientific Fisheries 16:370, 1951, and 19:1012, 1954). The
+# shortening ratio is k; lengths of the float line and branch line are in m.
 yoshihara <- function(j, n, L, k, float_line, branch_line) {
   # k = cot(p) asinh(tan(p)), p the angle of the main line at the float line
   p <- uniroot(function(p) asinh(tan(p)) / tan(p) - k, c(1e-6, pi / 2 - 1e-6), tol = 1e-14)$root
@@ -22,8 +22,8 @@ yoshihara <- function(j, n, L, k, float_line, branch_line) {
 }
 
 # Depth (m) below its ends of an elastic line of n + 1 stretches of length s (m), weight w (N/m) and
-# stiffness EA (N), with a weight P (N) between every two of them and ends `apart` (m): elastic
-# catenaries end to end, with V the vertical force at the start of each.
+# stiffness EA (N). A weight P (N) hangs between every two stretches, and the ends are `apart` (m).
+# Elastic catenaries join end to end; V is the vertical force at the start of each.
 hung_line <- function(n, s, w, ea, load, apart) {
   v <- ((n + 1) * s * w + n * load) / 2 - (0:n) * (s * w + load)
   step <- function(h) {
@@ -34,7 +34,7 @@ hung_line <- function(n, s, w, ea, load, apart) {
   cumsum(drop)[seq_len(n)]
 }
 
-# The same of the hooks (m below the surface) of a basket of a settled still_longline().
+# The same for the hooks (m below the surface) of a basket of a settled still_longline().
 hung_longline <- function(state) {
   si <- state$si
   main <- si$ropes$main_line_2_1
@@ -49,20 +49,20 @@ hung_longline <- function(state) {
   hung - joins[3, 1] + 15
 }
 
-test_that("without current the hooks hang on the catenary of Yoshihara", {
+test_that("longline hooks without current follow the catenary of Yoshihara", {
   line <- still_longline()
   state <- settle(line)
   found <- measures(state)[sprintf("hook_%d_depth_m", 1:15)]
   expect_equal(unname(found), rev(unname(found)), tolerance = 1e-6)
 
-  # Elastic catenaries between the loads of hooks: the lattice has straight elements of s = 6 m at
-  # most, whose sag w s^2 / (8 H) is 0.02 m where the line is least taut (w = 0.011 N/m, H = 2.4 N).
-  # The tolerance is twice that on the mean depth of 200 m.
+  # Elastic catenaries between the hook loads. The mesh has straight elements of at most s = 6 m.
+  # Their sag w s^2 / (8 H) is 0.02 m where the line is least taut (w = 0.011 N/m, H = 2.4 N). The
+  # tolerance is twice the sag relative to the mean depth of 200 m.
   expect_equal(unname(found), hung_longline(state), tolerance = 0.02 / 100)
 
-  # Yoshihara's line is inextensible and of even weight. Ours stretches by T/EA, at most 5e-4, and
-  # has 36 % of its weight at 15 points: as a polygon of 16 sides it is deeper by a share of 36 % of
-  # 1/16^2. Float lines give way by 0.2 m. All three together are less than 0.3 % of the depth.
+  # Yoshihara's line is inextensible with uniform weight. Ours stretches by T/EA, at most 5e-4, and
+  # has 36 % of its weight at 15 points. As a polygon of 16 sides it is deeper by a fraction of 36 %
+  # of 1/16^2. Float lines stretch by 0.2 m. All three together are less than 0.3 % of the depth.
   expect_equal(unname(found), yoshihara(1:15, 15, 800, 0.65, 25, 15), tolerance = 0.003)
 
   hooks <- as.data.frame(state, what = "pieces")
@@ -70,7 +70,7 @@ test_that("without current the hooks hang on the catenary of Yoshihara", {
   expect_equal(hooks$depth_m[hooks$part == "hook_2_3"], found[["hook_3_depth_m"]])
 })
 
-test_that("a current that grows with depth lifts the hooks, the deepest most", {
+test_that("sheared current lifts the hooks, the deepest most", {
   depth <- vapply(c(0, 0.1, 0.25, 0.5), function(speed) {
     state <- settle(still_longline(water = list(current = sheared(speed))), nodes = 600)
     measures(state)[c("hook_1_depth_m", "hook_8_depth_m")]
@@ -80,7 +80,7 @@ test_that("a current that grows with depth lifts the hooks, the deepest most", {
   expect_true(all(share["hook_8_depth_m", ] < share["hook_1_depth_m", ]))
 })
 
-test_that("a short line stretched out lies shallower, and branch lines may be even in number", {
+test_that("short longline is shallower and accepts even numbers of branch lines", {
   deep <- measures(settle(still_longline(shortening_ratio = 0.5), nodes = 300))
   flat <- measures(settle(still_longline(shortening_ratio = 0.9), nodes = 300))
   expect_lt(flat[["main_line_depth_m"]], deep[["main_line_depth_m"]])
@@ -89,7 +89,7 @@ test_that("a short line stretched out lies shallower, and branch lines may be ev
     tolerance = 1e-6)
 })
 
-test_that("longlines of many baskets settle with their floats at the surface", {
+test_that("longlines of many baskets settle with floats at the surface", {
   for (baskets in c("14", "16", "20", "30")) {
     state <- settle(new_plan("longline", baskets = baskets), nodes = 250)
     floats <- as.data.frame(state, what = "pieces")
@@ -98,29 +98,29 @@ test_that("longlines of many baskets settle with their floats at the surface", {
   }
 })
 
-test_that("free floats swim at the surface; cast off, the line drifts and draws together", {
+test_that("longline with free floats swims, and drifts together when released", {
   line <- read_gear("longline")
   state <- settle(line, nodes = 500)
-  # end lines lead outwards from where the first float is laid
+  # end lines run outwards from the position of the first float
   out <- state$si$ropes$end_line_first$length
   expect_equal(state$position[1, nodes_at(state, "end_first")], -out)
   floats <- as.data.frame(state, what = "pieces")
   floats <- floats[floats$role == "float", ]
   expect_true(all(abs(floats$depth_m) < 0.18))
   drift <- tow(state, until = 1200, every = 600, schedule = tow_schedule(breaking = list(
-    list(rope = "end_line_first", time = 60, place = "start"),
-    list(rope = "end_line_last", time = 60, place = "start")
+    list(rope = "end_line_first", time = 60, position = "start"),
+    list(rope = "end_line_last", time = 60, position = "start")
   )))
   after <- state_at(drift, 1200)
   expect_lt(measures(after)[["float_distance_m"]], measures(state)[["float_distance_m"]])
   moved <- (after$position - state$position)[2, nodes_at(state, "surface_2")]
-  # It drifts with the water somewhere between the surface and its deepest hook.
+  # The water between the surface and the deepest hook moves it.
   expect_gt(moved, 0)
   expect_lt(moved, 1140 * 0.2)
   expect_gt(measures(after)[["hook_8_depth_m"]], measures(state)[["hook_8_depth_m"]])
 })
 
-test_that("what a longline lacks or has too much is told", {
+test_that("longline plans are rejected with the missing or wrong field", {
   line <- read_gear("longline")
   expect_refused(update(line, floats.held = "all"), "end_lines")
   expect_refused(update(line, floats = list(held = "ends")), "floats.buoyancy")

@@ -10,7 +10,7 @@ small_trawl <- function(panels, ...) {
       upper = list(length = "40 m", diameter = "12 mm", material = "hmpe"),
       lower = list(length = "40 m", diameter = "12 mm", material = "hmpe")
     ),
-    head_line = list(hanging_ratio = 0.45, diameter = "14 mm", material = "hmpe"),
+    headline = list(hanging_ratio = 0.45, diameter = "14 mm", material = "hmpe"),
     footrope = list(hanging_ratio = 0.45, diameter = "14 mm", material = "hmpe"),
     side_lines = if (panels > 2) {
       list(hanging_ratio = 0.45, diameter = "14 mm", material = "hmpe")
@@ -29,12 +29,12 @@ small_trawl <- function(panels, ...) {
   do.call(gear, c(list(name = "Small trawl", kind = "midwater_trawl"), fields))
 }
 
-test_that("the short form stands for nets of 2, 4 and 6 panels, and each settles", {
+test_that("short form expands to nets of 2, 4 and 6 panels", {
   for (panels in c(2, 4, 6)) {
     trawl <- small_trawl(panels)
     parts <- assembly(trawl)$plan
     expect_length(parts$panels, 2 * panels)
-    # every front panel is joined to its neighbours and to the one behind it, once around the net
+    # every front panel is joined to its neighbours and to the panel behind it, once around the net
     expect_length(parts$seams, 2 * panels + panels + 1)
     found <- measures(settle(trawl, nodes = 300))
     expect_gt(found[["door_spread_m"]], 10)
@@ -44,9 +44,9 @@ test_that("the short form stands for nets of 2, 4 and 6 panels, and each settles
   }
 })
 
-# 3 % of bars, which the paper has, and 5 % of the other netting, at every size: the plan was found
-# with 1,500 nodes of bars.
-test_that("the shipped trawl meets the three published figures with both kinds of netting", {
+# 3 % with bars, as in the paper, and 5 % with cells, at every size: the plan was tuned with 1,500
+# nodes of bars.
+test_that("shipped midwater trawl meets three published figures with both netting elements", {
   paper <- c(net_mouth_height_m = 105, wing_end_spread_m = 113, door_spread_m = 151.89)
   gear <- read_gear("midwater_trawl")
   for (nodes in c(1500, 5000)) {
@@ -58,22 +58,22 @@ test_that("the shipped trawl meets the three published figures with both kinds o
   }
 })
 
-test_that("the shipped trawl is one that is rigged", {
+test_that("shipped midwater trawl has realistic proportions and loads", {
   state <- settle(read_gear("midwater_trawl"))
   found <- measures(state)
-  # height over circumference of model-tested pelagic nets is about 0.05, spread over head line of
+  # height over circumference of model-tested pelagic nets is about 0.05, spread over headline of
   # nets in use 0.35 to 0.5
   expect_equal(found[["net_mouth_height_m"]] / 2048, 0.05, tolerance = 0.1)
   expect_lt(found[["wing_end_spread_m"]] / 222, 0.52)
   # every rope of the rig and the mouth is taut
   taut <- summary(state)$tensions
-  taut <- taut[taut$role %in% c("warp", "hand_rope", "head_line", "footrope", "side_line"), ]
+  taut <- taut[taut$role %in% c("warp", "hand_rope", "headline", "footrope", "side_line"), ]
   expect_gt(min(taut$mean_kN), 1)
-  # warps have a third of their breaking load, as practice has it
+  # warps carry a third of their breaking load, the usual margin
   expect_lt(max(taut$strength_percent, na.rm = TRUE), 40)
 })
 
-test_that("the shipped trawl settles at half and twice its speed and warp length", {
+test_that("shipped midwater trawl settles at half and twice speed and warp", {
   trawl <- read_gear("midwater_trawl")
   for (netting in c("bars", "cells")) {
     for (warp in c(350, 1400)) {
@@ -86,7 +86,7 @@ test_that("the shipped trawl settles at half and twice its speed and warp length
   }
 })
 
-test_that("what a trawl lacks or names wrongly is told", {
+test_that("midwater trawl plans are rejected with the missing or wrong field", {
   expect_refused(small_trawl(4, side_lines = NULL), "side_lines")
   line <- list(length = "12 m", diameter = "14 mm", material = "hmpe")
   expect_refused(small_trawl(2, side_lines = line), "side_lines")
@@ -100,32 +100,32 @@ test_that("what a trawl lacks or names wrongly is told", {
   expect_refused(small_trawl(4, wings = wings), "wings.meshes.base")
 })
 
-test_that("head line, footrope and side lines are hung edge by edge", {
+test_that("headline, footrope and side lines are hung edge by edge", {
   wings <- list(mesh_size = "1600 mm", meshes = list(tip = 1, base = 8, deep = 6),
     twine = list(diameter = "4 mm", material = "PE"))
   line <- function(...) list(..., diameter = "14 mm", material = "hmpe")
-  whole <- gear_si(small_trawl(4, wings = wings))$ropes$head_line
-  apart <- small_trawl(4, wings = wings, head_line = line(hanging_ratio = 0.8,
+  whole <- gear_si(small_trawl(4, wings = wings))$ropes$headline
+  apart <- small_trawl(4, wings = wings, headline = line(hanging_ratio = 0.8,
     bosom_hanging_ratio = 0.4))
-  rope <- gear_si(apart)$ropes$head_line
-  # the front has 24 meshes of 1.6 m and each wing takes 8 of them
+  rope <- gear_si(apart)$ropes$headline
+  # the front has 24 meshes of 1.6 m and each wing takes 8
   bosom <- 0.4 * 8 * 1.6
   expect_equal(rope$length * rope$shares[2], bosom)
-  # both wings' inner edges as long as in the plan of one ratio, 0.45 for all
+  # both wings' inner edges have the length of the plan with one ratio, 0.45 for all
   wing <- (whole$length / 0.45 - 8 * 1.6) / 2
   expect_equal(rope$length * rope$shares[c(1, 3)], rep(0.8 * wing, 2))
   sides <- small_trawl(4, wings = wings)
   sides$plan$side_lines <- c(list(length = "30 m", bosom = "6 m"), sides$plan$side_lines[-1])
   side <- gear_si(sides)$ropes$side_line_port
   expect_equal(side$shares, c(12, 6, 12) / 30)
-  expect_refused(small_trawl(4, head_line = line(hanging_ratio = 0.8, bosom_hanging_ratio = 0.4)),
-    "head_line.bosom_hanging_ratio")
-  expect_refused(small_trawl(4, wings = wings, head_line = line(length = "30 m",
+  expect_refused(small_trawl(4, headline = line(hanging_ratio = 0.8, bosom_hanging_ratio = 0.4)),
+    "headline.bosom_hanging_ratio")
+  expect_refused(small_trawl(4, wings = wings, headline = line(length = "30 m",
     bosom_hanging_ratio = 0.4)), "hanging_ratio")
 })
 
-test_that("fixed boards lift upwards too", {
-  # a neutral board on a thin line: the line lies along drag, lift and vertical lift
+test_that("fixed boards apply vertical lift", {
+  # a neutral board on a thin line: the line is parallel to drag, lift and vertical lift
   plan <- list(
     codend = 1, name = "Board", towing = list(speed = 2),
     points = list(block = list(position = c(0, 0, -50), held = "moved"), board = list()),
@@ -135,7 +135,7 @@ test_that("fixed boards lift upwards too", {
       lift_direction = "port", drag_coefficient = 0.6, vertical_lift_coefficient = 0.25))
   )
   state <- settle(as_gear(plan))
-  board <- as.vector(state$position[, state$lattice$points[["board"]]])
+  board <- as.vector(state$position[, state$mesh$points[["board"]]])
   # 10 m of line 0.01 mm thick have 1e-4 of the board's area
   expect_equal(board - c(0, 0, -50), 10 * c(0.6, -1.2, 0.25) / sqrt(0.6^2 + 1.2^2 + 0.25^2),
     tolerance = 1e-3)
@@ -143,7 +143,7 @@ test_that("fixed boards lift upwards too", {
   expect_refused(as_gear(plan), "vertical_lift_coefficient")
 })
 
-test_that("what bars and cells differ by is that 16 m of twine bow, which cells hold straight", {
+test_that("bars and cells agree if 16 m twines are modelled straight", {
   plan <- read_gear("midwater_trawl")$plan
   bowed <- as_gear(unclass(plan))
   plan$wings$bar_segments <- 1
@@ -155,7 +155,7 @@ test_that("what bars and cells differ by is that 16 m of twine bow, which cells 
     plain_measures(measures(settle(gear, nodes = 10000, netting = netting)))[main]
   }
   cells <- found(bowed, "cells")
-  # 1 % is asked of the two nettings
+  # the two discretisations must agree to 1 %
   expect_lt(max(abs(found(straight, "bars") / cells - 1)), 0.01)
   expect_gt(found(bowed, "bars")[["total_drag_kN"]] / cells[["total_drag_kN"]], 1.03)
 })

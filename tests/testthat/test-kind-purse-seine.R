@@ -1,6 +1,6 @@
 # The purse seine: its assembly, its operation and its measures.
 
-test_that("the short form keeps the plan's lengths and weights", {
+test_that("short form of a purse seine keeps the plan's lengths and weights", {
   gear <- read_gear("purse_seine")
   si <- codend:::gear_si(gear)
   expect_equal(si$ropes$float_line$length, 300)
@@ -9,7 +9,7 @@ test_that("the short form keeps the plan's lengths and weights", {
   expect_equal(si$pieces$sinkers$number * si$pieces$sinkers$mass, 320)
   lift <- codend:::gear_gravity * (1025 * si$pieces$floats$volume - si$pieces$floats$mass)
   expect_equal(si$pieces$floats$number * lift, 7800, tolerance = 1e-9)
-  # the selvedges' meshes are as long, stretched, as those they are joined to
+  # the stretched meshes of the selvedges are as long as the meshes they join
   strip <- si$panels$selvedge_lower_body
   expect_equal(strip$upper * strip$mesh_size, si$panels$body$lower * si$panels$body$mesh_size)
   expect_length(si$ropes$purse_wire$through, 40)
@@ -19,7 +19,7 @@ test_that("the short form keeps the plan's lengths and weights", {
   expect_equal(gap, 2 * radius * sin(15 / 2 * pi / 180))
 })
 
-test_that("a line without a length is hung by its ratio on the edges of all panels", {
+test_that("line without a length is hung by ratio on all panels", {
   panel <- function(upper, lower, mesh_size) {
     list(meshes = list(upper = upper, lower = lower), mesh_size = mesh_size)
   }
@@ -29,7 +29,7 @@ test_that("a line without a length is hung by its ratio on the edges of all pane
   expect_equal(codend:::seine_line_length(fields, "lead_line"), 0.8 * (90 + 80))
 })
 
-test_that("a wrong purse seine is told by its field", {
+test_that("purse seine plans are rejected with the wrong field", {
   gear <- read_gear("purse_seine")
   wrong <- function(path, value, says = path) {
     expect_refused(codend:::set_field(gear, path, value), says, fixed = TRUE)
@@ -51,77 +51,78 @@ test_that("a wrong purse seine is told by its field", {
   wrong("floats.buoyancy", "50 N", "floats.buoyancy")
 })
 
-test_that("the enclosed volume is that of a circle of netting that leans inwards", {
+test_that("enclosed volume equals the volume of an inclined circular wall", {
   gear <- read_gear("purse_seine")
   si <- codend:::gear_si(gear)
-  # inside of its edges, netting of bars is divided more coarsely
+  # netting of bars has a coarser mesh inside its edges
   for (nodes in c(cells = 300, bars = 3000)) {
     netting <- if (nodes == 300) "cells" else "bars"
-    lattice <- codend:::build_lattice(si, nodes, netting)
-    lead <- along_rope(lattice, "lead_line")$node
-    # The netting's ends meet: what is between them is closed by upright walls, which lean not.
-    angle <- 2 * pi * codend:::shot_reach(si, lattice) / 300
-    angle[along_rope(lattice, "side_line_first")$node] <- 0
-    angle[along_rope(lattice, "side_line_last")$node] <- 2 * pi
-    deep <- -hung_shape(lattice)[3, ]
+    mesh <- codend:::build_mesh(si, nodes, netting)
+    lead <- along_rope(mesh, "lead_line")$node
+    # The netting's ends meet: upright walls close the gap between them, without inclination.
+    angle <- 2 * pi * codend:::shot_reach(si, mesh) / 300
+    angle[along_rope(mesh, "side_line_first")$node] <- 0
+    angle[along_rope(mesh, "side_line_last")$node] <- 2 * pi
+    deep <- -hung_shape(mesh)[3, ]
     deep <- deep * 30 / max(deep[lead])
     deep[lead] <- 30
     # half as wide at 30 m as at the surface
     radius <- 48 * (1 - deep / 60)
-    state <- codend:::new_state(gear, si, lattice,
+    state <- codend:::new_state(gear, si, mesh,
       as.vector(rbind(radius * cos(angle), radius * sin(angle), -deep)), list(converged = TRUE))
     area <- sum(48^2 * sin(diff(c(angle[lead], 2 * pi))) / 2)
     asked <- list(list(kind = "enclosed_volume", rope = "lead_line"))
     found <- codend:::measure_values(state, asked)
-    # corners of the netting between lie up to half a column, some 1/40 of the circle, beside the
-    # lead line's: polygons of 40 corners are 4e-3 smaller than the circle
+    # Corners of the netting are up to half a column, about 1/40 of the circle, from the lead line's
+    # corners. Polygons of 40 corners are 4e-3 smaller than the circle.
     expect_equal(found, area * 30 * (1 + 1 / 2 + 1 / 4) / 3, tolerance = 4e-3, label = netting)
   }
 })
 
-test_that("a seine that is left alone hangs down straight below its floats", {
+test_that("undisturbed seine hangs straight down from its floats", {
   state <- settle("purse_seine")
-  # Carried from the coarsest level: a crude layout as fine as this takes over a hundred steps.
+  # Transferred from the coarsest level; a crude layout as fine as this takes over a hundred
+  # iterations.
   expect_lt(state$report$iterations, 100)
-  lattice <- state$lattice
-  float <- state$position[3, nodes_at(lattice, "float_line.middle")]
-  # Slack across, netting hangs as deep as it is stretched: 2000 meshes of 25.4 mm and selvedges of
-  # 60 of 30 mm. Lead of 1 kg/m stretches it by less than 0.1 %.
+  mesh <- state$mesh
+  float <- state$position[3, nodes_at(mesh, "float_line.middle")]
+  # Slack across, the netting hangs to its full stretched depth: 2000 meshes of 25.4 mm and
+  # selvedges of 60 of 30 mm. Lead of 1 kg/m stretches it by less than 0.1 %.
   expect_equal(measures(state)[["lead_line_depth_middle_m"]] + float, 2000 * 0.0254 + 60 * 0.03,
     tolerance = 1e-3)
 
-  # Nothing of it waits to be shot again when it is pursed from there.
+  # No part waits to be shot again when pursing starts from this state.
   pursed <- tow(state, until = 4, every = 4, accuracy = 0.3,
     schedule = tow_schedule(warp_out = data.frame(time = c(0, 4), value = c(450, 446))))
   moved <- pursed$position[, , 2] - pursed$position[, , 1]
   wire <- along_rope(state, "purse_wire")$node
-  expect_true(all(colSums(moved[, setdiff(wire, which(engine_array(lattice, "held")))]^2) > 0))
+  expect_true(all(colSums(moved[, setdiff(wire, which(engine_array(mesh, "held")))]^2) > 0))
 })
 
-test_that("a seine settles where it would if it had sunk, and ends where it finds no balance", {
+test_that("seine settles to the state after sinking, or reports failure", {
   gear <- update(
     read_gear("purse_seine"), rings.number = 12, shooting.speed = "30 m/s",
     water = list(current = list(speed = "0.2 m/s", toward = "0 deg"))
   )
   state <- settle(gear, nodes = 300)
   si <- codend:::gear_si(gear)
-  # a quarter of an hour in the current, then settled: never from a crude layout
+  # a quarter of an hour in the current, then settled, without a crude layout
   start <- codend:::shot_trajectory(gear, si, list(), 900, 150, "cells")
   method <- codend:::tow_method("bdf2", 0.5, NULL)
-  sunk <- codend:::last_shape(codend:::march_trajectory(start, 900, 900, method))
+  sunk <- codend:::last_shape(codend:::integrate_trajectory(start, 900, 900, method))
   found <- codend:::settle_numbers(si, 300, NULL, sunk, through_levels = FALSE)
   expect_true(found$report$converged)
-  sunk <- codend:::new_state(gear, si, found$lattice, found$position, found$report)
+  sunk <- codend:::new_state(gear, si, found$mesh, found$position, found$report)
   tight <- c("lead_line_depth_middle_m", "enclosed_volume_m3", "end_rope_first_tension_kN")
-  # settled to 1e-8 of the largest tension; slack netting has little to hold it in place
+  # settled to 1e-8 of the largest tension; slack netting has little stiffness
   expect_equal(measures(sunk)[tight], measures(state)[tight], tolerance = 1e-4)
 
-  # both ways are tried, with too few steps for either
-  expect_error(with_settle_iterations(3L, settle(gear, 150)), "did not settle: after 3 steps",
+  # both methods are tried, with too few iterations for either
+  expect_error(with_settle_iterations(3L, settle(gear, 150)), "did not settle: after 3 iterations",
     class = "codend_error_not_converged")
 })
 
-test_that("a seine sinks, and its wire closes it with one tension", {
+test_that("seine sinks and its wire closes it with one tension", {
   gear <- update(
     read_gear("purse_seine"), rings.number = 12, shooting.speed = "30 m/s", pursing.wait = "20 s",
     pursing.speed = "10 m/s", pursing.until = "150 m"
@@ -131,18 +132,18 @@ test_that("a seine sinks, and its wire closes it with one tension", {
   table <- as.data.frame(seine, what = "measures")
   value <- function(measure) table$value[table$measure == measure]
   expect_gt(min(diff(value("lead_line_depth_middle_m")[1:4])), 1)
-  # it is let go in turn: the end that is shot first is deepest
+  # the seine is released gradually: the end that is shot first is deepest
   expect_gt(value("lead_line_depth_quarter_m")[2], value("lead_line_depth_three_quarters_m")[2])
   last <- length(seine$time)
   state <- state_at(seine, seine$time[last])
-  wire <- codend:::rope_bars(state$lattice, "purse_wire")
+  wire <- codend:::rope_bars(state$mesh, "purse_wire")
   expect_true(all(state$bar_tension[wire] == state$bar_tension[wire[1]]))
   expect_gt(state$bar_tension[wire[1]], 0)
-  # as long as the winch has left out, but for its stretch, and 0.02 m at every ring at most
+  # the wire has the length that the winch paid out, except stretch and at most 0.02 m per ring
   stretched <- 150 * (1 + state$bar_tension[wire[1]] / state$si$ropes$purse_wire$axial_stiffness)
   expect_lt(abs(sum(state$bar_length[wire]) - stretched), 12 * 0.02)
   expect_lt(value("enclosed_volume_m3")[last], 0.7 * max(value("enclosed_volume_m3")))
-  # what the davits hold is the wire's pull
+  # the davit carries the wire's tension
   pull <- -state$force[, nodes_at(state, "davit_first")]
   expect_equal(sqrt(sum(pull^2)), state$bar_tension[wire[1]], tolerance = 0.02)
 })

@@ -5,8 +5,9 @@ height_at <- function(speed, ...) {
   measures(settle(net, nodes = 400))[["net_height_m"]]
 }
 
-test_that("a gillnet stands as high as it is hung in still water and lies down in a current", {
-  # 25 meshes of 150 mm hung at 50 / (667 x 0.15); its ends draw in, and the middle gains a little.
+test_that("gillnet has its hung height in still water and less in currents", {
+  # 25 meshes of 150 mm hung at 50 / (667 x 0.15); its ends move inward, and the middle rises
+  # slightly.
   tall <- 25 * 0.15 * sqrt(1 - (50 / (667 * 0.15))^2)
   expect_equal(height_at(0), tall, tolerance = 0.03)
   # Headlines of bottom-set gillnets fall with the tidal flow (P. A. M. Stewart, Fisheries Research
@@ -14,15 +15,15 @@ test_that("a gillnet stands as high as it is hung in still water and lies down i
   height <- vapply(c(0, 0.1, 0.2, 0.3), height_at, 0)
   expect_true(all(diff(height) < 0))
   expect_lt(height[4], 0.5 * height[1])
-  # more floats hold it up
+  # more floats raise it
   floats <- list(number = 40, buoyancy = "2 N", diameter = "80 mm")
   expect_gt(height_at(0.2, floats = floats), height[3])
 })
 
-test_that("nets whose floats lift four times as much stand the same in twice the flow", {
-  # With drag as the square of the speed and netting as heavy as water nothing but lift over drag
-  # counts. What differs is how the twine stretches, by T/EA = 1e-3 at most, and the lead line on
-  # the bed.
+test_that("gillnet height depends only on the ratio of lift to drag", {
+  # Drag is proportional to speed squared and the netting is neutral, so only the ratio of lift and
+  # drag matters. Twine stretch, T/EA of at most 1e-3, and the lead line on the bed cause the
+  # differences.
   water <- 1025
   neutral <- function(d) list(mass_per_length = water * pi / 4 * d^2, axial_stiffness = 2e5)
   height <- vapply(1:2, function(fold) {
@@ -35,14 +36,14 @@ test_that("nets whose floats lift four times as much stand the same in twice the
   expect_equal(height[2], height[1], tolerance = 0.01)
 })
 
-test_that("a stow net hangs open between its beams, and its anchor holds all of its drag", {
+test_that("stow net opens between its beams and its anchor carries the drag", {
   state <- settle("stow_net", nodes = 500)
   found <- measures(state)
   expect_equal(found[["mouth_width_m"]], 8, tolerance = 0.01)
   expect_equal(found[["mouth_height_m"]], 5, tolerance = 0.05)
   expect_lt(abs(found[["upper_beam_depth_m"]]), 0.3)
   angle <- asin((15 - 4.4) / 60)
-  # The line sags and stretches a little: 1 % of its pull.
+  # The line sags and stretches slightly: 1 % of its tension.
   expect_equal(found[["anchor_tension_kN"]] * cos(angle), found[["total_drag_kN"]],
     tolerance = 0.01)
   faster <- measures(settle(update(read_gear("stow_net"), water.current.speed = 1.6), nodes = 500))
@@ -52,14 +53,14 @@ test_that("a stow net hangs open between its beams, and its anchor holds all of 
   expect_identical(slack$end, "reached")
 })
 
-test_that("a dip net hangs upright in still water, is swept aside by a current, and lifts", {
+test_that("dip net hangs upright, trails in a current and lifts", {
   net <- read_gear("dip_net")
   still <- measures(settle(update(net, water.current.speed = 0), nodes = 400))
   expect_equal(still[["lift_angle_deg"]], 90, tolerance = 1e-4)
   # Diamond netting closes under the weight in its middle.
   expect_gt(still[["volume_left_percent"]], 40)
   expect_lt(still[["volume_left_percent"]], 102)
-  # The faster the water the nearer the surface it trails, its mouth against the flow.
+  # In faster water it trails nearer to the surface, with its mouth against the flow.
   swept <- vapply(c(0.12, 0.46), function(speed) {
     measures(settle(update(net, water.current.speed = speed), nodes = 400))[["lift_angle_deg"]]
   }, 0)
@@ -70,21 +71,21 @@ test_that("a dip net hangs upright in still water, is swept aside by a current, 
   expect_equal(depth[1] - depth[3], 6, tolerance = 0.25)
 })
 
-test_that("a dip net's frame is as deep as its corners are in the mean, on every lattice", {
+test_that("dip net reports the mean depth of its corners on any mesh", {
   net <- read_gear("dip_net")
   settled <- lapply(c(300, 400), function(nodes) settle(net, nodes = nodes))
   corners <- vapply(settled, function(state) {
-    vapply(1:8, function(k) -state$position[3, state$lattice$places[[paste0("collar_", k)]]], 0)
+    vapply(1:8, function(k) -state$position[3, state$mesh$places[[paste0("collar_", k)]]], 0)
   }, numeric(8))
-  # it is swept aside, so that no one corner tells its depth
+  # the current moves it sideways, so a single corner does not give its depth
   expect_true(all(apply(corners, 2, function(depth) diff(range(depth))) > 0.5))
   depth <- vapply(settled, function(state) measures(state)[["frame_depth_m"]], 0)
-  # floating point, of one mean beside the other
+  # floating-point rounding of two means
   expect_equal(depth, colMeans(corners), tolerance = 1e-12)
   expect_lt(diff(range(depth)), 1e-3 * mean(depth))
 })
 
-test_that("what is wrong with set nets is told", {
+test_that("set net plans are rejected with the wrong field", {
   wrong <- function(plan, field, ...) {
     expect_refused(update(read_gear(plan), ...), field)
   }

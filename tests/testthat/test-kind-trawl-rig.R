@@ -5,26 +5,26 @@ even_bridles <- function() {
 }
 changed_trawl <- function(...) gear_si(update(even_bridles(), ...))
 
-test_that("floats stand at their spacing, in groups", {
-  # 27.2 m of head line; 11 floats of 1 m spacing take 10 m about the middle of it
+test_that("floats have their spacing, in groups", {
+  # 27.2 m of headline; 11 floats with a spacing of 1 m occupy 10 m about its middle
   floats <- list(number = 11, buoyancy = "10 kgf", spacing = "1 m")
   si <- changed_trawl(floats = floats)
-  expect_equal(si$pieces$floats$share, 0.5 + c(-5, 5) / 27.2)
+  expect_equal(si$pieces$floats$extent, 0.5 + c(-5, 5) / 27.2)
   expect_true(si$pieces$floats$end_to_end)
-  # without their number as many as there is room for: 0 to 13.6 m by 1.5 m is 10
+  # without a number, as many floats as fit: 0 to 13.6 m by 1.5 m is 10
   si <- changed_trawl(floats = list(
-    list(buoyancy = "3 kgf", spacing = "1.5 m", share = c(0, 0.5)),
-    list(number = 4, buoyancy = "10 kgf", share = c(0.6, 0.9))
+    list(buoyancy = "3 kgf", spacing = "1.5 m", extent = c(0, 0.5)),
+    list(number = 4, buoyancy = "10 kgf", extent = c(0.6, 0.9))
   ))
   expect_identical(si$pieces$floats_1$number, 10)
-  expect_equal(si$pieces$floats_1$share, 0.25 + c(-0.5, 0.5) * 13.5 / 27.2)
+  expect_equal(si$pieces$floats_1$extent, 0.25 + c(-0.5, 0.5) * 13.5 / 27.2)
   expect_identical(si$pieces$floats_2$number, 4)
-  expect_equal(si$pieces$floats_2$share, c(0.6, 0.9))
+  expect_equal(si$pieces$floats_2$extent, c(0.6, 0.9))
   expect_refused(changed_trawl(floats = list(number = 40, buoyancy = "3 kgf", spacing = "1 m")),
     "at most 0.697")
 })
 
-test_that("a buoyancy in groups lifts as the same in one", {
+test_that("floats in two groups lift as the same floats in one", {
   one <- changed_trawl(floats = list(number = 20, buoyancy = "5 kgf"))
   two <- changed_trawl(floats = list(list(number = 10, buoyancy = "5 kgf"),
     list(number = 10, buoyancy = "5 kgf")))
@@ -35,7 +35,7 @@ test_that("a buoyancy in groups lifts as the same in one", {
   expect_equal(lift(two), lift(one), tolerance = 1e-14)
 })
 
-test_that("port and starboard may differ, and only in what is said", {
+test_that("port and starboard differ only in the given fields", {
   ropes <- changed_trawl(warps.starboard = list(length = "352 m"),
     bridles.upper.port = list(length = "56 m", diameter = "18 mm"))$ropes
   expect_equal(c(ropes$warp_port$length, ropes$warp_starboard$length), c(340, 352))
@@ -45,14 +45,14 @@ test_that("port and starboard may differ, and only in what is said", {
     c(0.018, 0.016))
 })
 
-test_that("a longer warp trails its board", {
+test_that("longer warp moves its board aft", {
   trawl <- update(new_plan("bottom_trawl"), warps.length = "325 m",
     warps.starboard = list(length = "335 m"))
   state <- settle(trawl, nodes = 200)
   boards <- vapply(c("board_port", "board_starboard"), function(point) {
-    state$position[1, state$lattice$places[[point]]]
+    state$position[1, state$mesh$places[[point]]]
   }, 0)
-  # 10 m more of a warp that is nearly straight and leads nearly aft
+  # 10 m more of a warp that is nearly straight and nearly horizontal
   expect_gt(boards[[2]] - boards[[1]], 5)
   expect_lt(boards[[2]] - boards[[1]], 10.5)
 })
@@ -63,12 +63,12 @@ test_that("ticklers hang between the lower wing ends", {
   expect_identical(c(rope$from, rope$to, rope$role), c("lower_port", "lower_starboard", "tickler"))
 })
 
-test_that("a setback is more of its bridle, on both sides", {
+test_that("setback lengthens its bridle on both sides", {
   set <- changed_trawl(bridles.upper.setback = "457 mm", bridles.upper.port.length = "56 m")$ropes
   expect_equal(set$bridle_upper_starboard$length, 54.9 + 0.457)
   expect_equal(set$bridle_upper_port$length, 56 + 0.457)
   expect_equal(set$bridle_lower_port$length, 54.9)
-  # an upper wing end that is set back is the same gear as one with a longer bridle, and higher
+  # an upper wing end with a setback equals a gear with a longer bridle, and is higher
   gear <- even_bridles()
   shape <- function(...) measures(settle(update(gear, ...), nodes = 300))
   back <- shape(bridles.upper.setback = "0.5 m")
@@ -76,36 +76,36 @@ test_that("a setback is more of its bridle, on both sides", {
   expect_gt(back[["headline_height_m"]], shape()[["headline_height_m"]])
 })
 
-test_that("an extension of the head line leads on from the upper bridle", {
+test_that("headline extension connects the headline to the upper bridle", {
   wire <- list(length = "2 m", diameter = "16 mm", material = "steel_wire")
-  plan <- changed_trawl(head_line_extensions = wire)
-  rope <- plan$ropes$head_line_extension_port
-  expect_identical(c(rope$from, rope$to), c("head_line_extension_port", "upper_port"))
-  expect_identical(plan$ropes$bridle_upper_port$to, "head_line_extension_port")
+  plan <- changed_trawl(headline_extensions = wire)
+  rope <- plan$ropes$headline_extension_port
+  expect_identical(c(rope$from, rope$to), c("headline_extension_port", "upper_port"))
+  expect_identical(plan$ropes$bridle_upper_port$to, "headline_extension_port")
   expect_identical(plan$ropes$bridle_lower_port$to, "extension_port")
 })
 
-test_that("danlenos and weights at the wing ends hang where they are fastened, on each side", {
+test_that("danlenos and wing-end weights attach to their points on each side", {
   steel <- list(mass = "50 kg", density = "7850 kg/m3")
   pieces <- changed_trawl(danlenos = steel, wing_end_weights = steel)$pieces
-  # without sweeps the bridles begin at the boards
+  # without sweeps the bridles start at the boards
   expect_identical(pieces$danleno_port$at, "board_port")
   expect_identical(pieces$wing_end_weight_starboard$at, "lower_starboard")
   swept <- update(new_plan("bottom_trawl"), danlenos = steel)
   expect_identical(assembly(swept)$plan$pieces$danleno_port$at, "sweep_end_port")
-  # they weigh what they weigh in water, and no more
+  # their weight in water is exact
   heavy <- settle(swept, nodes = 200)
   table <- as.data.frame(heavy, what = "drag")
   found <- table$weight_in_water_kN[table$part == "danleno_port"]
   expect_equal(found, 50 * (1 - 1025 / 7850) * 9.81 / 1000, tolerance = 2e-3)
 })
 
-test_that("what does not fit is refused with the meshes that would", {
+test_that("check rejects wings that do not fit and suggests mesh counts", {
   gear <- read_gear("poly_noreastern_trawl")
-  # a jib must reach past what the side wings lack: 80 + 45 - 46 meshes less 56
+  # the jib must be deeper than the side wings lack: 80 + 45 - 46 meshes less 56
   expect_refused(update(gear, wings.jib.deep = 20), "(23 meshes)", fixed = TRUE)
   expect_refused(update(gear, wings.jib = NULL, bridles.middle = NULL), "(79 meshes", fixed = TRUE)
-  # as deep as they may be with these meshes
+  # the maximum depth with these meshes
   fits <- update(gear, wings.jib = NULL, bridles.middle = NULL, wings.side.meshes.deep = 79,
     wings.lower.meshes.deep = 99)
   expect_s3_class(fits, "codend_gear")

@@ -1,13 +1,13 @@
-# Kites and depressors as rigid bodies on bridles, pieces held at an angle of attack, and floats by
+# Kites and depressors as rigid bodies on bridles, pieces at a fixed angle of attack, and floats by
 # Reynolds number.
 
-# A kite of 1 m by 2 m on two front lines and two rear lines from two places 1.2 m apart, as on a
-# head line; lines without drag or weight. A kite is lighter and a depressor heavier than water by
+# A kite of 1 m by 2 m on two front lines and two rear lines from two points 1.2 m apart, as on a
+# headline. Lines have no drag or weight. A kite is lighter and a depressor heavier than water by
 # 100 N.
-flown_kite <- function(pushes = "up", front = 0.99, rear = 1.293, polar = "flat_plate",
+flown_kite <- function(lift_direction = "up", front = 0.99, rear = 1.293, polar = "flat_plate",
                        starboard = 0.6) {
   volume <- 0.03
-  mass <- 1025 * volume + if (pushes == "up") -100 / 9.81 else 100 / 9.81
+  mass <- 1025 * volume + if (lift_direction == "up") -100 / 9.81 else 100 / 9.81
   line <- function(from, to, length) {
     rope(from, to, length = length, diameter = "5 mm", axial_stiffness = "10 MN",
       mass_per_length = 0, volume_per_length = 0, coefficients = list(normal = 0), segments = 1)
@@ -21,7 +21,8 @@ flown_kite <- function(pushes = "up", front = 0.99, rear = 1.293, polar = "flat_
     rear_port = line("block_port", "tail", rear),
     rear_starboard = line("block_starboard", "tail", rear),
     kite = kite(
-      pushes = pushes, chord = 1, span = 2, mass = mass, volume = volume, polar = polar,
+      lift_direction = lift_direction, chord = 1, span = 2, mass = mass, volume = volume,
+        polar = polar,
       attachments = list(
         port = list(aft = 0.1, starboard = -0.6), starboard = list(aft = 0.1, starboard = 0.6),
         tail = list(aft = 0.8)
@@ -34,8 +35,8 @@ flown_kite <- function(pushes = "up", front = 0.99, rear = 1.293, polar = "flat_
   )
 }
 
-# Angle of attack (rad) at which the resultant passes through the line between the blocks, whose
-# place in the plane of chord and push the lines' lengths give.
+# Angle of attack (deg) at which the resultant passes through the line between the blocks. The
+# lengths of the lines define its position in the plane of chord and push.
 attack_by_moments <- function(front, rear, polar) {
   rear <- sqrt(rear^2 - 0.6^2)
   aft <- (front^2 - rear^2 + 0.8^2 - 0.1^2) / (2 * 0.7)
@@ -58,11 +59,12 @@ attack_by_moments <- function(front, rear, polar) {
   stats::uniroot(moment, c(0.01, 0.34), tol = 1e-12)$root * 180 / pi
 }
 
-test_that("kites of nearly the same lines all fly where their moments balance", {
-  # Most have a second balance, dived at -47 degrees, to which rounding took 14 of 300.
+test_that("kites with similar lines settle at their moment equilibrium", {
+  # Most have a second equilibrium, dived at -47 degrees, which 14 of 300 reached because of
+  # rounding.
   for (front in seq(0.98, 1.01, length.out = 40)) {
     found <- measures(settle(flown_kite(front = front)))
-    # Lines of 10 MN and the kite's struts give by 1e-4 or less; Joessel's kink at 0 is rounded.
+    # Lines of 10 MN and the kite's struts stretch by 1e-4 or less; Joessel's kink at 0 is smoothed.
     expect_equal(found[["attack_deg"]], attack_by_moments(front, 1.293, "flat_plate"),
       tolerance = 5e-3)
     expect_lt(abs(found[["heel_deg"]]), 1e-4)
@@ -70,20 +72,20 @@ test_that("kites of nearly the same lines all fly where their moments balance", 
   }
 })
 
-test_that("a kite does not stay in a balance that a small push ends", {
-  # Its lines cross: level it stands on its head, and turns over.
+test_that("kite leaves an equilibrium that a small perturbation ends", {
+  # Its lines cross: in level position it is upside down, and turns over.
   expect_warning(
     state <- settle(flown_kite(front = 1.3, rear = 1.903, starboard = -0.5)),
     class = "codend_warning_board_fallen_over"
   )
-  # whether rounding has tipped it before, or it is pushed, hangs on the compiler
+  # the compiler's rounding decides if it tips before the perturbation
   expect_false(state$report$unstable)
   expect_equal(abs(measures(state)[["heel_deg"]]), 180, tolerance = 1e-6)
 })
 
-test_that("a shorter front bridle lowers a kite's attack and lift", {
-  # As on a 1040 m midwater trawl, whose opening fell by a quarter when the front line of its canvas
-  # was shortened from 17.2 to 16.4 m.
+test_that("shorter front bridle lowers a kite's attack and lift", {
+  # A 1040 m midwater trawl lost a quarter of its opening when the front line of its canvas was
+  # shortened from 17.2 to 16.4 m.
   tables <- lapply(c(1, 0.99, 0.98), function(front) {
     as.data.frame(settle(flown_kite(front = front)), what = "boards")
   })
@@ -91,10 +93,10 @@ test_that("a shorter front bridle lowers a kite's attack and lift", {
   expect_true(all(diff(vapply(tables, `[[`, 0, "lift_kN")) < 0))
 })
 
-test_that("a depressor is the mirror image of a kite", {
+test_that("depressor settles as the mirror image of a kite", {
   up <- settle(flown_kite("up"))
   down <- settle(flown_kite("down"))
-  # Both are found to 1e-8 of the largest tension.
+  # Both are solved to 1e-8 of the largest tension.
   mirrored <- up$position
   mirrored[3, ] <- -200 - mirrored[3, ]
   expect_equal(down$position, mirrored, tolerance = 1e-6)
@@ -102,21 +104,21 @@ test_that("a depressor is the mirror image of a kite", {
   expect_gt(measures(down)[["depth_m"]], 100)
 })
 
-test_that("a stalled kite is told of as a kite, and drawn as one", {
+test_that("stalled kite is reported and drawn as a kite", {
   expect_warning(state <- settle(flown_kite(front = 1.1)), "Kite",
     class = "codend_warning_board_stalled")
   expect_equal(parts_of(state)$role[part_of(state, "board")], "kite")
   expect_true("kite" %in% board_marks(state)$role)
 })
 
-# Angle (deg) between the flow, along x, and the chord of a drawn plate, whose corners (3 x 4) are
-# those of view_3d(): leading edge, then trailing edge.
+# Angle (deg) between the flow, along x, and the chord of a drawn plate. Its corners (3 x 4) follow
+# view_3d(): leading edge, then trailing edge.
 drawn_attack <- function(corners) {
   chord <- rowSums(corners[, 3:4]) - rowSums(corners[, 1:2])
   atan2(-chord[3], chord[1]) * 180 / pi
 }
 
-test_that("pages draw a free kite at its angle of attack, and the tank sends it as a plate", {
+test_that("pages draw a free kite as a plate at its attack", {
   state <- settle(flown_kite())
   scene <- view_3d(state)$x$scene
   corners <- places_at(scene$boards, 1)
@@ -127,7 +129,7 @@ test_that("pages draw a free kite at its angle of attack, and the tank sends it 
   expect_identical(flume_drawing(state)$fixed$marks, scene$marks)
 })
 
-test_that("a page that plays turns a free kite as it turns", {
+test_that("page of a tow rotates a free kite with time", {
   trajectory <- tow(flown_kite(), until = 2, every = 1,
     schedule = tow_schedule(speed = data.frame(time = 0:1, value = 2:1)))
   scene <- view_3d(trajectory)$x$scene
@@ -135,17 +137,17 @@ test_that("a page that plays turns a free kite as it turns", {
   trim_at <- function(time) board_table(state_at(trajectory, time))$trim_deg
   trim <- vapply(trajectory$time, trim_at, 0)
   expect_gt(diff(range(trim)), 0.1)
-  # 1 part in 65535 of some 10 m that it moves, over a chord of 1 m
+  # 1 part in 65535 of a path of about 10 m, over a chord of 1 m
   expect_equal(drawn, trim, tolerance = 1e-3)
 })
 
-test_that("the plan drawing lists a kite as a kite", {
+test_that("plan drawing lists a kite as a kite", {
   expect_identical(piece_items(gear_si(flown_kite()))$name, "kite")
 })
 
-test_that("a wrong kite is refused", {
+test_that("kite plans are rejected with the wrong field", {
   plan <- flown_kite()
-  expect_refused(update(plan, kites.kite.pushes = "port"))
+  expect_refused(update(plan, kites.kite.lift_direction = "port"))
   expect_refused(update(plan, kites.kite.polar = "krill"))
   expect_refused(
     update(plan, kites.kite.attachments = list(
@@ -156,7 +158,7 @@ test_that("a wrong kite is refused", {
   )
 })
 
-test_that("a piece held at an angle of attack has its polar's coefficients", {
+test_that("piece at a fixed attack has its polar's coefficients", {
   trawl <- read_gear("midwater_trawl")
   canvas <- list(area = "18 m2", polar = "fabric_kite", attack = "20 deg")
   piece <- gear_si(update(trawl, canvas = canvas))$pieces$canvas
@@ -170,21 +172,22 @@ test_that("a piece held at an angle of attack has its polar's coefficients", {
   wrong(polar = "fabric_kite", attack = "120 deg")
 })
 
-test_that("smooth spheres drag as measured, through the drag crisis", {
+test_that("smooth spheres have the measured drag through the drag crisis", {
   file <- system.file("extdata", "published-coefficients.csv", package = "codend")
   rows <- subset(utils::read.csv(file), law == "measured" & reynolds > 0.1 & reynolds < 1e6)
   rows$found <- sphere_specimens(rows$reynolds, smooth = TRUE)$drag
   away <- rows$reynolds < 2e5 | rows$reynolds > 3.9e5
-  # What Morrison's curve and these data differ by, each drawn through scattered measurements.
+  # Difference between Morrison's curve and these data; both are drawn through scattered
+  # measurements.
   expect_lt(max(abs(rows$found / rows$value - 1)[away]), 0.17)
-  # From 2.3e5 to 4e5 drag falls to a quarter; where is known to 10 % of the Reynolds number.
+  # From 2.3e5 to 4e5 drag falls to a quarter; the Reynolds number of the fall is uncertain by 10 %.
   crisis <- sphere_specimens(c(2e5, 4e5), smooth = TRUE)$drag
   expect_true(crisis[1] > 0.35 && crisis[2] < 0.15)
 })
 
-test_that("floats may drag by their Reynolds number", {
+test_that("floats accept drag by Reynolds number", {
   trawl <- read_gear("midwater_trawl")
-  float <- list(number = 10, buoyancy = "90 N", diameter = "300 mm", share = c(0, 1))
+  float <- list(number = 10, buoyancy = "90 N", diameter = "300 mm", extent = c(0, 1))
   floats <- c(float, list(drag_coefficient = "smooth_sphere"))
   state <- settle(update(trawl, floats = floats, netting = "cells"), nodes = 300)
   drag <- sum(state$forces$sphere_drag[1, elements_of(state, "sphere", "floats")])

@@ -6,7 +6,7 @@ cable_with_engine <- function(...) {
   ))
 }
 
-test_that("power and fuel follow from the stated pull, power and consumption", {
+test_that("engine power and fuel follow from pull, power and consumption", {
   gear <- cable_with_engine(fuel = "210 g/kWh", fuel_density = 840, catch_per_hour = "2 tonne")
   state <- settle(gear)
   found <- measures(state)
@@ -17,11 +17,11 @@ test_that("power and fuel follow from the stated pull, power and consumption", {
   # litres: 0.21 kg/kWh over 0.84 kg/l
   expect_equal(found[["fuel_rate_l_per_h"]], 1000 * share^1.5 * 0.21 / 0.84)
   expect_equal(found[["fuel_per_catch_l_per_t"]], found[["fuel_rate_l_per_h"]] / 2)
-  # the shape knows nothing of it
+  # the shape does not depend on the engine
   expect_identical(state$position, settled("towed_cable")$position)
 })
 
-test_that("the pull goes on straight beyond its rows, to nothing", {
+test_that("pull extrapolates linearly beyond its table down to zero", {
   pull <- c(`5 knot` = 100, `12 knot` = 30, `20 knot` = 0)
   for (speed in names(pull)) {
     found <- measures(settle(update(cable_with_engine(), towing.speed = speed), nodes = 50))
@@ -31,20 +31,20 @@ test_that("the pull goes on straight beyond its rows, to nothing", {
   expect_false(any(grepl("fuel", names(found))))
 })
 
-test_that("the speed that a power tows is that at which the drag is what the vessel pulls", {
+test_that("tow_speed() returns the speed at which drag equals pull", {
   gear <- cable_with_engine(fuel = list(
     list(load = 0.25, consumption = "230 g/kWh"), list(load = 1, consumption = "200 g/kWh")
   ))
   for (power in list(NULL, "400 kW", "40 %")) {
     found <- measures(tow_speed(gear, power, nodes = 100))
-    # the speed is found to 1e-4; the pull that is used grows faster than its square
+    # the speed is solved to 1e-4; the required pull grows faster than speed squared
     expect_equal(found[["engine_power_kW"]], if (is.null(power)) 1000 else 400, tolerance = 2e-3)
   }
   expect_wrong(tow_speed("towed_cable"), "vessel")
   expect_wrong(tow_speed(gear, "2 MW"), "at most")
 })
 
-test_that("a vessel's table that cannot be is told", {
+test_that("vessel tables that contradict themselves are rejected", {
   bad <- function(...) {
     vessel <- list(power = "1 MW", pull = list(...))
     expect_refused(update(read_gear("towed_cable"), vessel = vessel), "vessel.pull")

@@ -1,6 +1,6 @@
-test_that("crossing cables hang as the statics of their symmetry says", {
-  # A crossing at (10 - a, 10 - a, -h): two outer cables of length L1 and tension T1 carry 10 kN,
-  # and the inner ones (10 + 2 a long, T2) balance them in the plane: T2 = T1 (10 - 2 a) / L1.
+test_that("crossing cables settle to the statics of their symmetry", {
+  # A crossing at (10 - a, 10 - a, -h): two outer cables of length L1 and tension T1 carry 10 kN.
+  # The inner ones (10 + 2 a long, T2) are in equilibrium in the plane: T2 = T1 (10 - 2 a) / L1.
   stretch <- function(length) 1e7 * (length / 10 - 1)
   outer <- function(a, h) sqrt((10 - a)^2 + a^2 + h^2)
   inward <- function(h) {
@@ -14,13 +14,14 @@ test_that("crossing cables hang as the statics of their symmetry says", {
     2 * stretch(l) * h / l - 1e4
   }, c(0.1, 3), tol = 1e-12)$root
   found <- measures(settled("crossing_cables"))
-  # the solver ends at 1e-8 of the tension; stiffness across the cables is about a tenth of EA / L
+  # the solver's tolerance is 1e-8 of the tension; stiffness across the cables is about a tenth of
+  # EA / L
   expect_equal(found[["sag_m"]], h, tolerance = 1e-7)
   expect_equal(found[["edge_tension_kN"]], stretch(outer(inward(h), h)) / 1000, tolerance = 1e-7)
   expect_equal(found[["largest_rope_tension_kN"]], found[["edge_tension_kN"]], tolerance = 1e-7)
 })
 
-test_that("supports of the crossing cables share the loads alike", {
+test_that("crossing cables have equal support reactions", {
   reactions <- as.data.frame(settled("crossing_cables"), what = "reactions")
   expect_equal(reactions$z_kN, rep(5, 8), tolerance = 1e-7)
   expect_equal(sum(reactions$x_kN), 0, tolerance = 1e-6)
@@ -30,13 +31,13 @@ test_that("supports of the crossing cables share the loads alike", {
   expect_setequal(reactions$point, c(pairs(sides, ends), pairs(ends, sides)))
 })
 
-test_that("a hung panel pulls by its weight, twine by twine", {
+test_that("hung panel has the weight of its twines as reaction", {
   state <- settled("hung_panel")
   # 40 x 60 squares: 2 x 2400 bars of 50 mm and 2400 knots of 16 diameters of 2 mm, 10 g/m
   weight <- 2400 * (2 * 0.05 + 16 * 0.002) * 0.01 * 9.81
   expect_equal(as.data.frame(state, what = "reactions")$z_kN, weight / 1000, tolerance = 1e-7)
-  # each of 8 rows hangs half of its weight on the nodes above it: from the upper row 40 twines
-  # carry 15/16 of the weight, from the lowest 1/16
+  # Each of 8 rows transfers half of its weight to the nodes above it. From the upper row, 40 twines
+  # carry 15/16 of the weight, from the lowest 1/16.
   lengthwise <- as.data.frame(state)
   lengthwise <- lengthwise[lengthwise$family == "v", ]
   row <- cut(-lengthwise$z_m, seq(0, 3, by = 0.375))
@@ -51,17 +52,17 @@ test_that("a hung panel pulls by its weight, twine by twine", {
     tolerance = 1e-6)
 })
 
-test_that("the mean tension of a panel's twine closes in, whatever the division and the netting", {
-  # At 6,000 nodes the midwater trawl has 2.76 kN with cells and 2.82 kN with bars, where what 1 %
-  # of the twine exceeds is 3.96 and 4.71 kN, and from 600 nodes on goes to and fro by 19 % with
-  # bars. An error of first order in the length of elements is 2.7 times as large at 800 nodes.
+test_that("largest panel twine tension converges with both netting elements", {
+  # At 6,000 nodes the midwater trawl has 2.76 kN with cells and 2.82 kN with bars. The tension that
+  # 1 % of the twine exceeds is 3.96 and 4.71 kN; from 600 nodes it scatters by 19 % with bars. An
+  # error of first order in the element length is 2.7 times as large at 800 nodes.
   for (netting in c("cells", "bars")) {
     near <- measures(settled("midwater_trawl", nodes = 800, netting = netting))
     expect_equal(near[["largest_panel_twine_tension_N"]], 2790, tolerance = 0.08)
   }
 })
 
-test_that("weights of parts add up to the lattice's", {
+test_that("weights of parts sum to the weight of the mesh", {
   states <- c(
     lapply(shipped_states, shipped_state),
     lapply(c("cells", "bars"), function(netting) {
@@ -70,13 +71,13 @@ test_that("weights of parts add up to the lattice's", {
   )
   for (state in states) {
     loads <- sum(vapply(state$si$points, function(p) as.double(p$load[3]), 0))
-    lattice <- loads - sum(matrix(engine_array(state, "load"), 3L)[3, ])
-    # a lattice's twine may differ by 1e-6 from its plan's
-    expect_equal(sum(part_weight(state)), lattice, tolerance = 1e-6)
+    mesh <- loads - sum(matrix(engine_array(state, "load"), 3L)[3, ])
+    # the twine of a mesh may differ from the plan's by 1e-6
+    expect_equal(sum(part_weight(state)), mesh, tolerance = 1e-6)
   }
 })
 
-test_that("weights in water are those of the plan", {
+test_that("weights in water follow from the plan", {
   drag <- as.data.frame(settled("towed_cable"), what = "drag")
   expect_equal(
     drag$weight_in_water_kN,
@@ -84,19 +85,19 @@ test_that("weights in water are those of the plan", {
   )
 })
 
-test_that("drag of the sphere on a towed cable is that of its area", {
+test_that("sphere on a towed cable has the drag of its area", {
   drag <- as.data.frame(settled("towed_cable"), what = "drag")
   speed <- 4 * 1852 / 3600
   sphere <- 0.5 * 1025 * speed^2 * 0.77 * pi / 4 * 0.736^2
   expect_equal(drag$drag_kN[drag$part == "sphere"], sphere / 1000)
-  # the ship's pull of the cable equations, 12046.7 N at 22.8288 deg; 5 m bars
+  # the ship's pull from the cable equations, 12046.7 N at 22.8288 deg; 5 m bars
   found <- measures(settled("towed_cable"))
   expect_equal(found[["total_drag_kN"]], 12.0467 * cos(22.8288 * pi / 180), tolerance = 1e-4)
   expect_equal(sum(drag$drag_kN), found[["total_drag_kN"]], tolerance = 1e-6)
   expect_equal(found[["tow_power_kW"]], found[["total_drag_kN"]] * speed)
 })
 
-test_that("all forces balance", {
+test_that("force balance has a zero remainder", {
   states <- c(
     lapply(shipped_states, shipped_state),
     lapply(c("cells", "bars"), function(netting) {
@@ -109,25 +110,25 @@ test_that("all forces balance", {
     last <- nrow(balance)
     expect_equal(balance$force[last], "remainder")
     forces <- as.matrix(balance[c("x_kN", "y_kN", "z_kN")])
-    # what the solver leaves at every node, and weights that agree to 1e-6
+    # residual at every node, and weights that agree to 1e-6
     left <- ncol(state$position) * state$report$worst_force / 1000 + 1e-6 * sum(abs(forces[3:4, ]))
     expect_lt(max(abs(forces[last, ])), left + 1e-12)
     expect_equal(forces[last, ], colSums(forces[-last, ]), tolerance = 1e-12)
   }
 })
 
-test_that("plan loads are part of the balance", {
+test_that("force balance includes the plan's loads", {
   state <- settled("panel_in_current", nodes = 200)
   balance <- balance_table(state)
   expect_equal(unlist(balance[4, -1], use.names = FALSE), c(0.005, 0, 0))
 })
 
-test_that("drag runs along the flow", {
+test_that("drag acts along the flow", {
   axes <- function(speed, x, y) {
     flow_axes(list(towing = list(speed = speed), water = list(current = data.frame(x = x, y = y))))
   }
   expect_equal(axes(2, 0, 1)[, "flow"], c(1, 0, 0))
-  # held, along the fastest current of the profile
+  # without towing, along the fastest current of the profile
   fastest <- axes(0, c(0.3, -0.6, 0), c(0.4, 0.8, 0.1))
   expect_equal(fastest[, "flow"], c(-0.6, 0.8, 0))
   expect_equal(fastest[, "across"], c(-0.8, -0.6, 0))
@@ -153,10 +154,10 @@ test_that("drag totals group netting, ropes, otter boards, catch and fittings", 
   expect_equal(totals$weight_in_water_kN, c(-2, -1, -1, -1, -1, -6))
 })
 
-test_that("slack twine is counted by its length", {
+test_that("slack twine is measured by its length", {
   state <- settled("hung_panel")
   cells <- length(state$u_tension)
-  # 4 columns of 8 rows, all cells alike
+  # 4 columns of 8 rows of identical cells
   expect_equal(cells, 32)
   slack <- function(u, v) {
     state$u_tension <- u
@@ -173,29 +174,29 @@ test_that("slack twine is counted by its length", {
   expect_equal(slack_table(state)$twine_m, 240)
 })
 
-test_that("the tension of the tenth loaded most is a mean over just that length", {
+test_that("most_loaded_tension() is the mean of the most loaded tenth by length", {
   expect_equal(most_loaded_tension(c(1, 9, 2), c(60, 5, 35)), (9 * 5 + 2 * 5) / 10)
   expect_equal(most_loaded_tension(c(1, 9, 2), c(60, 20, 20)), 9)
-  # divided otherwise it is the same
+  # another mesh gives the same
   expect_equal(most_loaded_tension(c(1, 9, 9, 2), c(60, 2, 3, 35)), 5.5)
 })
 
-test_that("at its ends a rope has the tension that its support holds, however it is divided", {
+test_that("rope end tension equals the support reaction on any mesh", {
   ends <- vapply(c(10, 200), function(segments) {
     state <- settle(update(read_gear("towed_cable"), ropes.cable.segments = segments), nodes = 60)
     pull <- as.data.frame(state, what = "reactions")[1L, c("x_kN", "y_kN", "z_kN")]
-    # the ship holds nothing but the cable
+    # only the cable is attached to the ship
     expect_equal(measures(state)[["ship_tension_kN"]], sqrt(sum(pull^2)), tolerance = 1e-7)
     expect_equal(measures(state)[["largest_rope_tension_kN"]], sqrt(sum(pull^2)), tolerance = 1e-7)
     expect_equal(tension_table(state)$max_kN, sqrt(sum(pull^2)), tolerance = 1e-7)
     c(sqrt(sum(pull^2)), max(state$bar_tension) / 1000)
   }, numeric(2))
-  # of second order: the middle of the last of ten elements is 2.4 % off
+  # second order: the middle of the last of ten elements deviates by 2.4 %
   expect_equal(ends[1, 1], ends[1, 2], tolerance = 0.006)
   expect_gt(abs(ends[2, 1] / ends[1, 2] - 1), 0.02)
 })
 
-test_that("strength is the share of the breaking load", {
+test_that("strength_percent is the tension relative to the breaking load", {
   tensions <- tension_table(settled("panel_in_current", nodes = 200))
   lead <- tensions[tensions$part == "lead_line", ]
   expect_equal(lead$strength_kN, 10)

@@ -1,5 +1,5 @@
-# Panels in a known flat shape: diamonds and squares at a given opening.
-# layers: how many, all in one place.
+# Panels in a known flat shape: diamonds and squares at a given opening. layers: number of panels,
+# all in the same position.
 flat_state <- function(orientation, netting, across, down, shear = 0, upper = 12, lower = 12,
                        layers = 1) {
   deep <- 10
@@ -16,25 +16,25 @@ flat_state <- function(orientation, netting, across, down, shear = 0, upper = 12
     )), layers), nets)
   ))
   si <- gear_si(gear)
-  lattice <- build_lattice(si, 150, netting)
+  mesh <- build_mesh(si, 150, netting)
   panels <- panel_table(si$panels)
-  place <- panel_places(panels, lattice$division, lattice$panels)
+  place <- panel_places(panels, mesh$division, mesh$panels)
   j <- place$t * deep
   left <- panel_left(panels, j)
   i <- left + place$s * (panel_right(panels, j) - left)
-  x <- matrix(0, 3L, lattice$nodes)
+  x <- matrix(0, 3L, mesh$nodes)
   x[2, place$node] <- i * across + shear * j
   x[3, place$node] <- -j * down
-  list(state = new_state(gear, si, lattice, as.vector(x), list(converged = TRUE)), across = across,
+  list(state = new_state(gear, si, mesh, as.vector(x), list(converged = TRUE)), across = across,
     down = down)
 }
 
-test_that("opening and angle of flat netting are those of its meshes", {
+test_that("mesh_openings() returns opening and angle of flat netting", {
   for (netting in c("cells", "bars")) {
     for (lower in c(12, 6)) {
       flat <- flat_state("diamond", netting, 0.03, 0.09, lower = lower)
       found <- mesh_openings(flat$state, "codend")
-      # exact on linear shapes but for rounding
+      # exact on linear shapes, except for rounding
       expect_equal(found$mesh_opening_mm, rep(30, nrow(found)), tolerance = 1e-9)
       expect_equal(found$mesh_angle_deg, rep(2 * atan2(3, 9) * 180 / pi, nrow(found)),
         tolerance = 1e-9)
@@ -52,10 +52,10 @@ test_that("opening and angle of flat netting are those of its meshes", {
   expect_wrong(mesh_openings(square$state, "wing"), "codend")
 })
 
-test_that("a codend's meshes and their pictures", {
+test_that("mesh_openings() of a codend has valid values and pictures", {
   state <- settled("t90_codend")
   found <- mesh_openings(state)
-  # twine is taut or slack, so that a mesh is at most as wide as it is long, stretched a little
+  # twine is taut or slack, so the opening is at most the mesh size, plus slight stretch
   expect_true(all(found$greatest_opening_mm <= 1.05 * found$mesh_size_mm))
   expect_gt(max(found$mesh_opening_mm), 0)
   expect_picture(found)

@@ -1,4 +1,4 @@
-test_that("tensions along a rope begin at its start and go over its whole length", {
+test_that("tensions_along() starts at a rope's start and covers its length", {
   state <- settled("crossing_cables")
   x <- tensions_along(state)
   rows <- as.data.frame(state)
@@ -14,7 +14,7 @@ test_that("tensions along a rope begin at its start and go over its whole length
   expect_equal(min(ends$along_m[ends$line == rope]), 0)
 })
 
-test_that("a rope's hanging weight shows along it", {
+test_that("tensions_along() shows the hanging weight of a rope", {
   # in air, straight down: the tension is the weight below
   plan <- list(
     codend = 1, name = "Hung rope", water = list(density = 0),
@@ -23,12 +23,12 @@ test_that("a rope's hanging weight shows along it", {
       axial_stiffness = 1e8, mass_per_length = 2, segments = 20))
   )
   x <- tensions_along(settle(as_gear(plan)))
-  # half a bar's weight sits at each of its nodes, so the middle carries just what is below it; the
-  # rope is stretched by 2e-6
+  # Each node has half a bar's weight, so the middle of a bar carries exactly the weight below it.
+  # The rope is stretched by 2e-6.
   expect_equal(x$tension_kN, 2 * gear_gravity * (10 - x$along_m) / 1000, tolerance = 1e-5)
 })
 
-test_that("ropes are chosen by name and by role, and both sides are neighbours", {
+test_that("tensions_along() selects ropes by name and role in order", {
   state <- settled("midwater_trawl", nodes = 500)
   warps <- tensions_along(state, "warp")
   expect_identical(unique(warps$rope), c("warp_port", "warp_starboard"))
@@ -42,7 +42,7 @@ test_that("ropes are chosen by name and by role, and both sides are neighbours",
   expect_picture(some)
 })
 
-test_that("ropes of one role that follow each other are one line", {
+test_that("tensions_along() joins consecutive ropes of one role to a line", {
   state <- settled("longline")
   x <- tensions_along(state, c("main_line", "branch_line"))
   main <- x[x$role == "main_line", ]
@@ -50,19 +50,19 @@ test_that("ropes of one role that follow each other are one line", {
   # distances grow along the line, by the bars' lengths
   expect_equal(diff(main$along_m), (main$length_m[-1] + main$length_m[-nrow(main)]) / 2)
   expect_gt(length(unique(main$rope)), 40)
-  # at a branch line the tension changes by less than what hangs there, 1 N or so
+  # at a branch line the tension changes by less than the branch load, about 1 N
   branch <- x[x$role == "branch_line", ]
   expect_identical(branch$line, branch$rope)
 })
 
-test_that("lines end where they part, and rings begin where the plan begins them", {
-  lattice <- function(nodes, role) {
-    sketched_lattice(ropes = nodes,
+test_that("rope lines end at branches and rings start at the plan's start", {
+  mesh <- function(nodes, role) {
+    sketched_mesh(ropes = nodes,
       parts = data.frame(name = names(nodes), kind = "rope", role = role))
   }
   fork <- list(a = 1:3, b = 3:5, c = c(3L, 7L), d = c(7L, 9L))
-  expect_identical(rope_lines_end_to_end(lattice(fork, "bridle"), 1:4), c(1L, 2L, 3L, 3L))
-  expect_identical(rope_lines_end_to_end(lattice(fork, NA), 1:4), 1:4)
+  expect_identical(rope_lines_end_to_end(mesh(fork, "bridle"), 1:4), c(1L, 2L, 3L, 3L))
+  expect_identical(rope_lines_end_to_end(mesh(fork, NA), 1:4), 1:4)
   ring <- list(b = 2:3, a = 1:2, c = c(3L, 1L), loop = c(8L, 9L, 8L))
-  expect_identical(rope_lines_end_to_end(lattice(ring, "ring"), 1:4), c(1L, 1L, 1L, 4L))
+  expect_identical(rope_lines_end_to_end(mesh(ring, "ring"), 1:4), c(1L, 1L, 1L, 4L))
 })

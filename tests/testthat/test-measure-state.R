@@ -1,4 +1,4 @@
-test_that("every measure ends in its unit, and has its definition", {
+test_that("measures end in their unit and have a definition", {
   for (state in lapply(shipped_states, shipped_state)) {
     found <- measures(state)
     expect_true(all(is.finite(found)))
@@ -11,7 +11,7 @@ test_that("every measure ends in its unit, and has its definition", {
   }
 })
 
-test_that("measures of the plan come first, in its order", {
+test_that("measures of the plan come first in its order", {
   expect_equal(
     names(measures(settled("crossing_cables"))),
     c("sag_m", "edge_tension_kN", "total_drag_kN", "largest_rope_tension_kN", "least_depth_m",
@@ -19,8 +19,8 @@ test_that("measures of the plan come first, in its order", {
   )
 })
 
-test_that("a midwater trawl has the field's measures", {
-  # of fewer nodes than this the panels' lattices are no mirror images of each other
+test_that("midwater trawl has the usual measures of the trade", {
+  # with fewer nodes the panels' meshes are not mirror images of each other
   found <- measures(settled("midwater_trawl"))
   expect_true(all(c(
     "door_spread_m", "net_mouth_height_m", "wing_end_spread_m", "mouth_area_m2", "total_drag_kN",
@@ -36,33 +36,34 @@ test_that("a midwater trawl has the field's measures", {
     found[["swept_area_km2_per_h"]], found[["wing_end_spread_m"]] * metres * 0.0036,
     tolerance = 1e-7
   )
-  # the gear is a mirror image of itself; the solver ends at 1e-8 of the largest tension
+  # the gear is symmetric; the solver's tolerance is 1e-8 of the largest tension
   expect_equal(
     found[["warp_tension_port_kN"]], found[["warp_tension_starboard_kN"]], tolerance = 1e-5
   )
 })
 
-test_that("a measure of the plan hides the general one of its name", {
+test_that("measure of the plan replaces the general measure with its name", {
   gear <- update(read_gear("crossing_cables"), measures.greatest_depth = list(depth = "west_south"))
   expect_equal(sum(names(measures(settle(gear))) == "greatest_depth_m"), 1)
   expect_equal(measures(settle(gear))[["greatest_depth_m"]], 0)
 })
 
-test_that("filtered volume takes the water's speed at the mouth's depth", {
-  state <- list(lattice = sketched_lattice(mesh = list(
+test_that("filtered volume uses the water speed at the mouth's depth", {
+  state <- list(mesh = sketched_mesh(model = list(
     water = list(depth = c(0, 100), x = c(2, 1), y = c(0, 0))
   )))
   expect_equal(water_velocity(state, 25), c(1.75, 0))
   expect_equal(water_velocity(state, 500), c(1, 0))
 })
 
-test_that("measures show as words and units", {
+test_that("measure_labels() returns words and units", {
   found <- new_measures(
     list(door_spread_m = 30, swept_area_km2_per_h = 100, a_kN_m = 1),
-    c(asked_kinds()["spread"], standard_measures["swept_area"], asked_kinds()["length"]),
+    c(user_measure_kinds()["spread"], standard_measures["swept_area"],
+      user_measure_kinds()["length"]),
     c(door_spread_m = 1, swept_area_km2_per_h = 1, a_kN_m = 1), FALSE
   )
-  said <- measure_words(found)
+  said <- measure_labels(found)
   expect_equal(said$words, c("door spread", "swept area", "a kN"))
   expect_equal(said$unit, c("m", "km2/h", "m"))
   # 100 m2/s are 3600 x 100 m2 an hour
@@ -81,20 +82,20 @@ test_that("measures are numbers that keep their units", {
   expect_identical(capture.output(print(found)), capture.output(print(unlist(as.list(found)))))
 })
 
-test_that("every kind of measure that a plan may ask for is defined, and no other", {
+test_that("measure_definitions() covers exactly the kinds a plan may request", {
   fields <- kind_node("assembly")$properties$measures$additionalProperties$properties
   defined <- measure_definitions()
-  expect_setequal(defined$name[defined$asked], names(fields))
+  expect_setequal(defined$name[defined$user_defined], names(fields))
   for (kind in names(fields)) {
-    expect_true(startsWith(fields[[kind]]$description, asked_kinds()[[kind]]$definition))
+    expect_true(startsWith(fields[[kind]]$description, user_measure_kinds()[[kind]]$definition))
   }
   for (unit in defined$unit) expect_gt(unit_size(unit), 0)
   expect_false(anyDuplicated(defined$name) > 0)
-  # a sentence each, in one line
+  # one sentence in one line
   expect_match(defined$definition, "^[A-Z][^\n]{15,}[.]$")
 })
 
-test_that("every measure says what it is, and most how a sensor sees it", {
+test_that("measure_definitions() describes most measures as a sensor sees them", {
   defined <- measure_definitions()
   told <- defined$sensor[!is.na(defined$sensor)]
   expect_gt(length(told), nrow(defined) / 2)
@@ -105,7 +106,7 @@ test_that("every measure says what it is, and most how a sensor sees it", {
   expect_identical(of_state$sensor, defined$sensor[match(kind, defined$name)])
 })
 
-test_that("a record of a state goes into JSON and back", {
+test_that("state_record() survives JSON", {
   state <- settled("towed_cable")
   record <- state_record(state)
   back <- jsonlite::fromJSON(jsonlite::toJSON(record, auto_unbox = TRUE, digits = NA))
@@ -115,23 +116,23 @@ test_that("a record of a state goes into JSON and back", {
   expect_equal(unlist(back$measures), unlist(as.list(measures(state))))
 })
 
-test_that("a state of 3,700 nodes takes at most 0.3 MB in a file", {
+test_that("state of 3,700 nodes takes at most 0.3 MB in a file", {
   state <- settled("midwater_trawl", nodes = 3700)
   measures(state)
-  expect_gt(state$lattice$nodes, 3500)
+  expect_gt(state$mesh$nodes, 3500)
   file <- file.path(test_folder(), "state.rds")
   saveRDS(state, file, compress = FALSE)
   expect_lt(file.size(file), 3e5)
 })
 
-test_that("a state that was saved computes the same mesh, forces and measures", {
+test_that("saved state computes the same mesh, forces and measures", {
   for (name in c("poly_noreastern_trawl", "stow_net", "cage", "longline", "purse_seine")) {
     state <- settled(name, nodes = 300)
     again <- unserialize(serialize(state, NULL))
-    for (field in setdiff(computed_fields, "lattice")) {
+    for (field in setdiff(computed_fields, "mesh")) {
       expect_identical(again[[field]], state[[field]])
     }
-    expect_identical(plain_lattice(again), plain_lattice(state))
+    expect_identical(plain_mesh(again), plain_mesh(state))
     expect_identical(measures(again), measures(state))
   }
 })

@@ -1,6 +1,6 @@
-# Measures of a gear that does not follow its vessel straight.
+# Measures of a gear in a turn.
 
-# Two weights on two cables, 6 m apart, with ropes between that make a mouth.
+# Two weights on two cables, 6 m apart, with ropes between them that form a mouth.
 towed_frame <- function() {
   gear("a towed frame", towing = list(speed = "2 m/s"),
     port = gear_point(position = c(0, -3, 0), held = "moved"),
@@ -24,8 +24,8 @@ towed_frame <- function() {
   )
 }
 
-test_that("a gear in a steady circle keeps its spread, and sweeps what its speed leaves it", {
-  rate <- 0.05  # rad/s: a circle of 40 m around which everything soon goes as one body
+test_that("gear in a steady circle keeps its spread and sweeps less", {
+  rate <- 0.05  # rad/s: a circle of 40 m radius on which everything soon moves as one body
   found <- tow(towed_frame(), until = 240, every = 120, accuracy = 1e-4,
     schedule = tow_schedule(
       course = data.frame(time = c(0, 10, 1010), value = c(0, 0, 1000 * rate))))
@@ -34,20 +34,20 @@ test_that("a gear in a steady circle keeps its spread, and sweeps what its speed
   turning <- measures(state)
   pair <- nodes_at(state, c("high_port", "high_starboard"))
   line <- apply(state$position[1:2, unlist(pair)], 1, diff)
-  # the frame has turned by some 20 deg against the vessel, which the distance does not feel
+  # the frame has rotated by about 20 deg relative to the vessel, which does not affect the distance
   expect_gt(abs(line[1] / line[2]), 0.3)
   expect_equal(turning[["wing_end_spread_m"]], sqrt(sum(line^2)))
   expect_lt(abs(turning[["wing_end_spread_m"]] / straight[["wing_end_spread_m"]] - 1), 0.1)
   expect_lt(abs(turning[["mouth_area_m2"]] / straight[["mouth_area_m2"]] - 1), 0.15)
 
-  # Of a body that turns about a centre the line between two points sweeps rate / 2 times the
-  # difference of their squared distances from it.
+  # For a body that rotates about a centre, the line between two points sweeps rate / 2 times the
+  # difference of their squared distances from the centre.
   centre <- c(0, 2 / rate)
   reach <- colSums((state$position[1:2, unlist(pair)] - centre)^2)
-  # the motion is steady to the 1e-4 m of a step of a second or so, on 2 m/s
+  # the motion is steady to 1e-4 m per step of about a second, on 2 m/s
   expect_equal(turning[["swept_area_km2_per_h"]], rate / 2 * abs(diff(reach)) * 0.0036,
     tolerance = 1e-3)
-  # the water stands still, so what flows through the mouth is what it passes over
+  # the water is at rest, so the flow through the mouth is the volume that it passes over
   nodes <- lapply(c("head", "right", "foot", "left"), function(rope) along_rope(state, rope)$node)
   outline <- nodes[[1L]]
   if (!outline[length(outline)] %in% nodes[[2L]]) outline <- rev(outline)
@@ -67,10 +67,10 @@ test_that("a gear in a steady circle keeps its spread, and sweeps what its speed
   )
 })
 
-test_that("a gear on a new course measures as on the old one", {
+test_that("gear on a new course has the measures of the old one", {
   found <- tow(towed_frame(), until = 200, every = 200, accuracy = 1e-4,
     schedule = tow_schedule(
       course = data.frame(time = c(0, 10, 40), value = c("0 deg", "0 deg", "70 deg"))))
-  # what is left after 160 s of the swing of a gear of 30 m
+  # the remaining oscillation of a gear of 30 m after 160 s
   expect_equal(measures(state_at(found, 200)), measures(state_at(found, 0)), tolerance = 1e-4)
 })

@@ -1,5 +1,5 @@
-# Calls that people get wrong: each stops at once with an error of codend's own, whose message is
-# kept in _snaps. No shape is computed first.
+# Common wrong calls. Each call throws an error of codend at once, with the message stored in
+# _snaps, before any shape is computed.
 
 wrong_calls <- expression(
   # reading and changing plans
@@ -34,7 +34,7 @@ wrong_calls <- expression(
   settle(g, from = 3), settle(g, accuracy = "1 m"), settle(g, accuracy = 0),
   settle(g, accuracy = "high"), settle(g, netting = "fine"), settle(g, netting = -1),
   settle(g, from = other), settle(g, accuracy = -1),
-  # what a state holds
+  # contents of a state
   measures(), measures(g), measures("towed_cable"), measures(NULL), measures(s)["door_spread"],
   measures(s)["total_drag"], measures(s)[["total_drag"]], measures(s)$total_drag,
   measures(s)[c("total_drag_kN", "x")], s$total_drag, s$total_drag_kN,
@@ -144,7 +144,7 @@ wrong_calls <- expression(
   force_coefficients(solidity = 0), force_coefficients(solidity = numeric()), haul_means(1, 5, 6)
 )
 
-test_that("wrong calls stop with an error of codend's that says what is wrong", {
+test_that("wrong calls throw a codend error that explains the mistake", {
   local_reproducible_output(width = 80)
   kept <- setwd(test_folder())
   on.exit(setwd(kept))
@@ -166,7 +166,7 @@ test_that("wrong calls stop with an error of codend's that says what is wrong", 
     }, codend_error = function(e) {
       paste0("[", class(e)[1L], "] ", plain_message(e))
     }, error = function(e) paste("base error:", conditionMessage(e)))
-    # lists of what there is change with what there is
+    # lists of available items change when items are added
     said <- sub("(Shipped|Known here|Measures|units|must be any of|must be one of):? .*", "\\1 ...",
       said)
     paste0(paste(deparse(call, 500L), collapse = " "), "\n  ", said)

@@ -1,8 +1,8 @@
-# Words of net makers in the short forms of trawls: discs, covers, grids, half meshes; and what is
-# said to those that a plan has not.
+# Net makers' terms in the short forms of trawls: discs, covers, grids, half meshes. Also errors for
+# terms that plans do not support.
 
 words_trawl <- function(...) {
-  update(new_plan("bottom_trawl", head_line = "25 m", depth = "80 m"), ...)
+  update(new_plan("bottom_trawl", headline = "25 m", depth = "80 m"), ...)
 }
 
 # A part's weight in water, kN.
@@ -11,19 +11,19 @@ weight_of <- function(state, pattern) {
   sum(table$weight_in_water_kN[grepl(pattern, table$part)])
 }
 
-test_that("discs weigh what cylinders of rubber weigh, and drag as they say", {
+test_that("discs have the weight of rubber cylinders and their given drag", {
   bare <- settle(words_trawl(ground_gear = list(
     length = "30.5 m", diameter = "16 mm", material = "steel_wire"
   )), nodes = 250)
   discs <- list(
-    list(diameter = "350 mm", width = "80 mm", spacing = "0.5 m", share = c(0.4, 0.6)),
-    list(number = 100, diameter = "120 mm", width = "60 mm", mass = "1 kg", share = c(0, 0.4)),
-    list(number = 100, diameter = "120 mm", width = "60 mm", mass = "1 kg", share = c(0.6, 1))
+    list(diameter = "350 mm", width = "80 mm", spacing = "0.5 m", extent = c(0.4, 0.6)),
+    list(number = 100, diameter = "120 mm", width = "60 mm", mass = "1 kg", extent = c(0, 0.4)),
+    list(number = 100, diameter = "120 mm", width = "60 mm", mass = "1 kg", extent = c(0.6, 1))
   )
   with <- settle(words_trawl(ground_gear = list(
     length = "30.5 m", diameter = "16 mm", material = "steel_wire", discs = discs
   )), nodes = 250)
-  # 0.2 of 30.5 m has room for 13, half a metre apart
+  # 0.2 of 30.5 m has space for 13, half a metre apart
   pieces <- assembly(with$gear)$plan$pieces
   expect_identical(as.integer(pieces$discs_1$number), 13L)
   full <- function(d, w) pi / 4 * d^2 * w
@@ -34,7 +34,7 @@ test_that("discs weigh what cylinders of rubber weigh, and drag as they say", {
   expect_gt(measures(with)[["ground_load_kN"]], measures(bare)[["ground_load_kN"]])
 })
 
-test_that("a cover weighs as the same netting alone does, and shares what the codend carries", {
+test_that("cover weighs as the same netting and shares the codend's load", {
   plain <- words_trawl()
   codend <- plain$plan$sections$codend
   layer <- codend[c("mesh_size", "meshes", "twine")]
@@ -44,8 +44,8 @@ test_that("a cover weighs as the same netting alone does, and shares what the co
     weight_of(doubled, "codend_second_layer$"), weight_of(doubled, "^(back|belly)_codend$"),
     tolerance = 1e-9
   )
-  # alike and laced edge to edge, the two carry alike; the sum is what one carried but for the
-  # drag of the second
+  # Identical layers, laced edge to edge, carry equal loads. Their sum is the load of one layer,
+  # except for the drag of the second.
   pull <- function(state, pattern) {
     lines <- as.data.frame(state, what = "tensions")
     lines <- lines[grepl(pattern, lines$part), ]
@@ -56,7 +56,7 @@ test_that("a cover weighs as the same netting alone does, and shares what the co
   expect_gt(measures(doubled)[["total_drag_kN"]], measures(once)[["total_drag_kN"]])
 })
 
-test_that("a chafer lies on the belly alone, and a half mesh is a mesh", {
+test_that("chafer covers only the belly and accepts half meshes", {
   gear <- words_trawl(sections.codend.covers = list(chafer = list(
     over = list("belly"), mesh_size = "120 mm",
     meshes = list(upper = 30.5, lower = 30.5, deep = 45),
@@ -74,7 +74,7 @@ test_that("a chafer lies on the belly alone, and a half mesh is a mesh", {
   )
 })
 
-test_that("a grid has its weight in water and its drag, around the section's rear edge", {
+test_that("grid has its weight in water and drag behind its section", {
   gear <- words_trawl(grids = list(nordmore = list(
     behind = "body", mass = "40 kg", area = "0.6 m2", drag_coefficient = 1.2
   )))
@@ -86,16 +86,16 @@ test_that("a grid has its weight in water and its drag, around the section's rea
     "tunnel")
 })
 
-test_that("words that a plan has not are answered with how to say them, or that it cannot", {
+test_that("unsupported terms throw an error that names the alternative", {
   said <- function(...) tryCatch(words_trawl(...), codend_error_plan = conditionMessage)
   expect_match(said(lifting_bag = list(mesh_size = "200 mm")), "`covers`", fixed = TRUE)
   expect_match(said(bobbins = list(number = 10)), "`discs` of the `ground_gear`", fixed = TRUE)
   expect_match(said(round_straps = list(number = 3)), "`cross_ropes`", fixed = TRUE)
-  expect_match(said(gussets = list(meshes = 10)), "cannot say it", fixed = TRUE)
-  expect_match(said(dropper_chains = "0.4 m"), "cannot say it", fixed = TRUE)
+  expect_match(said(gussets = list(meshes = 10)), "have no gussets", fixed = TRUE)
+  expect_match(said(dropper_chains = "0.4 m"), "does not model dropper chains", fixed = TRUE)
 })
 
-test_that("an empty list of floats is a trawl without floats", {
+test_that("empty list of floats gives a trawl without floats", {
   trawl <- read_gear("midwater_trawl")
   none <- gear_si(update(trawl, floats = list()))
   expect_identical(none$pieces, gear_si(update(trawl, floats = NULL))$pieces)

@@ -1,4 +1,4 @@
-# Shapes carried from lattice to lattice.
+# Transfer of shapes from mesh to mesh.
 
 tapered_panel <- function(deep = 30) {
   list(
@@ -18,47 +18,47 @@ tapered_panel <- function(deep = 30) {
   )
 }
 
-# The lattice with a shape that is linear in the panel's mesh coordinates, and the places of all
-# nodes in these.
+# The mesh with a shape that is linear in the panel's mesh coordinates, and these coordinates of all
+# nodes.
 drawn_flat <- function(si, nodes, netting) {
-  lattice <- build_lattice(si, nodes, netting)
+  mesh <- build_mesh(si, nodes, netting)
   table <- panel_table(si$panels)
-  at <- panel_places(table, division_of(lattice), panels_of(lattice))
+  at <- panel_places(table, division_of(mesh), panels_of(mesh))
   j <- at$t * table$deep
   left <- panel_left(table, j)
   i <- left + at$s * (panel_right(table, j) - left)
-  position <- matrix(NA_real_, 3L, engine_array(lattice, "nodes"))
+  position <- matrix(NA_real_, 3L, engine_array(mesh, "nodes"))
   position[, at$node] <- rbind(2 * i - j, i + 3 * j, 0.5 * j)
-  list(lattice = lattice, position = lattice_points(lattice, position), nodes = position)
+  list(mesh = mesh, position = mesh_points(mesh, position), nodes = position)
 }
 
-test_that("shapes linear in mesh coordinates are carried exactly, whatever the netting", {
+test_that("mesh transfer is exact for linear shapes with any netting element", {
   si <- gear_si(as_gear(tapered_panel()))
   for (from in c("cells", "bars")) {
     for (to in c("cells", "bars")) {
       coarse <- drawn_flat(si, 80, from)
       fine <- drawn_flat(si, 1000, to)
-      carried <- build_lattice(si, 1000, to, coarse[c("lattice", "position")])$start
+      carried <- build_mesh(si, 1000, to, coarse[c("mesh", "position")])$start
       free <- !engine_array(fine, "held")
       expect_gt(engine_array(fine, "nodes"), 4 * engine_array(coarse, "nodes"))
-      # Rounding of coordinates of some 100 meshes; knots nearly on an edge are moved onto it.
+      # Rounding of coordinates of about 100 meshes; knots close to an edge are moved onto it.
       expect_lt(max(abs(carried - fine$nodes)[, free]), if (to == "bars") 1e-6 else 1e-11)
     }
   }
 })
 
-test_that("a shape carried to the same division is the same shape", {
+test_that("mesh transfer to the same mesh keeps the shape", {
   si <- gear_si(as_gear(tapered_panel()))
-  lattice <- build_lattice(si, 200, "bars")
-  shape <- matrix(seq_len(3 * engine_array(lattice, "nodes")) / 7, 3L)
-  from <- list(lattice = lattice, position = lattice_points(lattice, shape))
-  again <- build_lattice(si, 200, "bars", from)
-  free <- !engine_array(lattice, "held")
+  mesh <- build_mesh(si, 200, "bars")
+  shape <- matrix(seq_len(3 * engine_array(mesh, "nodes")) / 7, 3L)
+  from <- list(mesh = mesh, position = mesh_points(mesh, shape))
+  again <- build_mesh(si, 200, "bars", from)
+  free <- !engine_array(mesh, "held")
   expect_identical(again$start[, free], shape[, free])
-  expect_identical(engine_array(again, "bars"), engine_array(lattice, "bars"))
+  expect_identical(engine_array(again, "bars"), engine_array(mesh, "bars"))
 })
 
-test_that("places of a panel lie between its sides", {
+test_that("panel_left() and panel_right() return the sides of a panel", {
   table <- panel_table(gear_si(as_gear(tapered_panel()))$panels)
   # 36 of 60 meshes lost over 30, half on each side
   expect_equal(panel_left(table, c(0, 10, 30)), c(0, 6, 18))

@@ -1,16 +1,16 @@
-test_that("a plan that asks for too many nodes is refused before anything is allocated", {
+test_that("settle() rejects too many nodes before allocating memory", {
   panel <- read_gear("flat_panel")
   many <- function(...) panel |> update(...)
   # 9000 x 9000 triangles have as many nodes
   huge <- many(panels.netting.columns = 9000, panels.netting.rows = 9000)
   before <- gc(reset = TRUE)
-  error <- expect_error(settle(huge), "8.1e+07 nodes, which would take about 810 GB of memory",
+  error <- expect_error(settle(huge), "8.1e+07 nodes (about 810 GB of memory)",
     class = "codend_error_plan", fixed = TRUE)
-  # Mb at most since the reset, beyond what was there: R's own and the check's, but no lattice
+  # maximum Mb since the reset, above the initial value: R's own and the check's memory, but no mesh
   expect_lt(sum(gc()[, 6]) - sum(before[, 2]), 50)
   expect_identical(error$path, "panels.netting")
   expect_refused(tow(huge, until = 1), "nodes")
-  # a design of a study that cannot be is a row with its reason
+  # an impossible design of a study is a row with its reason
   some <- suppressWarnings(
     vary(panel, panels.netting.columns = c(10, 9000), panels.netting.rows = 10, nodes = 50))
   expect_identical(some$settled, c(TRUE, TRUE))
@@ -19,18 +19,18 @@ test_that("a plan that asks for too many nodes is refused before anything is all
   expect_wrong(settle(panel, nodes = 1e9), "at most")
 })
 
-test_that("what is allowed by the quick bound is allowed by the exact count", {
+test_that("quick node bound accepts every plan that the exact count accepts", {
   for (name in gears()$name) {
     si <- gear_si(read_gear(name))
-    # what the plan leaves open gets as few nodes as can be
+    # ropes without segments get the minimum number of nodes
     least <- sum(engine_node_counts(gear_numbers(si), 1)$nodes)
     open <- sum(vapply(si$ropes, function(rope) is.null(rope$segments), NA))
-    # a rope that is left open has four bars at least
+    # such a rope has at least four bars
     expect_lte(least, divided_at_most(si) + 4 * open, label = name)
   }
 })
 
-test_that("counts in plans are bounded before a short form is expanded", {
+test_that("plan counts have upper bounds before a short form expands", {
   longline <- read_gear("longline")
   for (baskets in c(1e6, 1e12, 999)) {
     expect_refused(update(longline, baskets = baskets), "baskets")

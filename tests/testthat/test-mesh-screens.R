@@ -1,4 +1,4 @@
-# Netting of hexagons, as a screen and with stiff meshes: forces of panels in a known flat shape.
+# Hexagonal netting, netting screens and stiff meshes: forces of panels in a known flat shape.
 
 flat_net <- function(..., water = list()) {
   net <- list(
@@ -12,25 +12,26 @@ flat_net <- function(..., water = list()) {
   )))
 }
 
-# Forces where the panel lies flat with cells `across` wide and `down` deep (m, of one mesh), at an
-# angle to the flow along x (0: along it); inner: offset of the inner nodes, over the panel's depth.
+# Forces on the flat panel with cells `across` wide and `down` deep (m, of one mesh), at an angle to
+# the flow along x (0: along it). `inner` is the offset of the inner nodes, as a fraction of the
+# panel's depth.
 lay_flat <- function(si, across, down, angle, speed = 0, inner = 0) {
   si$towing$speed <- speed
-  lattice <- build_lattice(si)
-  grid <- panel_of(lattice, "net")$grid
-  cells <- engine_array(lattice, "cells")
+  mesh <- build_mesh(si)
+  grid <- panel_of(mesh, "net")$grid
+  cells <- engine_array(mesh, "cells")
   net <- si$panels$net
   s <- (row(grid) - 1) / (nrow(grid) - 1) * net$upper * across
   t <- (col(grid) - 1) / (ncol(grid) - 1) * net$deep * down
-  x <- matrix(0, 3L, engine_array(lattice, "nodes"))
+  x <- matrix(0, 3L, engine_array(mesh, "nodes"))
   way <- c(cos(angle), 0, -sin(angle))
   x[, grid] <- outer(way, as.vector(t)) + outer(c(0, 1, 0), as.vector(s))
   some <- cells$inner > 0
   corners <- matrix(cells$node, 4L)[, some, drop = FALSE]
   middle <- (x[, corners[1, ]] + x[, corners[2, ]] + x[, corners[3, ]]) / 3
   x[, cells$inner[some]] <- middle + way * inner
-  c(list(x = x, lattice = lattice, si = si),
-    engine_evaluate(engine_array(lattice), as.vector(x), numeric(length(x))))
+  c(list(x = x, mesh = mesh, si = si),
+    engine_evaluate(engine_array(mesh), as.vector(x), numeric(length(x))))
 }
 
 test_that("hexagonal netting has the twine, weight and drag of its bars", {
@@ -82,8 +83,8 @@ test_that("hexagonal netting has the twine, weight and drag of its bars", {
 })
 
 test_that("stretched hexagonal netting carries a load along its bars", {
-  # Gathered at both ends, all bars lie along one line: each of 12 straight bars across carries a
-  # twelfth of the load and each oblique one half of that. In air, without weight.
+  # Gathered at both ends, all bars are parallel. Each of 12 straight bars across carries 1/12 of
+  # the load, and each oblique bar 1/24. In air, without weight.
   plan <- list(
     codend = 1, name = "Bundle", water = list(density = 0),
     points = list(nail = list(position = c(0, 0, 0), held = "fixed"),
@@ -99,14 +100,14 @@ test_that("stretched hexagonal netting carries a load along its bars", {
     )
   )
   state <- settle(as_gear(plan))
-  # the solver's tolerance of 1e-8, and the netting's 1e-7 of the load as weight
+  # the solver's tolerance of 1e-8, and the netting's weight of 1e-7 of the load
   expect_equal(range(state$straight_tension), c(100, 100), tolerance = 1e-6)
   expect_equal(range(state$u_tension, state$v_tension), c(50, 50), tolerance = 1e-6)
   stretched <- 20 * 2 * (0.02 * (1 + 100 / 1e4) + 0.04 * (1 + 50 / 1e4))
   expect_equal(-state$position[3, nodes_at(state, "load")], stretched, tolerance = 1e-7)
 })
 
-test_that("a panel as a screen has the drag and lift of the formula at its real solidity", {
+test_that("panel as a screen follows the formula at its real solidity", {
   ratio <- 0.5
   across <- 0.12 * ratio
   down <- 0.12 * sqrt(1 - ratio^2)
@@ -114,7 +115,7 @@ test_that("a panel as a screen has the drag and lift of the formula at its real 
   for (knot in c(0, 0.006)) {
     knots <- if (knot > 0) list(knotted = TRUE, knot_diameter = knot) else list()
     twine <- 24 * 36 * (4 * 0.06 * 0.002 + 2 * pi / 4 * knot^2)
-    # each of the 2 x 24 x 36 crossings without a knot hides a rhombus of the twine's width across
+    # each of the 2 x 24 x 36 crossings without a knot hides a rhombus of the twine's width
     between <- 2 * asin(ratio)
     crossings <- if (knot > 0) 0 else 24 * 36 * 2 * 0.002^2 / sin(between)
     sn <- (twine - crossings) / area
@@ -141,13 +142,13 @@ test_that("a panel as a screen has the drag and lift of the formula at its real 
       flat <- lay_flat(si, across, down, pi / 2 - theta, 0.7)
       expect_equal(sum(abs(flat$forces$cell_drag)) + sum(abs(flat$forces$sphere_drag)), 0)
       force <- rowSums(matrix(flat$forces$screen_force, 3L)) / (0.5 * 1025 * area * 0.7^2)
-      # the normal that faces downstream points along x and up, so lift goes up
+      # the normal that faces downstream points along x and up, so lift acts upwards
       expect_equal(force, c(wanted[[law]][1], 0, wanted[[law]][2]), tolerance = 1e-10)
     }
   }
 })
 
-test_that("blended netting passes from its twines to the screen and back", {
+test_that("blended drag changes from twines to the screen model and back", {
   force <- function(law, ratio, theta, diameter = 0.002) {
     si <- flat_net(netting_drag = law, twine = list(diameter = diameter))
     flat <- lay_flat(si, 0.12 * ratio, 0.12 * sqrt(1 - ratio^2), pi / 2 - theta, 0.7)
@@ -156,7 +157,7 @@ test_that("blended netting passes from its twines to the screen and back", {
   degrees <- pi / 180
   # the same sums in another order
   for (theta in c(0, 40, 59)) {
-    expect_equal(force("blended", 0.4, theta * degrees), force("twines", 0.4, theta * degrees),
+    expect_equal(force("blended", 0.4, theta * degrees), force("morison", 0.4, theta * degrees),
       tolerance = 1e-11)
   }
   for (theta in c(81, 88)) {
@@ -164,29 +165,29 @@ test_that("blended netting passes from its twines to the screen and back", {
       force("kristiansen_faltinsen", 0.4, theta * degrees), tolerance = 1e-11)
   }
   # a solidity of 4 / 3
-  expect_equal(force("blended", 0.025, 85 * degrees), force("twines", 0.025, 85 * degrees),
+  expect_equal(force("blended", 0.025, 85 * degrees), force("morison", 0.025, 85 * degrees),
     tolerance = 1e-11)
   between <- force("blended", 0.4, 70 * degrees)[1]
-  ends <- c(force("twines", 0.4, 70 * degrees)[1],
+  ends <- c(force("morison", 0.4, 70 * degrees)[1],
     force("kristiansen_faltinsen", 0.4, 70 * degrees)[1])
   expect_gt(between, min(ends))
   expect_lt(between, max(ends))
   # Netting of a solidity of 0.025, d / (a h sqrt(1 - h^2)) with bars a and hanging ratio h, is half
-  # a screen: halfway up a rise that is the same seen from either end.
+  # a screen: the middle of a point-symmetric ramp.
   thin <- 0.025 * 0.06 * 0.4 * sqrt(1 - 0.4^2)
   expect_equal(force("blended", 0.4, 85 * degrees, thin),
-    (force("twines", 0.4, 85 * degrees, thin) +
+    (force("morison", 0.4, 85 * degrees, thin) +
       force("kristiansen_faltinsen", 0.4, 85 * degrees, thin)) / 2, tolerance = 1e-11)
 })
 
-test_that("the force of stiff meshes is what their energy says", {
+test_that("opening force of stiff meshes is the derivative of their energy", {
   for (orientation in c("diamond", "turned")) {
     net <- function(...) flat_net(orientation = orientation, water = list(density = 0), ...)
     plain <- net()
     si <- net(opening_stiffness = list(couple = 2e-3, angle = 1.2))
-    # Work of the forces where the panel is pulled wider, against the energy's change: 1/2 H (b -
-    # b0)^2 of every knot, b the angle between its twines, which widening opens (across the panel,
-    # where turned, it closes).
+    # Work of the forces during widening of the panel, compared with the change of energy,
+    # 1/2 H (b - b0)^2 per knot. The angle b between twines opens with the width (in turned netting
+    # it closes).
     width <- 0.055
     depth <- 0.11
     energy <- function(width) {
@@ -196,31 +197,31 @@ test_that("the force of stiff meshes is what their energy says", {
     }
     flat <- lay_flat(si, width, depth, 1)
     wider <- lay_flat(si, width + 1e-3, depth, 1)$x - flat$x
-    # the bars are taut at 123 mm on 120 mm; without the couples only they pull
+    # the bars are taut at 123 mm on 120 mm; without the couples only their tension acts
     couples <- flat$force - lay_flat(plain, width, depth, 1)$force
     work <- sum(couples * wider) / 1e-3
     h <- 1e-5
-    # second order at h: 1e-8; sin b rounded by 0.02 at 1 changes the couple by some 0.02^2 / 2
+    # second order at h: 1e-8; sin b smoothed by 0.02 at 1 changes the couple by about 0.02^2 / 2
     expect_equal(work, -(energy(width + h) - energy(width - h)) / (2 * h), tolerance = 2e-3)
   }
 })
 
-test_that("stiff knots of bars have their couples on sheets that hold all of them", {
+test_that("sheets between bars include the couples of all stiff knots", {
   si <- flat_net(opening_stiffness = list(couple = 1, angle = 1))
-  lattice <- build_lattice(si, netting = "bars")
-  cells <- build_lattice(si, netting = "cells")
+  mesh <- build_mesh(si, netting = "bars")
+  cells <- build_mesh(si, netting = "cells")
   # area of the triangles in twine coordinates (m) times their multiplicity: knots, as in cells
-  knots <- function(lattice) {
-    openings <- lattice$mesh$openings
+  knots <- function(mesh) {
+    openings <- mesh$model$openings
     at <- cell_twine_places(list(twine = openings$twine), seq_along(openings$couple))
     sum(cell_area(at$u, at$v) * openings$multiplicity)
   }
-  expect_equal(knots(lattice), knots(cells), tolerance = 1e-9)
+  expect_equal(knots(mesh), knots(cells), tolerance = 1e-9)
 })
 
-test_that("netting of hexagons is not made of bars", {
+test_that("hexagonal netting always uses cells", {
   si <- flat_net(orientation = "hexagonal")
-  expect_identical(build_lattice(si, netting = "bars")$panels$net$netting, "cells")
+  expect_identical(build_mesh(si, netting = "bars")$panels$net$netting, "cells")
   expect_equal(si$panels$net$straight_bar, 0.03)
 })
 
@@ -231,24 +232,24 @@ test_that("turned netting of plain twine settles as diamonds do", {
     settled("panel_in_current")$position)
 })
 
-test_that("hexagons are summed over their twines where the plan is blended", {
+test_that("hexagonal netting in a blended plan uses twine-by-twine drag", {
   plan <- function(panel, whole = "blended") {
     text <- spoil("twine: {", paste0("orientation: hexagonal", panel, "\n    twine: {"))
     gear_si(update(read_text(text), netting_drag = whole))$panels$net$netting_drag
   }
-  expect_identical(plan(""), "twines")
+  expect_identical(plan(""), "morison")
   expect_identical(plan("", "loland"), "loland")
   expect_refused(plan("\n    netting_drag: blended"), "netting_drag")
 })
 
-test_that("fields of hexagons are refused where they mean nothing", {
+test_that("check rejects fields of hexagons in other netting", {
   expect_plan_error("twine: {", "straight_bar: 10 mm\n    twine: {", "panels.net.straight_bar",
     "`panels.net.orientation` is diamond")
   expect_plan_error("twine: {", "orientation: hexagonal\n    straight_bar: 50 mm\n    twine: {",
-    "panels.net.straight_bar", "less than half the mesh size, 0.05 m")
+    "panels.net.straight_bar", "less than half the mesh size, 50 mm")
 })
 
-test_that("sheets between bars cover their panel and have the drag of cells", {
+test_that("sheets between bars cover their panel and match cells' drag", {
   shapes <- list(
     rectangle = list(), tapered = list(meshes = list(upper = 24, lower = 11, deep = 36)),
     pointed = list(meshes = list(upper = 24, lower = 0, deep = 36)),
@@ -264,16 +265,16 @@ test_that("sheets between bars cover their panel and have the drag of cells", {
       way <- c(cos(pi / 2 - theta), 0, -sin(pi / 2 - theta))
       force <- lapply(c("cells", "bars"), function(netting) {
         si$towing$speed <- 0.7
-        lattice <- build_lattice(si, nodes = 150, netting = netting)
-        drawn <- panel_of(lattice, "net")
-        x <- matrix(0, 3L, engine_array(lattice, "nodes"))
+        mesh <- build_mesh(si, nodes = 150, netting = netting)
+        drawn <- panel_of(mesh, "net")
+        x <- matrix(0, 3L, engine_array(mesh, "nodes"))
         put <- function(node, i, j) {
           inside <- node <= ncol(x) & node > 0
           x[, node[inside]] <<- outer(way, j[inside] * size[2]) +
             outer(c(0, 1, 0), i[inside] * size[1])
         }
-        # all nodes lie on the panel's edges or are knots
-        division <- division_of(lattice)
+        # all nodes are on the panel's edges or are knots
+        division <- division_of(mesh)
         edge <- rep(1:4, division$count)
         f <- division$fraction
         j <- c(0, net$deep, NA, NA)[edge]
@@ -290,12 +291,12 @@ test_that("sheets between bars cover their panel and have the drag of cells", {
           i <- panel_left(net, j) + s * (panel_right(net, j) - panel_left(net, j))
           put(as.vector(drawn$grid), as.vector(i), as.vector(j))
         }
-        found <- engine_evaluate(engine_array(lattice), as.vector(x), numeric(length(x)))
-        area <- if (law == "aarsnes") sum(engine_array(lattice, "screens", "twine_area")) else {
-          twine <- matrix(engine_array(lattice, "blended", "twine"), 8L)
+        found <- engine_evaluate(engine_array(mesh), as.vector(x), numeric(length(x)))
+        area <- if (law == "aarsnes") sum(engine_array(mesh, "screens", "twine_area")) else {
+          twine <- matrix(engine_array(mesh, "blended", "twine"), 8L)
           sum(cell_area(twine[c(1, 3, 5, 7), ], twine[c(2, 4, 6, 8), ]))
         }
-        # all of the panel's twine, and no more
+        # exactly the panel's twine
         expect_equal(area, meshes * if (law == "aarsnes") {
           0.12 * (if (name == "square") 1 else 2) * 0.002
         } else if (name == "square") 1 else 2, tolerance = 1e-9, label = paste(name, netting))
@@ -303,7 +304,7 @@ test_that("sheets between bars cover their panel and have the drag of cells", {
         rowSums(matrix(
           found$forces[[if (law == "aarsnes") "screen_force" else "blended_force"]], 3L))
       })
-      # the same flat panel, divided otherwise: sums of some hundred terms in another order
+      # the same flat panel with another mesh: sums of some hundred terms in another order
       expect_equal(force[[2]], force[[1]], tolerance = 1e-9, label = paste(name, law))
     }
   }

@@ -1,6 +1,6 @@
-# Edges held on a line and pieces from end to end, by hand.
+# Edges fixed on a line and pieces from end to end, compared with values by hand.
 
-# Two panels side by side on one beam, of 30 and 10 meshes, in air.
+# Two panels next to each other on one beam, of 30 and 10 meshes, in air.
 beam_plan <- function(netting, orientation = "diamond") {
   panel <- function(upper) {
     list(
@@ -26,24 +26,24 @@ beam_plan <- function(netting, orientation = "diamond") {
   )
 }
 
-test_that("meshes are held evenly on the line between the points, in both nettings", {
+test_that("meshes are distributed evenly along a beam in both nettings", {
   for (netting in c("cells", "bars")) {
     si <- gear_si(as_gear(beam_plan(netting)))
-    lattice <- build_lattice(si, nodes = 400)
-    edge <- held_edge_of(lattice, "beam")
-    expect_identical(sum(engine_array(lattice, "held")), length(edge$node))
-    expect_identical(edge$node[c(1, length(edge$node))], nodes_at(lattice, c("port", "starboard")))
-    # 30 and 10 meshes: the corner between the panels is three quarters of the way
-    corner <- nodes_at(lattice, "small.upper_left")
+    mesh <- build_mesh(si, nodes = 400)
+    edge <- held_edge_of(mesh, "beam")
+    expect_identical(sum(engine_array(mesh, "held")), length(edge$node))
+    expect_identical(edge$node[c(1, length(edge$node))], nodes_at(mesh, c("port", "starboard")))
+    # 30 and 10 meshes: the corner between the panels is at three quarters
+    corner <- nodes_at(mesh, "small.upper_left")
     expect_equal(edge$at[edge$node == corner], 0.75, tolerance = 1e-12)
     expect_equal(
-      start_of(lattice)[, edge$node], c(1, -1, 5) + outer(c(1, 2, 1), edge$at), tolerance = 1e-12
+      start_of(mesh)[, edge$node], c(1, -1, 5) + outer(c(1, 2, 1), edge$at), tolerance = 1e-12
     )
     expect_gt(length(edge$node), 8)
   }
 })
 
-test_that("the points of a beam bear what hangs from it, with its moments", {
+test_that("beam points carry the netting's load and moments", {
   for (netting in c("cells", "bars")) {
     state <- settle(as_gear(beam_plan(netting)), nodes = 200)
     reactions <- as.data.frame(state, what = "reactions")
@@ -64,20 +64,20 @@ test_that("the points of a beam bear what hangs from it, with its moments", {
     corner <- state$position[, nodes_at(state, "corner"), drop = FALSE]
     arms <- cbind(at, points, corner)
     forces <- cbind(pull, rbind(0, 0, -weight), c(0, 0, -20))
-    # 1e-8 of a tension of some 10 N on some 200 nodes, with arms of some 5 m
+    # 1e-8 of a tension of about 10 N on about 200 nodes, with arms of about 5 m
     expect_lt(max(abs(rowSums(forces))), 1e-4)
     expect_lt(max(abs(moment(arms, forces))), 5e-4)
   }
 })
 
-test_that("four edges held on a frame hold all but the inside", {
+test_that("frame fixes all four edges and leaves the inside free", {
   at <- function(y, z) list(position = c(0, y, z), held = "moved")
   frame <- as_gear(list(
     codend = 1, name = "Netting on a frame", towing = list(speed = 1),
     points = list(a = at(-0.5, 0), b = at(0.5, 0), c = at(-0.5, -1), d = at(0.5, -1)),
     panels = list(net = list(
       mesh_size = 0.1, meshes = list(upper = 20, lower = 20, deep = 20), orientation = "square",
-      # as heavy as water
+      # neutral in water
       twine = list(diameter = 0.002, axial_stiffness = 4000, mass_per_length = 1025 * pi * 0.001^2),
       knotted = FALSE, netting = "bars", columns = 8, bar_segments = 1
     )),
@@ -91,14 +91,14 @@ test_that("four edges held on a frame hold all but the inside", {
   state <- settle(frame)
   expect_identical(sum(engine_array(state, "held")), 32L)
   remainder <- utils::tail(balance_table(state), 1)
-  # kN: 1e-8 of a tension of some 10 N on 49 free knots
+  # kN: 1e-8 of a tension of about 10 N on 49 free knots
   expect_lt(max(abs(remainder[-1])), 1e-8)
-  # a square frame across the flow: each corner bears a quarter
+  # a square frame across the flow: each corner carries a quarter
   pull <- as.data.frame(state, what = "reactions")$x_kN
   expect_equal(pull, rep(sum(pull) / 4, 4), tolerance = 1e-6)
 })
 
-test_that("a beam does not run through a place that is held already", {
+test_that("check rejects a beam through a fixed position", {
   plan <- beam_plan("cells")
   plan$points$post <- list(at = "small.upper_left", position = c(0, 0, 5), held = "fixed")
   error <- tryCatch(settle(as_gear(plan)), codend_error_plan = identity)
@@ -107,7 +107,7 @@ test_that("a beam does not run through a place that is held already", {
   expect_match(conditionMessage(error), "held already", fixed = TRUE)
 })
 
-test_that("pieces from end to end sit one at each end and evenly between", {
+test_that("pieces with `end_to_end` are placed at both ends and evenly between", {
   chain <- function(number, share = NULL) {
     si <- gear_si(gear("Floats",
       port = gear_point(c(0, -1, 0), "fixed"), starboard = gear_point(c(0, 1, 0), "fixed"),
@@ -116,10 +116,10 @@ test_that("pieces from end to end sit one at each end and evenly between", {
       floats = piece(along = "line", share = share, number = number, end_to_end = TRUE,
         mass = 2, drag_area = 0.1)
     ))
-    lattice <- build_lattice(si)
-    drag_area <- engine_array(lattice, "spheres", "drag_area")
+    mesh <- build_mesh(si)
+    drag_area <- engine_array(mesh, "spheres", "drag_area")
     expect_equal(sum(drag_area), 0.1 * number, tolerance = 1e-14)
-    engine_array(lattice, "mass")[along_rope(lattice, "line")$node]
+    engine_array(mesh, "mass")[along_rope(mesh, "line")$node]
   }
   expect_equal(chain(7), rep(2, 7), tolerance = 1e-14)
   expect_equal(chain(2), c(2, 0, 0, 0, 0, 0, 2), tolerance = 1e-14)
@@ -129,14 +129,14 @@ test_that("pieces from end to end sit one at each end and evenly between", {
   expect_equal(chain(3, c(1 / 3, 1 / 2)), c(0, 0, 3, 3, 0, 0, 0), tolerance = 1e-14)
 })
 
-test_that("what finds places keeps nothing of the lattice's building", {
+test_that("place function does not keep data of the mesh construction", {
   si <- gear_si(read_gear("flat_panel"))
-  size <- function(nodes) length(serialize(build_lattice(si, nodes = nodes)$place, NULL))
+  size <- function(nodes) length(serialize(build_mesh(si, nodes = nodes)$place, NULL))
   expect_identical(size(5000), size(50))
 })
 
-test_that("knotted netting weighs what the published table says, with both kinds of netting", {
-  # J. Prado and P. Y. Dremiere, Fisherman's Workbook (FAO 1990): weight over that of knotless
+test_that("knotted netting has the published weight with both netting elements", {
+  # J. Prado and P. Y. Dremiere, Fisherman's Workbook (FAO 1990): ratio of the weight to knotless
   # netting, by mesh size (mm) and twine diameter (mm), two decimals
   published <- data.frame(
     mesh = c(20, 50, 100, 120, 200, 400), twine = c(0.25, 2, 1, 4, 3, 4),
@@ -151,15 +151,15 @@ test_that("knotted netting weighs what the published table says, with both kinds
       )), points = list(nail = list(at = "net.upper_left", position = c(0, 0, 0), held = "fixed"))
     ))
   }
-  mass <- function(gear, netting) sum(build_lattice(gear_si(gear), 300, netting)$mesh$mass)
+  mass <- function(gear, netting) sum(build_mesh(gear_si(gear), 300, netting)$model$mass)
   for (netting in c("bars", "cells")) {
     ratio <- mapply(function(mesh, twine) {
       mass(plan(mesh, twine, TRUE), netting) / mass(plan(mesh, twine, FALSE), netting)
     }, published$mesh, published$twine)
-    # what is printed is rounded to 0.01
+    # published values are rounded to 0.01
     expect_lt(max(abs(ratio - published$ratio)), 0.0051)
   }
-  # square meshes have one knot to two bars, as diamonds have
+  # square meshes have one knot per two bars, as diamonds have
   square <- function(knotted) mass(plan(50, 2, knotted, "square"), "bars")
   expect_equal(square(TRUE) / square(FALSE), 1 + 16 * 2 / 50, tolerance = 1e-10)
 })
