@@ -1,6 +1,6 @@
-# Names that users have beside codend's.
+# Names that users have next to codend's names.
 
-test_that("no export has the name of a function of the packages most used with it", {
+test_that("exports do not clash with common packages", {
   lines <- strsplit(readLines(test_path("reference", "common-names.txt")), " ", fixed = TRUE)
   known <- stats::setNames(lapply(lines, `[`, -1L), sub(":$", "", vapply(lines, `[`, "", 1L)))
   expect_true(all(c("dplyr", "tibble", "ggplot2") %in% names(known)))

@@ -1,4 +1,4 @@
-# Gear that is shot: how it lies, when it is let go, how it sinks.
+# Gear that is shot: its layout, its release and its sinking.
 
 # A rope of 200 m that is shot along a half circle to port, between fixed points at its ends.
 shot_chain <- function() {
@@ -15,25 +15,25 @@ shot_chain <- function() {
   )
 }
 
-test_that("a rope that is shot sinks as fast as its drag lets it", {
+test_that("shot rope sinks at the terminal speed of its drag", {
   chain <- update(shot_chain(), shooting.speed = 100)
   sunk <- tow(chain, until = 12, every = 12, accuracy = 0.001)
   weight <- 9.81 * (1 - 1025 * 0.0003)
   terminal <- sqrt(weight / (0.5 * 1025 * 1.2 * 0.02))
-  # Far from its ends it is level and free, but for their pull inward along the arc, which makes the
-  # rope move across too: drag along z is 1/2 rho C d |v| v_z.
+  # Far from its ends it is level and free, except for their tension inward along the arc, which
+  # also moves the rope sideways. Drag along z is 1/2 rho C d |v| v_z.
   state <- state_at(sunk, 12)
   v <- state$velocity[, nodes_at(state, "chain[0.5]")]
-  # ripples of 0.001 m over steps of 0.1 s or so are 1 % of the speed
+  # ripples of 0.001 m over steps of about 0.1 s are 1 % of the speed
   expect_equal(sqrt(sqrt(sum(v^2)) * -v[3]), terminal, tolerance = 0.01)
   expect_equal(measures(state)[["speed_m_per_s"]], -v[3])
 })
 
-test_that("a gear lies along its arc and every place is let go when the vessel passes it", {
+test_that("shot gear follows its arc and is released behind the vessel", {
   chain <- tow(shot_chain(), until = 30, every = 5)
-  lattice <- chain$lattice
-  node <- along_rope(lattice, "chain")$node
-  at <- along_rope(lattice, "chain")$at
+  mesh <- chain$mesh
+  node <- along_rope(mesh, "chain")$node
+  at <- along_rope(mesh, "chain")$at
   inner <- -c(1L, length(node))
   start <- chain$position[, node, 1]
   # on a half circle to port, of 200 m, from the origin towards -x
@@ -42,7 +42,7 @@ test_that("a gear lies along its arc and every place is let go when the vessel p
   expect_equal(start[1, inner], -radius * sin(turn)[inner], tolerance = 1e-9)
   expect_equal(start[2, inner], -radius * (1 - cos(turn))[inner], tolerance = 1e-9)
   for (k in seq_along(chain$time)) {
-    # what is kept moves by the rounding of zero
+    # fixed nodes move only by rounding of zero
     moved <- abs(chain$position[, node, k] - start) > 1e-12
     waits <- at * 200 / 5 > chain$time[k] + 0.5
     expect_false(any(moved[, waits & seq_along(at) %in% seq_along(at)[inner]]))
@@ -51,7 +51,7 @@ test_that("a gear lies along its arc and every place is let go when the vessel p
   expect_true(all(chain$position[3, node[gone][-1], 7] < start[3, gone][-1] - 0.01))
 })
 
-test_that("what is shot must be a rope, at a speed", {
+test_that("check rejects shooting without a rope or speed", {
   chain <- shot_chain()
   expect_refused(update(chain, shooting.rope = "chin"), "shooting.rope")
   expect_refused(update(chain, shooting.speed = 0), "shooting.speed")

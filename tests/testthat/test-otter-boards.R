@@ -1,9 +1,8 @@
-# Otter boards as rigid bodies: their coefficients, balance of forces and moments, and what is told
-# of boards that do not fly.
+# Otter boards as rigid bodies: coefficients, equilibrium of forces and moments, and warnings.
 
 towed_board <- function(...) update(read_gear(test_path("plans", "towed_board.yaml")), ...)
 
-test_that("named boards have the published coefficients, and sound ones at angles between", {
+test_that("board_polar() has the published coefficients and plausible ones between", {
   for (name in c("low_aspect_cambered", "krill_cambered")) {
     polar <- board_polar(name)
     engine <- engine_polar(polar)
@@ -14,13 +13,13 @@ test_that("named boards have the published coefficients, and sound ones at angle
     expect_true(all(polar$drag > 0))
     # Across the flow a plate has no lift.
     expect_equal(polar$lift[polar$attack == 90], 0, tolerance = 1e-12)
-    # Lift grows all the way to the stall, and is gone where the straight line says.
+    # Lift grows up to the stall, and then falls to zero along the straight line.
     front <- polar[polar$lift > 0 & polar$attack > 0 & polar$attack <= 30, ]
     expect_true(all(diff(front$lift) > 0))
   }
 })
 
-test_that("a board without two angles, or a wrong name, is refused", {
+test_that("check rejects a board without two angles or known name", {
   expect_wrong(board_polar("suberkrub"))
   expect_wrong(board_polar(data.frame(attack = 20, lift = 1, drag = 0.3)))
   expect_refused(
@@ -36,11 +35,11 @@ test_that("a board without two angles, or a wrong name, is refused", {
   )
 })
 
-test_that("forces and moments on a board balance", {
+test_that("forces and moments on a board sum to zero", {
   state <- settle(towed_board())
   board <- state$si$otter_boards$otter_board
   x <- state$position[, nodes_at(state, board$points)]
-  # Its axes, found from its three points by least squares (Kabsch), apart from the engine's way.
+  # Its axes, computed from its three points by least squares (Kabsch), independently of the engine.
   local <- board$attachment - rowMeans(board$attachment)
   turned <- svd((x - rowMeans(x)) %*% t(local))
   rotation <- turned$u %*% diag(c(1, 1, det(turned$u %*% t(turned$v)))) %*% t(turned$v)
@@ -49,7 +48,7 @@ test_that("forces and moments on a board balance", {
   expect_lt(max(abs(rotation %*% local + rowMeans(x) - x)), 1e-3)
 
   pull <- function(rope, node) {
-    bars <- rope_bars(state$lattice, rope)
+    bars <- rope_bars(state$mesh, rope)
     ends <- matrix(engine_array(state, "bars", "node")[rbind(2L * bars - 1L, 2L * bars)], 2L)
     k <- which(ends == node, arr.ind = TRUE)
     d <- state$position[, ends[3L - k[1, 1], k[1, 2]]] - state$position[, node]
@@ -90,12 +89,12 @@ test_that("forces and moments on a board balance", {
     place(board$buoyancy_centre)
   ) - rowMeans(x)
   moments <- sapply(seq_len(ncol(forces)), function(k) crossing(arms[, k], forces[, k]))
-  # The deformed struts turn the axes by about 1e-4; forces of 10 kN.
+  # The deformed struts rotate the axes by about 1e-4; forces of 10 kN.
   expect_lt(max(abs(rowSums(forces))), 1e-3 * max(abs(forces)))
   expect_lt(max(abs(rowSums(moments))), 1e-3 * max(abs(moments)))
 })
 
-test_that("the warp's place on the board sets its angle of attack", {
+test_that("warp attachment on the board sets its angle of attack", {
   at <- c(0.5, 0.6, 0.7)
   attack <- vapply(at, function(aft) {
     state <- settle(towed_board(otter_boards.otter_board.attachments.board.aft = aft))
@@ -104,38 +103,38 @@ test_that("the warp's place on the board sets its angle of attack", {
   expect_true(all(diff(attack) > 1))
 })
 
-test_that("a board to port is the mirror image of one to starboard", {
+test_that("board to port is the mirror image of one to starboard", {
   starboard <- settle(towed_board())
-  port <- settle(towed_board(otter_boards.otter_board.pushes = "port"))
-  # Both are found to 1e-8 of the largest tension; a board turns by as much.
+  port <- settle(towed_board(otter_boards.otter_board.lift_direction = "port"))
+  # Both are solved to 1e-8 of the largest tension, and so are the angles.
   expect_equal(port$position * c(1, -1, 1), starboard$position, tolerance = 1e-6)
   expect_equal(port$boards$heel, starboard$boards$heel, tolerance = 1e-5)
 })
 
-# What of a stalled board is told besides: the fall of its lift drives its swings.
+# Hides the second warning of a stalled board: its falling lift drives oscillations.
 without_flutter <- function(code) {
   muffle <- function(w) invokeRestart("muffleWarning")
   withCallingHandlers(code, codend_warning_board_flutter = muffle)
 }
 
-# Towed by a warp so far aft that it stalls, of which is told.
+# Returns a board that stalls and warns because its warp is attached far aft.
 stalled_board <- function(aft) {
   gear <- towed_board(otter_boards.otter_board.attachments.board.aft = aft)
   expect_warning(state <- without_flutter(settle(gear)), class = "codend_warning_board_stalled")
   state
 }
 
-test_that("a board swings with the period of boards at sea, and rests within some seconds", {
+test_that("board swings with the published period and decays within seconds", {
   state <- settle(towed_board())
   modes <- board_modes(state)
   # Y.-H. Kim, J. Korean Soc. Fish. Ocean Technol. 53, 2017: the tilt of a bottom trawl's boards
-  # goes to and fro in 5 +- 2 s on average.
+  # oscillates with a period of 5 +- 2 s on average.
   swings <- modes[modes$condition == "swings" & modes$damping < 0.7, ]
   expect_true(any(swings$period_s > 3 & swings$period_s < 7))
   expect_true(all(swings$decay_s < 7))
   expect_true(all(modes$growth_per_s < 0))
-  # Over a quarter of a second the speed rises by 7 %. Of the swing nothing is left after 7 s: what
-  # remains goes one way.
+  # Over a quarter of a second the speed rises by 7 %. The oscillation has decayed after 7 s: the
+  # remaining change is monotonic.
   towed <- tow(state, until = 20, every = 0.5,
     schedule = tow_schedule(
       speed = data.frame(time = c(0, 0.25, 20), value = c(1.5433, 1.65, 1.65))))
@@ -145,7 +144,7 @@ test_that("a board swings with the period of boards at sea, and rests within som
   expect_equal(length(attack), 27L)
 })
 
-test_that("a board whose swings grow is told of, and so it does", {
+test_that("settle() warns about a fluttering board, and tow() confirms it", {
   gear <- towed_board(otter_boards.otter_board.attachments.board.aft = "0.75 m")
   expect_warning(
     expect_warning(state <- settle(gear), class = "codend_warning_board_flutter"),
@@ -155,7 +154,7 @@ test_that("a board whose swings grow is told of, and so it does", {
   expect_identical(mode$condition, "flutters")
   expect_identical(mode$board, "otter_board")
   expect_true(any(findings(state)$check == "flutter"))
-  # Pushed by a thousandth of its speed it leaves where it stands.
+  # A change of its speed by 0.1 % makes it leave its position.
   towed <- tow(state, until = 15, every = 0.5,
     schedule = tow_schedule(
       speed = data.frame(time = c(0, 0.25, 15), value = c(1.5433, 1.5448, 1.5448))))
@@ -164,13 +163,13 @@ test_that("a board whose swings grow is told of, and so it does", {
   expect_gt(diff(range(attack[shown$time_s[shown$measure == "attack_deg"] > 10])), 1)
 })
 
-test_that("a board stands as one beside it does, and not on its side", {
+test_that("stalled board keeps the heel of a neighbouring design", {
   state <- stalled_board("0.82 m")
   expect_false(state$report$unstable)
   expect_lt(abs(state$boards$heel - stalled_board("0.75 m")$boards$heel) * 180 / pi, 5)
 })
 
-test_that("stalled and fallen boards are told of", {
+test_that("settle() warns about stalled and fallen boards", {
   state <- stalled_board("0.75 m")
   table <- board_table(state)
   expect_equal(table$condition, "stalled")
@@ -192,13 +191,13 @@ free_boards <- function() {
   )
 }
 
-test_that("a whole trawl's boards swing, port and starboard alike, whatever the lattice", {
+test_that("trawl boards swing with equal periods on different meshes", {
   gear <- update(read_gear("midwater_trawl"), otter_boards = free_boards())
   period <- vapply(c(500, 1500), function(nodes) {
     modes <- board_modes(settle(gear, nodes = nodes))
     expect_true(all(modes$growth_per_s < 0))
-    # The two boards together and against each other, in the 5 +- 2 s of Kim (2017) as above. Those
-    # with more damping are of the whole net.
+    # The two boards together and in opposition, in the 5 +- 2 s of Kim (2017) as above. Modes with
+    # more damping belong to the whole net.
     own <- modes$period_s[modes$damping < 0.4 & modes$period_s > 3 & modes$period_s < 7]
     expect_length(own, 2L)
     expect_equal(own[1L], own[2L], tolerance = 0.05)
@@ -207,7 +206,7 @@ test_that("a whole trawl's boards swing, port and starboard alike, whatever the 
   expect_equal(period[1L], period[2L], tolerance = 0.1)
 })
 
-# Coefficients of a fixed board that has the force of free ones: across to its side, up, along.
+# Coefficients of a fixed board with the force of free ones: sideways, up, along.
 fixed_coefficients <- function(state) {
   force <- state$forces$plate_force
   speed <- state$si$towing$speed
@@ -220,8 +219,8 @@ fixed_coefficients <- function(state) {
 }
 
 test_that("fixed and free boards agree at rest", {
-  # One board: what pulls at the warp's end is the sum of the forces on the board and on what it
-  # tows, wherever on the board they act, so the warp must have the same shape and tension.
+  # One board. The tension at the warp's end is the sum of the forces on the board and the gear
+  # behind it, at any point of action. So the warp must have the same shape and tension.
   free <- settle(towed_board())
   board <- free$si$otter_boards$otter_board
   plan <- yaml::read_yaml(test_path("plans", "towed_board.yaml"))
@@ -231,13 +230,14 @@ test_that("fixed and free boards agree at rest", {
   plan$pieces$fixed <- c(fixed_coefficients(free), list(at = "board", area = board$area,
     lift_direction = "starboard", mass = board$mass, volume = board$volume))
   fixed <- settle(as_gear(plan))
-  end <- function(state) state$position[, state$lattice$points[["board"]]]
-  # Only the backstrops, 0.63 m aside in 6 m on the free board, stand otherwise in the flow: their
-  # drag by the square of that, 2 x 0.014 m x 6 m x 1.2 x 1.22 kPa x 0.1^2 / 2 = 1.2 N of 12 kN.
+  end <- function(state) state$position[, state$mesh$points[["board"]]]
+  # Only the backstrops, 0.63 m aside in 6 m on the free board, have another angle to the flow. The
+  # change of their drag is quadratic: 2 x 0.014 m x 6 m x 1.2 x 1.22 kPa x 0.1^2 / 2 = 1.2 N of 12
+  # kN.
   expect_lt(max(abs(end(fixed) - end(free))), 1e-4 * sqrt(sum(end(free)^2)))
   expect_equal(fixed$bar_tension[1L], free$bar_tension[1L], tolerance = 1e-4)
-  # A whole trawl: the ends of the hand ropes are 2.4 m apart on free boards and at one place on
-  # fixed ones, which is 1.7 % of the net's height of 143 m.
+  # A whole trawl: the ends of the hand ropes are 2.4 m apart on free boards and at one point on
+  # fixed ones. The difference is 1.7 % of the net's height of 143 m.
   trawl <- read_gear("midwater_trawl")
   free <- settle(update(trawl, otter_boards = free_boards()), nodes = 400)
   board <- free$si$otter_boards[[1L]]
@@ -254,7 +254,7 @@ test_that("fixed and free boards agree at rest", {
   }
 })
 
-test_that("a trawl's boards may be free, and need their places then", {
+test_that("trawl accepts free boards and requires their attachments", {
   trawl <- read_gear("midwater_trawl")
   boards <- free_boards()
   free <- update(trawl, otter_boards = boards)
@@ -262,11 +262,11 @@ test_that("a trawl's boards may be free, and need their places then", {
   boards$warp_at <- NULL
   expect_refused(update(trawl, otter_boards = boards))
   expect_refused(
-    update(trawl, otter_boards.polar = "krill_cambered"), "left out where the attitude is fixed"
+    update(trawl, otter_boards.polar = "krill_cambered"), "omitted with the attitude fixed"
   )
 })
 
-test_that("views show a free board where it is", {
+test_that("views show a free board at its position", {
   state <- settle(towed_board())
   marks <- board_marks(state)
   expect_equal(nrow(marks), 1L)
@@ -280,8 +280,8 @@ test_that("views show a free board where it is", {
   expect_gt(file.size(file), 1000)
 })
 
-test_that("a board on the sea bed stays where friction holds it", {
-  # drawn along the bed, then left while the current and its warp still pull
+test_that("friction keeps a board on the seabed in place", {
+  # towed along the bed, then left while the current and its warp still pull
   left <- function(sticking, ...) {
     found <- tow(towed_board(towing.speed = "1 knot",
       water = list(current = list(speed = "0.15 m/s", toward = "90 deg")),
@@ -292,14 +292,14 @@ test_that("a board on the sea bed stays where friction holds it", {
   }
   moves <- function(place) max(abs(place[, 9] - place[, 6]))
   held <- left(TRUE)
-  # less than what friction gives before it slips, 10 mm; without it the warp draws it along
+  # less than the elastic friction displacement, 10 mm; without sticking the warp drags it along
   expect_lt(moves(held), 0.01)
   expect_gt(moves(left(FALSE)), 0.5)
   same <- list(otter_boards.otter_board.shoe_friction = list(along = 0.6, across = 0.6))
   expect_equal(do.call(left, c(TRUE, same)), held, tolerance = 1e-6)
 })
 
-test_that("a board has fallen over from 45 degrees of heel on", {
+test_that("board counts as fallen over from 45 degrees of heel", {
   state <- without_flutter(settle(towed_board()))
   expect_identical(nrow(board_table(state)), 1L)
   for (heel in c(44.9, 45.1, -44.9, -45.1)) {

@@ -1,7 +1,8 @@
-# The engine against a plain copy of the paper's equations: Li et al., Modeling of the Midwater
-# Trawl Dynamical Behavior Based on R Language. Written for reading, one mass point and one spring
-# at a time, from the plan's numbers alone. Equation numbers are the paper's; in (7) the density of
-# the water stands where the paper prints the material's, for that is what buoyancy is.
+# The engine compared with a direct implementation of the paper's equations: Li et al., Modeling of
+# the Midwater Trawl Dynamical Behavior Based on R Language. It is written for readability, one mass
+# point and one spring at a time, from the plan's numbers alone. Equation numbers refer to the
+# paper. In (7) the density of the water replaces the material's density of the paper, as buoyancy
+# requires.
 
 # Three by three diamond meshes on a head rope between two lines, a weight at each lower corner.
 paper_plan <- list(
@@ -35,8 +36,8 @@ paper_plan <- list(
   )
 )
 
-# The paper's mass points and springs: a knot wherever i + j of the half meshes is even, a point in
-# the middle of each mesh bar, and the ends and middles of the two lines.
+# The paper's mass points and springs: a knot at each even i + j of the half meshes, and a point in
+# the middle of each mesh bar. The two lines have points at their ends and middles.
 paper_net <- function(plan) {
   net <- plan$panels$net
   points <- data.frame(name = character(), knot = numeric())
@@ -53,12 +54,12 @@ paper_net <- function(plan) {
   }
   mesh_point <- function(i, j) sprintf("%g %g", i / 2, j / 2)
   for (j in 0:6) for (i in 0:6) if ((i + j) %% 2 == 0 && j %% 2 == 0) {
-    # A knot on an edge belongs half to what the panel is sewn to.
+    # Half of a knot on an edge belongs to the neighbour of the panel.
     point(mesh_point(i, j), knot = if (i %in% c(0, 6) || j %in% c(0, 6)) 0.5 else 1)
   } else if ((i + j) %% 2 == 0) {
     point(mesh_point(i, j), knot = 1)
   }
-  # As many knots as there are bars of one direction, 2 x 3 x 3.
+  # The number of knots equals the number of bars of one direction, 2 x 3 x 3.
   points$knot <- points$knot * 18 / sum(points$knot)
   for (j in 0:5) for (i in 0:5) {
     ends <- if ((i + j) %% 2 == 0) c(i, j, i + 1, j + 1) else c(i + 1, j, i, j + 1)
@@ -87,7 +88,7 @@ paper_net <- function(plan) {
     volume[p] <- volume[p] + springs$volume[s] / 2
     added[p] <- added[p] + 1 * water$density * springs$volume[s] / 2 # (8), C_m = 1
   }
-  # twine in the knots, 16 diameters of it (not the paper's, whose knots are spheres without weight)
+  # twine in the knots, 16 diameters (the paper's knots are spheres without weight)
   in_knots <- points$knot * 16 * net$twine$diameter
   mass <- mass + in_knots * net$twine$mass_per_length
   volume <- volume + in_knots * pi / 4 * net$twine$diameter^2
@@ -153,14 +154,14 @@ paper_force <- function(net, x, v) {
   force
 }
 
-# Accelerations (1), (9); held points have none.
+# Accelerations (1), (9); fixed points have none.
 paper_acceleration <- function(net, x, v) {
   a <- sweep(paper_force(net, x, v), 2, net$inertia, "/")
   a[, net$held] <- 0
   a
 }
 
-# Equation (14), with the first guess of (11).
+# Equation (14), with the initial guess of (11).
 paper_march <- function(net, x, v, dt, steps, tolerance) {
   q <- v
   x_before <- q_before <- NULL
@@ -193,20 +194,20 @@ paper_march <- function(net, x, v, dt, steps, tolerance) {
   list(position = x, velocity = q, rounds = rounds)
 }
 
-# The lattice of the same plan, and as `node` its node for each of the paper's mass points.
-paper_lattice <- function(plan, net) {
-  lattice <- build_lattice(gear_si(as_gear(plan)))
-  drawn <- panel_of(lattice, "net")
+# The mesh of the same plan, and in `node` its node for each of the paper's mass points.
+paper_mesh <- function(plan, net) {
+  mesh <- build_mesh(gear_si(as_gear(plan)))
+  drawn <- panel_of(mesh, "net")
   node <- drawn$node[match(net$points$name, sprintf("%g %g", drawn$i, drawn$j))]
   for (side in c("port", "starboard")) {
-    line <- along_rope(lattice, paste0("line_", side))$node
+    line <- along_rope(mesh, paste0("line_", side))$node
     node[net$points$name == side] <- line[1]
     node[net$points$name == paste("middle", side)] <- line[2]
   }
-  list(lattice = lattice, node = node)
+  list(mesh = mesh, node = node)
 }
 
-# A hanging net pulled about: some springs are taut, some slack.
+# A distorted hanging net: some springs are taut, some slack.
 paper_state <- function(net, seed) {
   set.seed(seed)
   x <- vapply(net$points$name, function(name) {
@@ -233,17 +234,17 @@ by_node <- function(values, node) {
   as.vector(out)
 }
 
-test_that("the engine has the paper's mass points and no others", {
+test_that("engine has exactly the paper's mass points", {
   net <- paper_net(paper_plan)
-  built <- paper_lattice(paper_plan, net)
+  built <- paper_mesh(paper_plan, net)
   expect_identical(sort(built$node), seq_len(engine_array(built, "nodes")))
   expect_identical(which(engine_array(built, "held")), sort(built$node[net$held]))
   expect_length(engine_array(built, "ties", "share"), 0L)
 })
 
-test_that("forces and masses at random states are the paper's equations (1) to (9)", {
+test_that("engine forces and masses equal the paper's equations (1) to (9)", {
   net <- paper_net(paper_plan)
-  built <- paper_lattice(paper_plan, net)
+  built <- paper_mesh(paper_plan, net)
   for (seed in 1:5) {
     state <- paper_state(net, seed)
     found <- engine_evaluate(
@@ -253,46 +254,46 @@ test_that("forces and masses at random states are the paper's equations (1) to (
     taut <- mean(length > net$springs$rest)
     expect_true(taut > 0.2 && taut < 0.8)
     expected <- paper_force(net, state$x, state$v)
-    # Some ten terms a node, 1e-16 each; acos() loses digits near 0, but alpha stays above 0.4.
+    # About ten terms a node, 1e-16 each; acos() loses digits near 0, but alpha is above 0.4.
     difference <- matrix(found$force, 3)[, built$node] - expected
     expect_lt(max(abs(difference)), 1e-10 * max(abs(expected)))
 
-    # The mass is a scalar here: equal on the diagonal, nothing beside it.
+    # The mass is a scalar here: equal diagonal entries, other entries zero.
     masses <- matrix(found$mass, 9)[, built$node]
     expect_equal(masses[c(1, 5, 9), ], matrix(rep(net$inertia, each = 3), 3), tolerance = 1e-13)
     expect_lt(max(abs(masses[c(2, 3, 4, 6, 7, 8), ])), 1e-13 * max(net$inertia))
   }
 })
 
-test_that("twenty steps of the engine's scheme are the paper's equation (14)", {
+test_that("engine steps equal the paper's equation (14)", {
   net <- paper_net(paper_plan)
-  built <- paper_lattice(paper_plan, net)
+  built <- paper_mesh(paper_plan, net)
   state <- paper_state(net, 6)
   dt <- 1e-4
   expected <- paper_march(net, state$x, state$v, dt, 20, 1e-9)
-  found <- engine_march(
+  found <- engine_integrate(
     engine_array(built), by_node(state$x, built$node), by_node(state$v, built$node), dt, 20L, 1e-9,
     100L
   )
   expect_true(found$converged)
   expect_identical(found$steps, 20L)
   expect_equal(found$substitutions, expected$rounds)
-  # The same substitutions, so only rounding differs: forces to 1e-13 of themselves, 20 steps.
+  # The same substitutions, so only rounding differs: 1e-13 of the forces, 20 steps.
   moved <- matrix(found$position, 3)[, built$node] - expected$position
   expect_lt(max(abs(moved)), 1e-12)
   expect_lt(max(abs(matrix(found$velocity, 3)[, built$node] - expected$velocity)), 1e-10)
   expect_gt(max(abs(expected$position - state$x)), 1e-4)
 })
 
-test_that("the paper's scheme stops where its step is too long", {
+test_that("engine_integrate() stops if the paper's scheme does not converge", {
   net <- paper_net(paper_plan)
-  built <- paper_lattice(paper_plan, net)
+  built <- paper_mesh(paper_plan, net)
   state <- paper_state(net, 7)
   x <- by_node(state$x, built$node)
   v <- by_node(state$v, built$node)
-  # A net's fastest motion turns at about 2 sqrt(EA / (rest m)): two twines of 0.1 m between knots.
+  # The fastest motion of a net has about 2 sqrt(EA / (rest m)): two twines of 0.1 m between knots.
   fastest <- 2 * sqrt(max(net$springs$stiffness / net$springs$rest) / min(net$inertia))
-  found <- engine_march(engine_array(built), x, v, 10 * 2 / fastest, 20L, 1e-9, 500L)
+  found <- engine_integrate(engine_array(built), x, v, 10 * 2 / fastest, 20L, 1e-9, 500L)
   expect_false(found$converged)
   expect_lt(found$steps, 20L)
   expect_true(all(is.finite(c(found$position, found$velocity))))

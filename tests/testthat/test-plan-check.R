@@ -1,4 +1,19 @@
-test_that("a wrong field is named with its value and what is allowed", {
+test_that("former names of fields and values are errors that give the present names", {
+  former <- function(old, new, field, value, plan = "poly_noreastern_trawl") {
+    text <- gsub(field, value, paste(format(read_gear(plan)), collapse = "\n"))
+    expect_error(read_text(text), sprintf("%s` .*did you mean `%s`", old, new),
+      class = "codend_error_plan", ignore.case = TRUE)
+  }
+  former("head_line", "headline", "\nheadline:", "\nhead_line:")
+  former("floats.share", "extent", "extent:", "share:")
+  former("pushes", "lift_direction", "lift_direction:", "pushes:",
+    test_path("plans", "towed_board.yaml"))
+  former("place", "position", "position: start", "place: start", "longline")
+  former("netting_drag", "morison", "netting_drag: morison", "netting_drag: twines",
+    "midwater_trawl")
+})
+
+test_that("check names a wrong field, its value and allowed values", {
   error <- plan_error("length: 100 m", "length: -5 m")
   expect_match(
     error$message,
@@ -12,7 +27,7 @@ test_that("a wrong field is named with its value and what is allowed", {
   )
 })
 
-test_that("every kind of wrong quantity is refused", {
+test_that("check rejects every kind of wrong quantity", {
   wrong <- c(
     "0", "5 kg", ".nan", ".inf", "NA", "", "1_000", "2020-01-01", "yes", "0x1F", "'1,5 m'",
     "[1, 2]", "{a: 1}", "1e400 m", "''", "'100 {m}'", "~"
@@ -24,12 +39,12 @@ test_that("every kind of wrong quantity is refused", {
   }
 })
 
-test_that("fields that are missing, wrong or too many are refused", {
+test_that("check rejects missing, wrong and surplus fields", {
   e <- expect_plan_error
-  e("    length: 100 m\n", "", "ropes.warp", "exactly one of: `length`; `hanging_ratio`")
+  e("    length: 100 m\n", "", "ropes.warp", "lacks `length`; or `hanging_ratio`")
   e("    from: ship\n", "", "ropes.warp.from", "is missing")
   e("    diameter: 20 mm\n", "", "ropes.warp.diameter", "is missing; it must be a length")
-  e("    material: PA\n", "", "ropes.warp", "`axial_stiffness` with `mass_per_length`")
+  e("    material: PA\n", "", "ropes.warp", "`axial_stiffness`, `mass_per_length`")
   e("material: PA", "material: polyamid", "ropes.warp.material", "Did you mean `polyamide`?")
   e("100 m\n", "100 m\n    hanging_ratio: 1\n", "ropes.warp.along", "is missing")
   e("codend: 1", "codend: 2", "codend", "it must be 1")
@@ -38,7 +53,7 @@ test_that("fields that are missing, wrong or too many are refused", {
   e("name: A", "kind: trawl\nname: A", "kind", "it must be one of assembly, ")
   e("twine: {", "twine: {double: maybe, ", "panels.net.twine.double", "must be yes or no")
   e("upper: 10", "upper: -1", "panels.net.meshes.upper", "a number of at least 0")
-  e("upper: 10, lower: 5", "upper: 0, lower: 0", "panels.net.meshes", "no meshes at either edge")
+  e("upper: 10, lower: 5", "upper: 0, lower: 0", "panels.net.meshes", "0 meshes at both edges")
   e("mesh_size: 100 mm", "mesh_size: 3 mm", "panels.net.twine.diameter", "half the mesh size")
   e("mesh_size", "rows: 2.5\n    mesh_size", "panels.net.rows", "a whole number of at least 1")
   e("held: fixed", "held: fixd", "points.ship.held", "Did you mean `fixed`?")
@@ -46,22 +61,22 @@ test_that("fields that are missing, wrong or too many are refused", {
   e("knot: {}", "knot: {load: [1, 2]}", "points.knot.load", "a list of 3 (each a force)")
   e("knot: {}", "knot: {load: [1, 2, 3 m]}", "points.knot.load[3]", "it must be a force")
   e("knot: {}", "k.not: {}", "points", "a name that is not allowed")
-  e("[net.upper]", "[net.uper]", "seams.top.edges[1]", "panel's edge such as")
+  e("[net.upper]", "[net.uper]", "seams.top.edges[1]", "panel edge such as")
   e("seams:", "measures:\n  m: {depth: knot, length: [knot, ship]}\nseams:", "measures.m",
     "exactly one")
 })
 
-test_that("messages hold braces of a value as they are", {
+test_that("messages show braces of a value unchanged", {
   expect_match(plan_error("PA", "'{cli::ansi_nchar}'")$message, "{cli::ansi_nchar}", fixed = TRUE)
 })
 
-test_that("the schema keeps to the keywords that the checker knows", {
+test_that("schema uses only keywords that the checker knows", {
   known <- c(
     "$ref", "title", "description", "type", "enum", "const", "pattern", "minLength", "minimum",
     "exclusiveMinimum", "maximum", "items", "minItems", "maxItems", "properties", "required",
     "additionalProperties", "propertyNames", "dependentRequired", "minProperties", "maxProperties",
     "anyOf", "oneOf", "allOf", "default", "x-dimension",
-    # of numbers with an uncertainty, which are taken apart before
+    # of numbers with an uncertainty, which are split before the check
     "if", "then"
   )
   schema <- jsonlite::fromJSON(
@@ -80,7 +95,7 @@ test_that("the schema keeps to the keywords that the checker knows", {
   expect_identical(setdiff(found, known), character())
 })
 
-test_that("a field may choose only between values that differ in shape", {
+test_that("schema choices of a field differ in shape", {
   clashes <- character()
   check <- function(node, path) {
     shapes <- vapply(node$choices, `[[`, "", "shape")
@@ -94,7 +109,7 @@ test_that("a field may choose only between values that differ in shape", {
   expect_identical(clashes, character())
 })
 
-test_that("pieces from end to end are two or more along something", {
+test_that("check rejects `end_to_end` without two pieces along a rope", {
   e <- function(fields, ...) {
     expect_plan_error("seams:", paste0("pieces:\n  p: {", fields, "}\nseams:"), ...)
   }
@@ -104,7 +119,7 @@ test_that("pieces from end to end are two or more along something", {
   e("along: warp, mass: 5, number: 2, end_to_end: 2", "pieces.p.end_to_end", "must be yes or no")
 })
 
-# Paths of the lists that a plan may leave empty, without a number for an item.
+# Paths of the lists that may be empty in a plan, without the number of an item.
 lists_that_may_be_empty <- function(node, path = character()) {
   found <- if (node$shape == "array" && is.null(node$minItems)) list(path)
   inner <- unlist(lapply(names(node$properties), function(name) {
@@ -114,14 +129,14 @@ lists_that_may_be_empty <- function(node, path = character()) {
   unique(c(found, inner, choices))
 }
 
-test_that("an empty list, wherever it stands in a shipped plan, leaves every field its place", {
+test_that("empty list in a plan equals a missing field", {
   for (name in names(shipped_plans())) {
     plan <- read_gear(name)$plan
     lists <- lists_that_may_be_empty(plan_node(plan))
     expect_true(list("notes") %in% lists)
     for (path in lists) {
       field <- path[1]
-      # a plan without it is none, so that nothing is left to compare with
+      # a plan without this field is invalid, so there is nothing to compare
       if (field %in% plan_node(plan)$required) next
       empty <- if (length(path) == 1) list() else stats::setNames(list(list()), path[2])
       others <- plan[names(plan) != field]
@@ -138,7 +153,7 @@ test_that("an empty list, wherever it stands in a shipped plan, leaves every fie
   }
 })
 
-test_that("plans are right and wrong as standard validators of the schema find them", {
+test_that("check agrees with standard validators of the schema", {
   cases <- yaml::read_yaml(test_path("right-and-wrong.yaml"))
   right <- function(change) {
     file <- plan_file(gsub(change[[1]], change[[2]], cases$plan, fixed = TRUE))

@@ -1,11 +1,12 @@
-# Values with a class: objects of the package units are read in SI, any other class is refused.
+# Values with a class: objects of the package units are converted to SI, any other class is
+# rejected.
 
 # 4 knot is 4 * 1852 / 3600 m/s (NIST SP 811).
 four_knots <- 4 * 1852 / 3600
 
 in_units <- function(value, unit) units::set_units(value, unit, mode = "standard")
 
-test_that("update() reads units objects in SI", {
+test_that("update() converts units objects to SI", {
   skip_if_not_installed("units")
   cable <- read_gear("towed_cable")
   si <- gear_si(update(cable, towing.speed = in_units(4, "knot"),
@@ -21,14 +22,14 @@ test_that("update() reads units objects in SI", {
       toward = in_units(90, "degree")),
     list(depth = in_units(50, "m"), speed = 0, toward = 0)
   ))
-  # the fathom of udunits is of the survey foot
+  # udunits defines the fathom by the survey foot
   expect_equal(gear_si(current)$water$current$depth, c(10 * 6 * 1200 / 3937, 50))
   expect_equal(gear_si(current)$water$current$y, c(10, 0))
   held <- update(cable, points.ship.position = in_units(c(0, 50, -200), "cm"))
   expect_equal(unname(as.double(gear_si(held)$points$ship$position)), c(0, 0.5, -2))
 })
 
-test_that("a units object of another dimension is refused as a text is", {
+test_that("update() rejects units objects of another dimension", {
   skip_if_not_installed("units")
   cable <- read_gear("towed_cable")
   expect_refused(update(cable, towing.speed = in_units(4, "kg")),
@@ -44,40 +45,40 @@ test_that("a units object of another dimension is refused as a text is", {
   expect_wrong(tow(cable, until = 2,
     schedule = tow_schedule(speed = data.frame(time = 0, value = in_units(1, "kg")))),
     "`speed\\$value\\[1\\]` is 1 kg; it must be a speed")
-  expect_wrong(value_range(in_units(1, "m"), in_units(2, "kg")), "must be quantities of one kind")
+  expect_wrong(value_range(in_units(1, "m"), in_units(2, "kg")), "must have the same dimension")
 })
 
-test_that("values of any other class are refused", {
+test_that("values of any other class are rejected", {
   cable <- read_gear("towed_cable")
   day <- as.Date("2020-01-01")
   span <- as.difftime(10, units = "mins")
   runs <- data.frame(towing.speed = day + 0:3, Tension = 10:13)
-  expect_wrong(update(cable, towing.speed = day), "towing.speed.* of class .*Date.*; it must be a")
+  expect_wrong(update(cable, towing.speed = day), "towing.speed.* the class .*Date.*; it must be a")
   expect_wrong(update(cable, ropes.cable = list(length = span)),
-    "ropes.cable.length.* of class .*difftime")
+    "ropes.cable.length.* the class .*difftime")
   expect_wrong(gear("a", points = list(a = list(load = day + 0:2))),
-    "points.a.load.* of class .*Date")
-  expect_wrong(vary(cable, towing.speed = day + 0:1), "towing.speed.* of class .*Date")
-  expect_wrong(designs(data.frame(towing.speed = day + 0:1)), "towing.speed.* of class .*Date")
-  expect_wrong(value_range(day, day + 1), "low.* of class .*Date")
-  expect_wrong(normal_value(1, span), "sd.* of class .*difftime")
+    "points.a.load.* the class .*Date")
+  expect_wrong(vary(cable, towing.speed = day + 0:1), "towing.speed.* the class .*Date")
+  expect_wrong(designs(data.frame(towing.speed = day + 0:1)), "towing.speed.* the class .*Date")
+  expect_wrong(value_range(day, day + 1), "low.* the class .*Date")
+  expect_wrong(normal_value(1, span), "sd.* the class .*difftime")
   expect_wrong(calibrate(cable, runs, list(ropes.cable.length = c("800 m", "1500 m")),
-    Tension ~ ship_tension_kN), "towing.speed.* of class .*Date")
+    Tension ~ ship_tension_kN), "towing.speed.* the class .*Date")
   expect_wrong(calibrate(cable, data.frame(Tension = 1:3), list(ropes.cable.length = day + 0:1),
-    Tension ~ ship_tension_kN), "ropes.cable.length.* of class .*Date")
-  expect_wrong(tow(cable, until = span), "until.* of class .*difftime")
+    Tension ~ ship_tension_kN), "ropes.cable.length.* the class .*Date")
+  expect_wrong(tow(cable, until = span), "until.* the class .*difftime")
   expect_wrong(tow(cable, until = 2,
     schedule = tow_schedule(speed = data.frame(time = span, value = 1))),
-    "speed\\$time.* of class .*difftime")
+    "speed\\$time.* the class .*difftime")
   expect_wrong(tow(cable, until = 2,
-    schedule = tow_schedule(speed = function(time) day)), "speed.* of class .*Date")
-  # classes that only decorate a text
+    schedule = tow_schedule(speed = function(time) day)), "speed.* the class .*Date")
+  # classes that only decorate a string
   plain <- update(cable, towing.speed = "4 knot")
   expect_identical(update(cable, towing.speed = noquote("4 knot")), plain)
   expect_identical(update(cable, towing.speed = factor("4 knot")), plain)
 })
 
-test_that("studies read units objects in SI", {
+test_that("studies convert units objects to SI", {
   skip_if_not_installed("units")
   speed <- in_units(c(3, 4), "knot")
   length <- in_units(c(0.6, 0.9), "km")
@@ -86,7 +87,7 @@ test_that("studies read units objects in SI", {
   lengths <- vapply(found$ropes.cable.length, quantity_si, 0, "length", USE.NAMES = FALSE)
   expect_equal(speeds, rep(c(3 / 4, 1) * four_knots, 2))
   expect_equal(lengths, rep(c(600, 900), each = 2))
-  # a column may miss values, which stay as in the plan
+  # a column may have missing values, which keep the plan's value
   table <- data.frame(towing.speed = speed)
   table$towing.speed[2] <- NA
   expect_identical(is.na(designs(table)$towing.speed), c(FALSE, TRUE))
@@ -102,7 +103,7 @@ test_that("studies read units objects in SI", {
   expect_wrong(value_range(in_units(1, "m"), 2), "both with units or both without")
 })
 
-test_that("calibrate() reads units objects in fields, ranges, measured values and errors", {
+test_that("calibrate() accepts units objects in fields, ranges, data and errors", {
   skip_if_not_installed("units")
   speed <- c(3, 3, 4, 4, 5)
   tension <- c(11.9, 12.1, 13.4, 13.3, 15.0)
@@ -127,7 +128,7 @@ test_that("calibrate() reads units objects in fields, ranges, measured values an
   expect_wrong(
     fit_of(in_units(speed, "knot"), in_units(tension, "kN"), in_units(c(0.8, 1.5), "km"),
       Tension ~ 2 * ship_tension_kN),
-    "Leave the unit out of the name"
+    "Remove the unit from the name"
   )
   expect_wrong(
     fit_of(in_units(speed, "knot"), in_units(tension, "m"), in_units(c(0.8, 1.5), "km"),
@@ -136,7 +137,7 @@ test_that("calibrate() reads units objects in fields, ranges, measured values an
   )
 })
 
-test_that("limits of optimise_gear() may be units objects", {
+test_that("optimise_gear() accepts units objects as limits", {
   skip_if_not_installed("units")
   best <- function(limit, range) {
     optimise_gear("towed_cable", ~ total_drag, list(ropes.cable.length = range),
@@ -148,7 +149,7 @@ test_that("limits of optimise_gear() may be units objects", {
   )
 })
 
-test_that("tow() reads units objects in all its quantities", {
+test_that("tow() accepts units objects in all its quantities", {
   skip_if_not_installed("units")
   told <- tow("towed_cable", until = 20, every = 10, nodes = 20, accuracy = 0.02,
     schedule = tow_schedule(speed = data.frame(time = c(0, 10), value = c("4 knot", "5 knot")),
@@ -165,7 +166,7 @@ test_that("tow() reads units objects in all its quantities", {
   expect_equal(found$position, told$position, tolerance = 1e-6)
   state <- state_at(found, in_units(1 / 6, "min"))
   expect_equal(state$time, 10)
-  # what a file keeps of the schedule is plain
+  # a file stores plain numbers for the schedule
   skip_if_not_installed("RNetCDF")
   file <- tempfile(fileext = ".nc")
   on.exit(unlink(file))
@@ -173,7 +174,7 @@ test_that("tow() reads units objects in all its quantities", {
   expect_identical(read_result(file)$given$current, found$given$current)
 })
 
-test_that("other functions read units objects where they take a quantity", {
+test_that("other functions accept units objects for their quantities", {
   skip_if_not_installed("units")
   table <- data.frame(depth = in_units(c(0, 20), "m"), speed = in_units(c(1.8, 0.9), "km/h"),
     toward = in_units(c(0, 90), "degree"))

@@ -1,12 +1,12 @@
-test_that("a hostile or broken file is one clear error, and nothing is evaluated", {
+test_that("reading rejects hostile or broken files without evaluation", {
   trap <- tempfile()
   code <- sprintf("codend: 1\nname: !expr file.create('%s')\n", trap)
-  expect_match(text_error(code)$message, "holds no code", fixed = TRUE)
+  expect_match(text_error(code)$message, "cannot contain code", fixed = TRUE)
   expect_false(file.exists(trap))
 
   cases <- list(
-    list("", "must hold a map of fields"), list("# nothing", "must hold a map of fields"),
-    list("- 1\n- 2", "must hold a map of fields"), list("hello", "must hold a map of fields"),
+    list("", "must be a map of fields"), list("# nothing", "must be a map of fields"),
+    list("- 1\n- 2", "must be a map of fields"), list("hello", "must be a map of fields"),
     list("a: [1", "not valid YAML"), list("\ta: 1", "not valid YAML"),
     list("a: 1\na: 2", "`a` is given twice"), list("a: *nowhere", "not valid YAML"),
     list(as.raw(c(0x61, 0x3a, 0x00, 0x31)), "NUL bytes"),
@@ -14,14 +14,14 @@ test_that("a hostile or broken file is one clear error, and nothing is evaluated
     list(strrep("x", 2.2e6), "at most 2 MB"), list(strrep("[", 1e5), "nested too deeply"),
     list(strrep("{a: ", 1e4), "nested too deeply"), list(strrep("- ", 1e5), "nested too deeply"),
     list(paste0("a", seq_len(3e4), ": 1", collapse = "\n"), "too many fields"),
-    # the parser would take 12 s over them
+    # the parser would need 12 s for these
     list(paste0("a", seq_len(19000), ": 1", collapse = "\n"), "too many fields"),
-    list(paste0(strrep(" ", 0:40), "a:", collapse = "\n"), "nested at most 20 deep")
+    list(paste0(strrep(" ", 0:40), "a:", collapse = "\n"), "at most 20 levels")
   )
   for (case in cases) expect_match(text_error(case[[1]])$message, case[[2]], fixed = TRUE)
 })
 
-test_that("a merge key is refused wherever it is, and a text with its sign is not", {
+test_that("reading rejects merge keys but accepts their sign in text", {
   merged <- c(
     "ropes:\n  warp:\n    <<: {length: 1 m}\n    length: 1000 m", "a: {x: 1, << : {y: 2}}",
     "b: {<<: {y: 2}}", "? <<\n: {x: 1}", "- <<: {x: 1}", "<<:\n  x: 1", "a: {!!merge q: {x: 1}}"
@@ -32,7 +32,7 @@ test_that("a merge key is refused wherever it is, and a text with its sign is no
   for (text in kept) expect_no_match(text_error(text)$message, "merge key", fixed = TRUE)
 })
 
-test_that("quantities beyond all gear are refused before anything is computed", {
+test_that("reading rejects quantities beyond all gear before computation", {
   long <- plan_error("length: 100 m\n", "length: 1e308 m\n")$message
   expect_match(long, "must be at most 1e+07 m", fixed = TRUE)
   expect_refused(update(read_gear("towed_cable"), towing.speed = "1e308 knot"),
@@ -40,15 +40,15 @@ test_that("quantities beyond all gear are refused before anything is computed", 
     fixed = TRUE)
 })
 
-test_that("aliases that multiply are refused", {
+test_that("reading rejects aliases that multiply", {
   lines <- vapply(1:9, function(i) {
     sprintf("a%d: &a%d [%s]", i, i, paste(rep(paste0("*a", i - 1), 9), collapse = ", "))
   }, "")
   bomb <- paste(c("a0: &a0 [x, x, x, x, x, x, x, x, x]", lines), collapse = "\n")
-  expect_match(text_error(bomb)$message, "at most 50000 values")
+  expect_match(text_error(bomb)$message, "and 50000 values")
 })
 
-test_that("line ends, a byte order mark and other alphabets do no harm", {
+test_that("reading accepts other line ends, byte order marks and alphabets", {
   plan <- read_text(small_plan)$plan
   expect_identical(read_text(gsub("\n", "\r\n", small_plan))$plan, plan)
   expect_identical(read_text(paste0("\ufeff", small_plan))$plan, plan)
@@ -56,7 +56,7 @@ test_that("line ends, a byte order mark and other alphabets do no harm", {
   expect_identical(names(named$plan$ropes), "tr\u00e5l_\u00f8")
 })
 
-test_that("only yes, no, true and false are truth values, and numbers are decimal", {
+test_that("reading accepts four logical words and decimal numbers only", {
   plan <- read_text(spoil("knot: {}", "knot: {}\n  n: {at: y}\n  y: {at: ship}"))
   expect_identical(names(plan$plan$points), c("ship", "knot", "n", "y"))
   expect_true(read_text(spoil("material: PE",
@@ -65,13 +65,13 @@ test_that("only yes, no, true and false are truth values, and numbers are decima
   expect_identical(gear_si(read_text(spoil("deep: 10", "deep: 1e2")))$panels$net$deep, 100)
 })
 
-test_that("an edge's mesh range inside brackets asks for quotes", {
+test_that("reading suggests quotes around a mesh range in brackets", {
   expect_match(plan_error("[net.upper]", "[net.upper[0:6]]")$message, "needs quotes", fixed = TRUE)
 })
 
-test_that("a folder is no plan, and a file without its ending is found", {
+test_that("reading rejects a folder and suggests a missing file ending", {
   expect_refused(read_gear(tempdir()))
-  # a file without its ending
+  # a file name without its ending
   file <- tempfile("trawl", fileext = ".yaml")
   on.exit(unlink(file))
   writeLines("codend: 1", file)
@@ -79,7 +79,7 @@ test_that("a folder is no plan, and a file without its ending is found", {
     fixed = TRUE)
 })
 
-test_that("a plan file is one document", {
+test_that("reading rejects several YAML documents in one file", {
   text <- paste(readLines(shipped_plans()[["towed_cable"]]), collapse = "\n")
   expect_refused(read_text(paste0(text, "\n---\nname: Another\n")), "several YAML documents")
   expect_refused(read_text(paste0("---\nname: Another\n---\n", text)), "several YAML documents")
@@ -87,7 +87,7 @@ test_that("a plan file is one document", {
     read_gear("towed_cable")$plan)
 })
 
-test_that("a comma in a number is told, as a value and as a key", {
+test_that("reading reports a decimal comma in values and keys", {
   expect_no_warning({
     value <- plan_error("length: 100 m", "length: 1,5")
     key <- text_error(paste0(small_plan, "\n1,5: 3\n"))
@@ -96,7 +96,7 @@ test_that("a comma in a number is told, as a value and as a key", {
   expect_match(key$message, "`1,5` is not known", fixed = TRUE)
 })
 
-test_that("a name may not end in a newline, and texts that do are written as they are", {
+test_that("names must not end in a newline, and text keeps it", {
   found <- text_error(paste0(small_plan, "\nmaterials: {\"a\\n\": {density: 900 kg/m3}}\n"))
   expect_match(found$message, "name that is not allowed", fixed = TRUE)
   gear <- update(read_gear("towed_cable"), name = "a\n")
@@ -105,18 +105,18 @@ test_that("a name may not end in a newline, and texts that do are written as the
   expect_identical(read_gear(file)$plan, gear$plan)
 })
 
-test_that("what the parser says is told once", {
+test_that("parser errors appear once in the message", {
   said <- text_error("a: *x")$message
   expect_length(gregexpr("not valid YAML", said, fixed = TRUE)[[1]], 1L)
 })
 
-test_that("only regular files are opened", {
+test_that("reading opens only regular files", {
   skip_on_os("windows")
   pipe <- tempfile()
   system2("mkfifo", pipe)
   setTimeLimit(elapsed = 10, transient = TRUE)
   expect_refused(read_gear(pipe), "is not a plan file")
   skip_if_not_installed("RNetCDF")
-  expect_error(read_result(pipe), "no regular file", class = "codend_error_file")
+  expect_error(read_result(pipe), "not a regular file", class = "codend_error_file")
   setTimeLimit()
 })

@@ -1,8 +1,8 @@
-# Numbers that a plan knows only so well, and factors on components of force.
+# Numbers with a known uncertainty, and factors on force components.
 
 uncertain_warp <- function(text) read_text(spoil("length: 100 m", paste("length:", text)))
 
-test_that("a number with an uncertainty is the number, and keeps what is said of it", {
+test_that("number with an uncertainty equals the number and stores it", {
   plain <- read_text(small_plan)
   known <- uncertain_warp("{value: 100 m, uncertainty: 10 %}")
   expect_identical(known$plan$ropes$warp$length, "100 m")
@@ -13,7 +13,7 @@ test_that("a number with an uncertainty is the number, and keeps what is said of
   shares <- function(text) unname(uncertain_shares(uncertain_warp(text)$plan))
   expect_equal(shares("{value: 100 m, uncertainty: 2 m}"), 0.02)
   expect_equal(shares("{value: 100 m, uncertainty: 50 cm}"), 0.005)
-  # evenly between two ends: half of the range over the root of 3
+  # uniform between two limits: half of the range over the square root of 3
   expect_equal(shares("{value: 100 m, range: [97 m, 103 m]}"), 0.03 / sqrt(3))
   middle <- uncertain_warp("{range: [90 m, 110 m]}")
   expect_equal(quantity_si(middle$plan$ropes$warp$length, "length"), 100)
@@ -25,7 +25,7 @@ test_that("a number with an uncertainty is the number, and keeps what is said of
     c(ropes.warp.length = 0.1, panels.net.twine.diameter = 0.05))
 })
 
-test_that("what is said is written where the number is, and reads back", {
+test_that("uncertainty is written next to its number and reads back", {
   text <- spoil("length: 100 m", "length: {value: 100 m, uncertainty: 10 %} # counter")
   gear <- read_text(text)
   expect_identical(format(gear, remarks = TRUE), text)
@@ -36,12 +36,12 @@ test_that("what is said is written where the number is, and reads back", {
   longer <- update(gear, ropes.warp.length = "120 m")
   expect_match(format(longer, remarks = TRUE),
     "length: {value: 120 m, uncertainty: 10 %} # counter", fixed = TRUE)
-  # by paths, in one place
+  # by paths, in one section
   apart <- read_text(paste0(small_plan, "uncertain: {ropes.warp.length: 10 %}\n"))
   expect_identical(apart$plan$uncertain, gear$plan$uncertain)
 })
 
-test_that("what is said of a part goes with it", {
+test_that("uncertainty of a part is removed with the part", {
   gear <- update(as_gear(towed_sphere_plan()), uncertain = list(
     towing.speed = "1 %", pieces.sphere.mass = "4 %", multipliers.piece_drag = "5 %"
   ))
@@ -49,12 +49,12 @@ test_that("what is said of a part goes with it", {
   expect_identical(names(bare$plan$uncertain), c("towing.speed", "multipliers.piece_drag"))
 })
 
-test_that("a share of what is changed to 0 is 0", {
+test_that("relative uncertainty of a value changed to 0 is 0", {
   gear <- update(read_gear("poly_noreastern_trawl"), bridles.upper.setback = "0 mm")
   expect_identical(uncertain_shares(gear$plan)[["bridles.upper.setback"]], 0)
 })
 
-test_that("what cannot be an uncertainty is an error that names the field", {
+test_that("invalid uncertainty throws an error that names the field", {
   said <- function(text) {
     error <- tryCatch(uncertain_warp(text), codend_error_plan = identity)
     c(error$path, gsub("\\s+", " ", conditionMessage(error)))
@@ -63,7 +63,7 @@ test_that("what cannot be an uncertainty is an error that names the field", {
   expect_match(said("{value: 100 m, uncertainty: about 3 m}"), "standard uncertainty", all = FALSE)
   expect_match(said("{uncertainty: 3 m}"), "`value` with an `uncertainty`", all = FALSE)
   expect_match(said("{range: [90 m, 110 m, 120 m]}"), "`range` such as", all = FALSE)
-  # a number that is none is that error
+  # an invalid number gives its own error
   expect_match(said("{value: 100 kg, uncertainty: 10 %}"), "a length", all = FALSE)
   wrong <- tryCatch(
     read_text(paste0(small_plan, "uncertain: {ropes.wrap.length: 10 %}\n")),
@@ -72,12 +72,12 @@ test_that("what cannot be an uncertainty is an error that names the field", {
   expect_identical(wrong$path, "uncertain.ropes.wrap.length")
 })
 
-test_that("multipliers scale their component of force and nothing else", {
+test_that("multipliers scale only their own force component", {
   plan <- towed_sphere_plan()
   one <- settle(as_gear(plan))
   plan$multipliers <- list(piece_drag = 2)
   two <- settle(as_gear(plan))
-  # a thin line and a sphere: all but some 1e-8 of the drag is the sphere's
+  # a thin line and a sphere: the sphere has all but about 1e-8 of the drag
   expect_equal(measures(two)[["total_drag_kN"]], 2 * measures(one)[["total_drag_kN"]],
     tolerance = 1e-7)
   known <- path_node(list(), "multipliers")$properties
@@ -86,20 +86,20 @@ test_that("multipliers scale their component of force and nothing else", {
   expect_identical(names(known), names(force_multipliers))
 })
 
-test_that("every multiplier of a trawl is linear in its force, and its short form hands it on", {
+test_that("multipliers of a trawl are linear in their forces", {
   state <- settled("poly_noreastern_trawl", nodes = 400)
   still <- numeric(length(state$position))
   net_force <- function(by) {
     si <- state$si
     si$multipliers[names(by)] <- by
-    engine_evaluate(build_lattice(si, 400)$mesh, as.vector(state$position), still)$force
+    engine_evaluate(build_mesh(si, 400)$model, as.vector(state$position), still)$force
   }
   one <- net_force(numeric())
   of <- names(force_multipliers)
   own <- unlist(state$si$multipliers)
   component <- lapply(setNames(of, of), function(name) net_force(own[name] + 1) - one)
   size <- vapply(component, function(force) max(abs(force)), 0)
-  # this gear has no bodies but its floats, and no turned netting that its twine holds open
+  # this gear has no bodies except floats, and no turned netting with opening stiffness
   expect_identical(of[size == 0], c("mesh_opening", "piece_drag"))
   for (name in of) {
     half <- net_force(own[name] - 0.5) - one

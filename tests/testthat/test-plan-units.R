@@ -1,5 +1,5 @@
 # Factors from NIST SP 811 and the definitions of the knot, nautical mile and fathom.
-test_that("quantities in words become SI", {
+test_that("quantity_si() converts quantities in words to SI", {
   cases <- list(
     list("4.5 knot", "speed", 2.315), list("9 km/h", "speed", 2.5), list("32mm", "length", 0.032),
     list("1 nautical mile", "length", 1852), list("10 fathom", "length", 18.288),
@@ -20,7 +20,7 @@ test_that("quantities in words become SI", {
   }
 })
 
-test_that("what is no quantity of the dimension is NA", {
+test_that("quantity_si() returns NA for invalid quantities", {
   for (text in c("5 kg", "1_000 m", "1,5 m", "m", "5 m m", "5 knott", "", "0x1F m", "--5 m",
     "5 M")) {
     expect_identical(quantity_si(text, "length"), NA_real_, label = text)
@@ -29,7 +29,7 @@ test_that("what is no quantity of the dimension is NA", {
   expect_identical(quantity_si("5 kn", "speed"), 5 * 1852 / 3600)
 })
 
-test_that("the schema's patterns and the table of units are the same", {
+test_that("schema patterns match the table of units", {
   schema <- jsonlite::fromJSON(
     system.file("schema", "plan.schema.json", package = "codend"), simplifyVector = FALSE
   )

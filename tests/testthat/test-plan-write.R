@@ -1,4 +1,4 @@
-test_that("a plan of the tests reads back identical", {
+test_that("write_gear() of every test plan reads back identically", {
   for (name in Sys.glob(test_path("plans", "*.yaml"))) {
     gear <- read_gear(name)
     file <- tempfile(fileext = ".yaml")
@@ -7,7 +7,7 @@ test_that("a plan of the tests reads back identical", {
   }
 })
 
-test_that("numbers and texts of every sort read back identical", {
+test_that("numbers and strings of every kind read back identically", {
   texts <- c(
     "yes", "no", "null", "~", "NA", "n", "on", "1e3", "1_000", "012", "0x1F", "2020-01-01", "1:30",
     "5", "-5 m", "4.5 knot", "45 %", " a", "a ", "a: b", "a #b", "#a", "- a", "[a]", "{a}", "'",
@@ -31,7 +31,7 @@ test_that("numbers and texts of every sort read back identical", {
   expect_identical(read_gear(file)$plan, gear$plan)
 })
 
-test_that("a file is written whole or not at all", {
+test_that("write_gear() writes a file atomically", {
   gear <- read_gear("towed_cable")
   folder <- tempfile()
   dir.create(folder)
@@ -43,7 +43,7 @@ test_that("a file is written whole or not at all", {
   )
 })
 
-test_that("remarks and layout stay where a plan changes", {
+test_that("write_gear() keeps remarks and layout of unchanged lines", {
   gear <- read_gear("poly_noreastern_trawl")
   source <- readLines(gear$file, encoding = "UTF-8")
   expect_identical(strsplit(format(gear, remarks = TRUE), "\n", fixed = TRUE)[[1]], source)
@@ -59,15 +59,15 @@ test_that("remarks and layout stay where a plan changes", {
   expect_identical(read_gear(file)$plan, changed$plan)
   lines <- readLines(file, encoding = "UTF-8")
   marks <- function(lines) sub("^[^#]*", "", lines[grepl("#", lines, fixed = TRUE)])
-  # of the remarks only those on lines that are gone are gone
+  # only the remarks on deleted lines are gone
   gone <- grepl("volume_per_length|mass_per_length: [{]value: 7 kg", source)
   gone <- gone[grepl("#", source, fixed = TRUE)]
   expect_identical(marks(lines), marks(source)[!gone])
   expect_true("  hanging_ratio: 0.9                    # [published]" %in% lines)
 })
 
-test_that("any change of any shipped plan reads back as it is", {
-  # every field taken out, and every number changed, whether the gear is possible or not
+test_that("write_gear() of any changed shipped plan reads back identically", {
+  # every field is removed once, and every number changed, also if the gear becomes impossible
   for (name in c("towed_cable", "gillnet", "t90_codend", "model_cage", "purse_seine")) {
     text <- paste(c(readLines(shipped_plans()[[name]], encoding = "UTF-8"), ""), collapse = "\n")
     plan <- plan_of_bytes(charToRaw(text), name)

@@ -6,7 +6,7 @@ expect_written <- function(old, new, path, message) {
   expect_plan_error(old, new, path, message, plan = trawl_text())
 }
 
-test_that("what is wrong in a part is told of the field that became the part", {
+test_that("errors in a part name the short-form field of the part", {
   expect_written("{diameter: 4 mm, material: PE}", "{diameter: 4 mm, material: nylon}",
     "wings.upper.twine.material", "Did you mean `PA`?")
   expect_written("deep: 115}, twine: {diameter: 5 mm, material: PE}}",
@@ -22,20 +22,20 @@ test_that("what is wrong in a part is told of the field that became the part", {
     "sections.codend.twine.diameter", "less than half the mesh size")
 })
 
-test_that("a mesh size without its unit, or of another power of ten, is named", {
+test_that("check names a mesh size without unit or with a wrong power", {
   expect_written("{value: 89 mm, uncertainty: 10 %}", "89", "sections.intermediate.mesh_size",
-    "is 89 without a unit, which is 89 m; is it 89 mm?")
+    "is 89 without a unit, which means 89 m. Is it 89 mm?")
   expect_written("127 mm\n    meshes: {tip: 0, base: 80", "120\n    meshes: {tip: 0, base: 80",
     "wings.upper.mesh_size", "is 120 without a unit")
   expect_written("{value: 89 mm, uncertainty: 10 %}", "1200 mm", "sections.intermediate.mesh_size",
     "`sections.body.mesh_size`, 127 mm, and `sections.intermediate.mesh_size`, 1200 mm")
-  # a seam is no field of a short form, and is told of as the part that it is
+  # a seam is not a field of a short form, so its part is named
   spoilt <- spoil("{value: 89 mm, uncertainty: 10 %}", "1200 mm", trawl_text())
   expect_match(text_error(spoilt)$message, "Plan field `seams.back_body_intermediate.edges` joins",
     fixed = TRUE)
 })
 
-test_that("an argument of several words is told with the nearest", {
+test_that("invalid argument strings throw an error with the nearest choice", {
   state <- settled("towed_cable")
   expect_wrong(as.data.frame(state, what = "tension_"), "Did you mean \"tensions\"")
   expect_identical(as.data.frame(state, what = "react"), as.data.frame(state, what = "reactions"))
@@ -43,6 +43,6 @@ test_that("an argument of several words is told with the nearest", {
   expect_identical(chosen_some(NULL, c("a", "b")), c("a", "b"))
 })
 
-test_that("a state is not changed but its gear is", {
+test_that("update() rejects a state and suggests its gear", {
   expect_wrong(update(settled("towed_cable"), towing.speed = 2), "settle\\(update\\(state\\$gear")
 })

@@ -1,11 +1,12 @@
-# Plans of real nets from public particulars, beside what is published of them. Their netting plans
-# were not at hand: what is held here is that such particulars make a plan of a page that behaves.
+# Plans of real nets from public particulars, compared with published values. Their net drawings
+# were not available. The tests show that such particulars give a one-page plan with plausible
+# behaviour.
 
 real_net <- function(name) {
   system.file("extdata", paste0(name, "_trawl.yaml"), package = "codend", mustWork = TRUE)
 }
 
-test_that("each is a page, marks what it assumes, and settles", {
+test_that("plans of real nets fit one page, mark assumptions and settle", {
   for (name in c("eastern", "four_seam", "myctophid")) {
     text <- readLines(real_net(name))
     expect_lte(length(text), 60)
@@ -14,7 +15,7 @@ test_that("each is a page, marks what it assumes, and settles", {
   }
 })
 
-test_that("the 83-112 Eastern trawl opens as in its surveys where it is not tuned", {
+test_that("83-112 Eastern trawl opens as in surveys that were not tuned", {
   hauls <- utils::read.csv(
     system.file("extdata", "survey_hauls_by_wire.csv", package = "codend"), comment.char = "#"
   )
@@ -26,27 +27,27 @@ test_that("the 83-112 Eastern trawl opens as in its surveys where it is not tune
     found <- measures(settle(update(gear, warps.length = hauls$wire_m[k],
       seabed.depth = hauls$depth_m[k], towing.speed = paste(hauls$speed_knot[k], "knot")),
     nodes = 400))
-    # within the hauls' own standard deviation about their mean
+    # within the hauls' standard deviation of their mean
     expect_lt(abs(found[["upper_wing_spread_m"]] - hauls$width_m[k]), hauls$width_sd_m[k])
     expect_lt(abs(found[["headline_height_m"]] - hauls$height_m[k]), hauls$height_sd_m[k])
   }
 })
 
-test_that("the four-seam trawl is as high as its design asks for, within a sixth", {
+test_that("four-seam trawl has its design height within a sixth", {
   found <- measures(settle(read_gear(real_net("four_seam")), nodes = 400))
   expect_gt(found[["headline_height_m"]], 4.5 * 5 / 6)
   expect_lt(found[["headline_height_m"]], 5.5 * 7 / 6)
 })
 
-test_that("the lantern fish trawl's netting and drag are near what is printed of it", {
+test_that("lantern fish trawl has the published netting and drag", {
   gear <- read_gear(real_net("myctophid"))
   netting <- summary(gear)$netting
-  # of 412 m2 and 832 kg, which it was made for
+  # of 412 m2 and 832 kg, its design values
   expect_lt(abs(sum(netting$twine_area_m2) / 412 - 1), 0.12)
   expect_lt(abs(sum(netting$mass_kg) / 832 - 1), 0.05)
   tonnes <- vapply(c("2 knot", "3 knot"), function(speed) {
     measures(settle(update(gear, towing.speed = speed), nodes = 400))[["total_drag_kN"]] / 9.81
   }, 0, USE.NAMES = FALSE)
-  # the institute's estimate, which is one of a formula
+  # the institute's estimate from a formula
   expect_lt(max(abs(tonnes / c(4.9, 7.3) - 1)), 0.2)
 })

@@ -1,8 +1,8 @@
-# Tables of what the water makes of a plate that speeds up or turns, against a lattice of vortices
-# that is no part of the package, and against closed forms.
+# Tables of added mass and damping of a plate, compared with an independent vortex-mesh model and
+# with analytical solutions.
 
-# Velocity across the plane at points (x, y) by straight vortices of strength 1 from a to b, all in
-# that plane (Biot and Savart): a matrix, points x vortices.
+# Velocity normal to the plane at points (x, y) by straight vortices of strength 1 from a to b in
+# the same plane (Biot and Savart). Returns a matrix, points x vortices.
 across_by_vortices <- function(x, y, from_x, from_y, to_x, to_y) {
   ax <- outer(x, from_x, "-")
   ay <- outer(y, from_y, "-")
@@ -16,14 +16,15 @@ across_by_vortices <- function(x, y, from_x, from_y, to_x, to_y) {
   ifelse(abs(twice_area) < 1e-12, 0, ends / (4 * pi * twice_area))
 }
 
-# Middles of n x m equal panels of a plate of chord 1 and a span, with half their sides.
+# Midpoints of n x m equal panels of a plate of chord 1 and a span, with half their sides.
 panels_of <- function(span, n, m) {
   middle <- expand.grid(x = (seq_len(n) - 0.5) / n - 0.5, y = ((seq_len(m) - 0.5) / m - 0.5) * span)
   c(middle, list(dx = 0.5 / n, dy = 0.5 * span / m))
 }
 
-# Added mass across the plate and its moments about the two axes in it, over the water's density.
-lattice_added_mass <- function(span, n) {
+# Added mass across the plate and its moments about the two axes in it, divided by the water's
+# density.
+mesh_added_mass <- function(span, n) {
   p <- panels_of(span, n, n)
   left <- p$y - p$dy
   right <- p$y + p$dy
@@ -37,9 +38,10 @@ lattice_added_mass <- function(span, n) {
   abs(colSums(solve(rings, motions) * motions)) * 4 * p$dx * p$dy
 }
 
-# Force and moments (rows: across the plate, about the span, about the chord) over 1/2 rho U^2 S by
-# attack and turning (columns) in a steady flow: horseshoes at a quarter of every panel's chord.
-lattice_forces <- function(span, n, m) {
+# Force and moments (rows: across the plate, about the span, about the chord) over 1/2 rho U^2 S.
+# Columns: attack and rotation rates in a steady flow. Horseshoe vortices are at a quarter of every
+# panel's chord.
+mesh_forces <- function(span, n, m) {
   p <- panels_of(span, n, m)
   bound <- p$x - p$dx / 2
   met <- p$x + p$dx / 2
@@ -51,16 +53,16 @@ lattice_forces <- function(span, n, m) {
   abs(rbind(colSums(load), colSums(load * bound), colSums(load * p$y)))
 }
 
-test_that("a plate's added mass is that of DNV-RP-C205", {
+test_that("plate added mass equals DNV-RP-C205", {
   # C_A = 0.757 for sides of 2:1: 0.757 rho pi/4 c^2 b.
   expect_equal(1025 * plate_added_volume(2.45, 4.9), 0.757 * 1025 * pi / 4 * 2.45^2 * 4.9)
   expect_equal(plate_added_volume(1, 3), plate_added_volume(3, 1))
 })
 
-test_that("added masses of plates that move and turn are those of a lattice of vortices", {
+test_that("plate added masses equal a vortex-mesh model", {
   for (span in c(1, 2, 4)) {
-    # The error goes with the size of the panels; continued, 1 % is left with 16 panels a side.
-    found <- 2 * lattice_added_mass(span, 16) - lattice_added_mass(span, 8)
+    # The error is proportional to the panel size; extrapolation leaves 1 % with 16 panels a side.
+    found <- 2 * mesh_added_mass(span, 16) - mesh_added_mass(span, 8)
     radii <- plate_added_radii(1, span)
     expect_equal(plate_added_volume(1, span), found[1], tolerance = 0.01)
     expect_equal(radii[["chord"]]^2, found[2] / found[1], tolerance = 0.03)
@@ -69,20 +71,20 @@ test_that("added masses of plates that move and turn are those of a lattice of v
   expect_equal(rev(plate_added_radii(1, 3)), plate_added_radii(3, 1), ignore_attr = TRUE)
 })
 
-test_that("forces on plates that turn are those of a lattice of vortices and the closed forms", {
+test_that("forces on rotating plates equal a vortex-mesh model and theory", {
   of <- function(column, ratio) at_ratio(plate_turning, column, ratio)
   for (ratio in c(0.5, 1, 2, 4)) {
-    found <- 2 * lattice_forces(ratio, 12, 24) - lattice_forces(ratio, 6, 12)
+    found <- 2 * mesh_forces(ratio, 12, 24) - mesh_forces(ratio, 6, 12)
     expect_equal(of("slope", ratio), found[[1, 1]], tolerance = 0.01)
     expect_equal(of("yaw", ratio), found[[2, 2]], tolerance = 0.03)
     expect_equal(of("roll", ratio), found[[3, 3]] / ratio^2, tolerance = 0.02)
-    # By reverse flow turning makes of the force what attack makes of the moment.
+    # By the reverse-flow theorem, the force by rotation equals the moment by attack.
     expect_equal(found[[1, 2]], found[[2, 1]], tolerance = 1e-6)
   }
-  # Slender wings: Jones 1946, Ribner 1947. The next term is of the order of the ratio squared.
+  # Slender wings: Jones 1946, Ribner 1947. The next term has the order of the ratio squared.
   expect_equal(of("slope", 0.25), pi / 2 * 0.25, tolerance = 0.02)
   expect_equal(of("roll", 0.25), pi / 64 * 0.25, tolerance = 0.02)
-  # Helmbold's formula, within the 7 % that it is known to be off.
+  # Helmbold's formula, within its known error of 7 %.
   ratio <- plate_turning$ratio
   expect_equal(plate_turning$slope, 2 * pi * ratio / (2 + sqrt(ratio^2 + 4)), tolerance = 0.07)
 })

@@ -1,4 +1,4 @@
-# Ropes and twine by other laws than EA, strumming and friction.
+# Ropes and twine with load tables instead of EA, strumming and friction.
 
 hanging <- function(mass, ...) {
   gear("a rope with a weight",
@@ -14,20 +14,20 @@ law <- list(
   list(elongation = "5 %", load = "20 kN")
 )
 
-test_that("a rope stretches as its table says", {
+test_that("rope stretches by its load table", {
   depth <- function(load) {
     state <- settle(hanging(load / gear_gravity, load_by_elongation = law))
     -state$position[3, nodes_at(state, "end")]
   }
-  # the rope's own 0.1 N of 500 N and more
+  # the rope's own weight of 0.1 N, compared with 500 N and more
   expect_equal(depth(500), 10 * 1.005, tolerance = 1e-5)
   expect_equal(depth(3500), 10 * 1.02, tolerance = 1e-5)
   expect_equal(depth(13000), 10 * 1.04, tolerance = 1e-5)
   expect_equal(depth(27000), 10 * 1.06, tolerance = 1e-5)
 })
 
-test_that("energy is kept by a rope with a table", {
-  # hung from a point that heaves, so that its load passes from row to row
+test_that("rope with a load table conserves energy", {
+  # hung from a heaving point, so that its load passes from row to row
   bouncing <- gear("a rope with a weight that heaves",
     top = gear_point(position = c(0, 0, 0), held = "moved"), end = gear_point(),
     line = rope("top", "end", length = "10 m", diameter = "20 mm", mass_per_length = "0.001 kg/m",
@@ -43,7 +43,7 @@ test_that("energy is kept by a rope with a table", {
   expect_lt(abs(last$energy_imbalance), 0.02 * last$energy_put_through)
 })
 
-test_that("a table that does not grow, or stands beside EA, is refused", {
+test_that("check rejects load tables that decrease or accompany EA", {
   bad <- law
   bad[[3]]$load <- "5 kN"
   error <- expect_refused(hanging("1 kg", load_by_elongation = bad))
@@ -52,7 +52,7 @@ test_that("a table that does not grow, or stands beside EA, is refused", {
     "together with")
 })
 
-test_that("a warp that strums has the drag that Vandiver found", {
+test_that("strumming warp has the drag by Vandiver", {
   drag <- function(...) {
     state <- settle(gear("a bar",
       a = gear_point(position = c(0, 0, -5), held = "fixed"),
@@ -73,8 +73,9 @@ test_that("a warp that strums has the drag that Vandiver found", {
   )
 })
 
-test_that("a chain that is easier to draw along than across slides along itself", {
-  # a chain askew to its tow turns into its way; drawn along it pulls with its weight's share
+test_that("chain with low friction along itself slides along itself", {
+  # A chain at an angle to its tow aligns with its path. Drawn along, its tension is the friction
+  # coefficient times its weight.
   pull <- function(...) {
     found <- tow(gear("a chain that is towed",
       start = gear_point(position = c(0, 0, -9.98), held = "moved"), end = gear_point(),
