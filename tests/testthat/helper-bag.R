@@ -1,6 +1,6 @@
-# The plan of a bag of panels like `net` side by side, whose entrance is held at `corners` (m, a row
-# each) and towed, its end gathered; catch: what tells how much is in it; `...`: the plan's other
-# fields.
+# Returns the plan of a bag of panels like `net` next to each other, with a gathered end. Its
+# entrance is fixed at `corners` (m, a row each) and towed. catch: the plan's fields of the catch;
+# `...`: its other fields.
 bag_plan <- function(net, corners, catch, ..., speed = 1.5) {
   sides <- nrow(corners)
   names <- paste0("net_", seq_len(sides))
@@ -20,7 +20,7 @@ bag_plan <- function(net, corners, catch, ..., speed = 1.5) {
   )
 }
 
-# Corners of a circle across x whose middle is at z (m), the first to starboard.
+# Corners of a circle across x with its centre at z (m), the first to starboard.
 circle_of_corners <- function(sides, radius, z = 0) {
   angle <- 2 * pi * (seq_len(sides) - 1) / sides
   cbind(0, radius * cos(angle), radius * sin(angle) + z)

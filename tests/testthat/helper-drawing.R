@@ -1,7 +1,6 @@
-# What of a drawing lies over each other: one text for each pair of texts whose boxes meet, for each
-# text that a line runs through, and for each that leaves the frame. Boxes are of the fonts' own
-# metrics, less a tenth of a millimetre; a line that a white circle or box hides behind a text does
-# not count.
+# Returns the overlaps of a drawing as strings: two labels whose boxes intersect, a line through a
+# label, or a label outside the frame. Boxes use the font's metrics, less 0.1 mm. A line that a
+# white circle or box hides behind a label does not count.
 overlaps <- function(sheet) {
   kind <- vapply(sheet$items, `[[`, "", "kind")
   text <- which(kind == "text")

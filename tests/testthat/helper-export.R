@@ -36,7 +36,8 @@ read_raw_vtu <- function(file) {
   ))
 }
 
-# A .glb or .gltf file: list(tree, get = function(number of an accessor) its numbers by column).
+# A .glb or .gltf file: list(tree, get = function(accessor number) that returns its numbers by
+# column).
 read_gltf_file <- function(file) {
   if (endsWith(file, ".gltf")) {
     tree <- jsonlite::fromJSON(file, simplifyVector = FALSE)
@@ -75,7 +76,7 @@ part_names_of <- function(field) {
   strsplit(text, "\n", fixed = TRUE)[[1]]
 }
 
-# Python of the system, whose readers stand for all that are not codend's.
+# The system's Python, for readers that are independent of codend.
 python <- "/usr/bin/python3"
 
 has_python <- function(module) {
@@ -83,7 +84,7 @@ has_python <- function(module) {
     stdout = FALSE, stderr = FALSE) == 0L
 }
 
-# What a script in Python, as its lines, prints as JSON of a file.
+# Returns the JSON that a Python script, given as its lines, prints for a file.
 read_with_python <- function(file, ...) {
   script <- tempfile(fileext = ".py")
   on.exit(unlink(script))

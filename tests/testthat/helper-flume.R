@@ -1,4 +1,4 @@
-# A worker in this process, which answers at once.
+# A synchronous worker in this process.
 direct_worker <- function(...) {
   worker <- new.env(parent = emptyenv())
   memory <- new.env(parent = emptyenv())
@@ -11,9 +11,9 @@ direct_worker <- function(...) {
   worker
 }
 
-# A flume tank without a browser: runs `test(session, sent)` in a session that opens with a gear
-# (NULL: with the gallery).
-# sent() gives the messages of a type that the page has been sent since it was last asked.
+# Runs `test(session, sent)` in a flume tank without a browser. The session opens with a gear (NULL:
+# with the gallery). sent() returns the messages of a type that the page received since the last
+# call.
 in_flume <- function(
   gear, test, fields = list(), nodes = 300, new_worker = direct_worker, folder = NULL
 ) {
@@ -44,12 +44,12 @@ in_flume <- function(
   )
 }
 
-# What controls send: the latest values of all that were moved, by path.
+# Sends the latest values of all moved controls, by path.
 ask <- function(session, ..., number = 1, gesture = number) {
   session$setInputs(design = list(number = number, gesture = gesture, edits = list(...)))
 }
 
-# Each of what a page may send as an input is refused once, in words, where it was asked.
+# Checks that the server rejects each invalid input once, with a message at the input.
 expect_asks_refused <- function(session, sent, input, wrong, where) {
   for (asked in wrong) {
     sent("flume_refused")
@@ -61,5 +61,5 @@ expect_asks_refused <- function(session, sent, input, wrong, where) {
   }
 }
 
-# The gear with what a page changes of its plan.
+# The gear after a page's changes to its plan.
 edited_gear <- function(gear, edits) as_gear(edited_plan(gear$plan, edits)$plan, like = gear)

@@ -1,4 +1,4 @@
-# A small valid plan, as text, that tests spoil one line at a time.
+# A small valid plan, as text, in which tests change one line at a time.
 small_plan <- "codend: 1
 name: A net on a warp
 points:
@@ -33,7 +33,7 @@ spoil <- function(old, new, plan = small_plan) {
   sub(old, new, plan, fixed = TRUE)
 }
 
-# The error of the small plan with one thing changed: its path and its message on one line.
+# The error of the small plan with one change: its path and its message on one line.
 plan_error <- function(old, new, plan = small_plan) text_error(spoil(old, new, plan))
 
 text_error <- function(text) {
@@ -48,6 +48,6 @@ expect_plan_error <- function(old, new, path, message, plan = small_plan) {
   expect_match(error$message, message, fixed = TRUE)
 }
 
-# A plan, or an argument, that is refused with these words.
+# Expects that a plan, or an argument, is rejected with this message.
 expect_refused <- function(code, ...) expect_error(code, ..., class = "codend_error_plan")
 expect_wrong <- function(code, ...) expect_error(code, ..., class = "codend_error_argument")

@@ -1,5 +1,5 @@
-# Settled gears that several tests look at; each settles once, at `nodes`: what settle() chooses
-# takes longer.
+# Settled gears that several tests use; each settles once, at `nodes`, because the default of
+# settle() takes longer.
 settled <- local({
   known <- list()
   function(name, ..., nodes = 1500) {
@@ -18,7 +18,7 @@ settled_gear <- function(name) {
 }
 
 # Square netting in air, its upper edge gathered in one point: every lengthwise twine hangs straight
-# down and carries what is below it, and the crosswise twines hang loose.
+# down and carries the weight below it, and the crosswise twines are slack.
 hung_panel_plan <- list(
   codend = 1, name = "Hung panel", water = list(density = 0),
   points = list(nail = list(position = c(0, 0, 0), held = "fixed")),
@@ -40,7 +40,7 @@ panel_in_current_plan <- list(
     corner = list(at = "net.lower_left", load = c(5, 0, 0))
   ),
   ropes = list(
-    head_line = list(along = list("net.upper"), length = 2.2, diameter = "8 mm", material = "PP"),
+    headline = list(along = list("net.upper"), length = 2.2, diameter = "8 mm", material = "PP"),
     lead_line = list(along = list("net.lower"), hanging_ratio = 0.5, diameter = "10 mm",
       material = "PP", strength = "10 kN")
   ),
@@ -63,7 +63,7 @@ shipped_state <- function(name) {
   if (name == "midwater_trawl") settled(name, nodes = 500) else settled(name)
 }
 
-# Runs code with at most so many steps of settling a level.
+# Runs code with a limit of iterations per mesh level.
 with_settle_iterations <- function(iterations, code) {
   allowed <- getFromNamespace("settle_iterations", "codend")
   on.exit(assignInNamespace("settle_iterations", allowed, "codend"))

@@ -1,5 +1,5 @@
-# A square net of n x n knots in a current that starts: reference/net-in-starting-current.csv has
-# its motion, made by the script beside it.
+# A square net of n x n knots in a current that starts. reference/net-in-starting-current.csv has
+# its motion, computed by the script next to it.
 
 started_net <- function(n, folder = file.path("..", "plans")) {
   half <- (n - 1) / 4
@@ -10,9 +10,9 @@ started_net <- function(n, folder = file.path("..", "plans")) {
   )
 }
 
-# What of its motion is compared, of twenty nodes and twenty bars and the largest tension: a data
-# frame of n, time (s), kind ("x", "y", "z", m, or "tension", "largest_tension", N), number (of the
-# node or bar) and value.
+# Compared values: twenty nodes, twenty bars and the largest tension. Returns a data frame of n,
+# time (s), kind ("x", "y", "z", m, or "tension", "largest_tension", N), number (of the node or bar)
+# and value.
 started_net_rows <- function(n, found) {
   some <- function(most) unique(round(seq(1, most, length.out = 20)))
   node <- some(dim(found$position)[2])

@@ -1,6 +1,7 @@
-# Stiff lines in motion, whose truth reference/stiff-lines.csv has, made by the script beside it.
+# Stiff lines in motion. Their reference solution is reference/stiff-lines.csv, computed by the
+# script next to it.
 
-# A chain that hangs from a point, pulled aside lightly and let go after 1 s.
+# A chain that hangs from a point, pulled aside lightly and released after 1 s.
 plucked_chain <- function(diameter, pull_stiffness = 1e6, ...) {
   free <- list(length = 29.9, diameter = 0.01, axial_stiffness = pull_stiffness,
     mass_per_length = 0, volume_per_length = 0, coefficients = list(normal = 0), segments = 1)
@@ -15,7 +16,7 @@ plucked_chain <- function(diameter, pull_stiffness = 1e6, ...) {
       pull = c(list(from = "tail", to = "post"), free)
     ),
     tow = list(
-      until = 60, every = 0.5, breaking = list(list(rope = "pull", time = 1, place = "start"))
+      until = 60, every = 0.5, breaking = list(list(rope = "pull", time = 1, position = "start"))
     )
   ))
 }
@@ -41,8 +42,8 @@ heaved_warp <- function() {
   ))
 }
 
-# A chain of 58 m from an anchor in 20 m, whose end at the surface heaves by 1 m every 7 s: it lifts
-# from the ground and comes down on it.
+# A chain of 58 m from an anchor in 20 m, whose end at the surface heaves by 1 m every 7 s. It lifts
+# off the ground and lands again.
 anchor_line <- function() {
   as_gear(list(
     codend = 1, name = "Anchor line",
@@ -56,7 +57,7 @@ anchor_line <- function() {
 
 heave_of <- function(height, period) function(t) height * (1 - cos(2 * pi * t / period)) / 2
 
-# Of every case: gear(), until and every (s), heave.
+# Each case: gear(), until and every (s), heave.
 stiff_lines <- list(
   steel_chain = list(gear = steel_chain, until = 8, every = 0.5),
   chain_in_air = list(gear = chain_in_air, until = 4, every = 0.5),
@@ -64,13 +65,13 @@ stiff_lines <- list(
   anchor_line = list(gear = anchor_line, until = 24, every = 1, heave = heave_of(1, 7))
 )
 
-march_stiff_line <- function(name, ...) {
+integrate_stiff_line <- function(name, ...) {
   case <- stiff_lines[[name]]
   tow(case$gear(), tow_schedule(heave = case$heave), case$until, case$every, ...)
 }
 
-# What of a motion is compared, of eleven nodes and the largest tension: a data frame of case, time
-# (s), kind ("x", "z", m, or "largest_tension", N), node and value.
+# Compared values: eleven nodes and the largest tension. Returns a data frame of case, time (s),
+# kind ("x", "z", m, or "largest_tension", N), node and value.
 stiff_line_rows <- function(name, found) {
   node <- unique(c(1, 2, round(seq(3, dim(found$position)[2], length.out = 9))))
   late <- which(found$time > 0)

@@ -1,5 +1,5 @@
-# A sphere on one line of 10 m without weight or drag: its drag is D = C_D A rho v^2 / 2, its weight
-# in water W, and the line is drawn at its top with sqrt(D^2 + W^2). ...: fields in place of these.
+# A sphere on one line of 10 m without weight or drag. With its drag D = C_D A rho v^2 / 2 and its
+# weight in water W, the tension at the top is sqrt(D^2 + W^2). `...` replaces fields.
 towed_sphere_plan <- function(...) {
   utils::modifyList(list(
     codend = 1, name = "Towed sphere", towing = list(speed = "2 m/s"),

@@ -1,13 +1,13 @@
-# States as the lattice starts them, not settled: a picture shows whatever shape it is given.
+# Unsettled states in the initial layout of the mesh: a picture shows any shape.
 unsettled <- function(plan, nodes = 200, netting = NULL) {
   gear <- if (is.character(plan)) read_gear(plan) else as_gear(plan)
   si <- gear_si(gear)
-  lattice <- build_lattice(si, nodes = nodes, netting = netting)
-  new_state(gear, si, lattice, start_of(lattice), list(converged = FALSE))
+  mesh <- build_mesh(si, nodes = nodes, netting = netting)
+  new_state(gear, si, mesh, start_of(mesh), list(converged = FALSE))
 }
 
-# A sheet of diamond netting, one of square netting below it and a pointed tip below that, hung by
-# two lines and towed.
+# A sheet of diamond netting, a sheet of square netting below it and a pointed tip below that, hung
+# by two lines and towed.
 sheets_plan <- list(
   codend = 1, name = "Sheets <& 'quotes'>", towing = list(speed = 1),
   points = list(
@@ -19,8 +19,8 @@ sheets_plan <- list(
       material = "PA"),
     line_starboard = list(from = "starboard", to = "top.upper_right", length = 20,
       diameter = 0.01, material = "PA"),
-    head_line = list(along = list("top.upper"), length = 4, diameter = 0.01, material = "PA",
-      role = "head_line")
+    headline = list(along = list("top.upper"), length = 4, diameter = 0.01, material = "PA",
+      role = "headline")
   ),
   panels = list(
     top = list(mesh_size = 0.1, meshes = list(upper = 60, lower = 40, deep = 30),
@@ -35,7 +35,7 @@ sheets_plan <- list(
     lower = list(edges = list("middle.lower", "tip.upper"))
   ),
   pieces = list(
-    floats = list(along = "head_line", number = 40, buoyancy = "5 N", diameter = 0.12,
+    floats = list(along = "headline", number = 40, buoyancy = "5 N", diameter = 0.12,
       role = "float"),
     board = list(at = "top.upper_left", mass = 20, density = 7850, area = 1, lift_coefficient = 1,
       lift_direction = "port", role = "otter_board"),
@@ -43,13 +43,13 @@ sheets_plan <- list(
   )
 )
 
-# Which columns of `wanted` (3 x n) are columns of `points`.
+# TRUE for columns of `wanted` (3 x n) that are columns of `points`.
 are_among <- function(wanted, points) {
   key <- function(x) paste(x[1, ], x[2, ], x[3, ])
   key(wanted) %in% key(points)
 }
 
-# An empty folder that goes when the test ends.
+# An empty folder that is deleted when the test ends.
 test_folder <- function(frame = parent.frame()) {
   folder <- tempfile("view")
   dir.create(folder)
@@ -72,7 +72,7 @@ unpacked_series <- function(told) {
   x %% 65536
 }
 
-# Places of a scene at its k-th time (3 x n), and its values, as the viewer reads them.
+# Positions of a scene at its k-th time (3 x n), and its values, as the viewer reads them.
 places_at <- function(told, k) {
   if (!is.null(told$floats)) return(matrix(unpacked(told$floats, "double", 4), 3L))
   floats <- function(field) unpacked(told[[field]], "double", 4)
@@ -84,7 +84,7 @@ values_at <- function(told, k) {
   ifelse(root == -32768, NA, sign(root) * told$top * (root / 4095)^2)
 }
 
-# Draws x by plot(x, ...) to a file that is more than empty, and gives x back.
+# Draws x by plot(x, ...) to a file, checks that the file is not empty, and returns x.
 expect_picture <- function(x, ...) {
   file <- tempfile(fileext = ".png")
   expect_identical(plot(x, ..., file = file), x)

@@ -1,5 +1,5 @@
-# Returns the places along a joint (0..1) at which drawn twines of a panel end: twines at multiples
-# of a power of two of the drawn coordinates, at most `most` of each family.
+# Returns the positions along a joint (0..1) of the ends of a panel's drawn twines. Drawn twines
+# have multiples of a power of two as drawn coordinates, at most `most` per family.
 drawn_ends <- function(si, drawn, panel, edge, from, to, most) {
   number <- match(panel, names(si$panels))
   ends <- edge_twines(si$panels[[panel]], edge, c(from, to)) / drawn$scale[number] +
@@ -14,14 +14,15 @@ drawn_ends <- function(si, drawn, panel, edge, from, to, most) {
   })))
 }
 
-# How far (share of the joint) ends of the panel that is drawn coarser are from ends of the other.
+# Returns the distance (fraction of the joint) of the coarser panel's twine ends from the other
+# panel's ends.
 apart <- function(si, drawn, joint) {
   first <- drawn_ends(si, drawn, joint$panel, joint$edge, joint$from, joint$to, 16)
   second <- drawn_ends(si, drawn, joint$other, joint$other_edge, joint$other_from,
     joint$other_to, 16)
   few <- if (length(first) < length(second)) first else second
   many <- if (length(first) < length(second)) second else first
-  # a twine at the very end of the joint may be missed on one side by rounding
+  # rounding may omit a twine at the end of the joint on one side
   few <- few[few > 1e-6 & few < 1 - 1e-6]
   max(0, vapply(few, function(at) min(abs(many - at)), 0))
 }
@@ -33,7 +34,7 @@ joints_with_ends <- function(si) {
   joints
 }
 
-test_that("drawn twines meet on the seams across every shipped net", {
+test_that("drawn twines meet on the cross seams of every shipped net", {
   seams <- 0
   for (gear in gears()$name) {
     joints <- joints_with_ends(gear_si(read_gear(gear)))
@@ -52,11 +53,11 @@ test_that("drawn twines meet on side seams between mirror images", {
   }
 })
 
-test_that("the first panel draws its own twines, and others at most every second instead of each", {
+test_that("first panel draws its own twines, others at most every second", {
   drawn <- drawn_twines(gear_si(read_gear("midwater_trawl")))
   expect_gt(mean(drawn$scale == 1), 0.3)
   expect_true(all(drawn$scale > 1 - 1e-6 & drawn$scale < 2))
-  # 80 meshes are joined to 133: three drawn twines stand for five
+  # 80 meshes are joined to 133: three drawn twines represent five
   names <- names(gear_si(read_gear("midwater_trawl"))$panels)
   expect_equal(drawn$scale[names == "back_section_6"], 133 / 80, tolerance = 1e-9)
 })

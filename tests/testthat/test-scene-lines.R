@@ -1,4 +1,4 @@
-test_that("every line ends in points of the state and carries a tension of its part", {
+test_that("drawn lines end in points of the state with their part's tension", {
   for (netting in c("cells", "bars")) {
     state <- unsettled(sheets_plan, nodes = 300, netting = netting)
     points <- state_points(state)
@@ -20,22 +20,22 @@ test_that("ropes and netting of bars are drawn bar by bar", {
   drawing <- state_drawing(state)
   ropes <- parts_of(state)$kind[part_of(state, "bar")] == "rope"
   expect_equal(drawing$ropes$tension, state$bar_tension[ropes])
-  # after its bars come the seams between the panels
+  # the seams between the panels follow the bars
   expect_equal(
     sort(utils::head(drawing$netting$tension, sum(!ropes))), sort(state$bar_tension[!ropes])
   )
   length <- sqrt(colSums((drawing$ropes$to - drawing$ropes$from)^2))
-  # Both are lengths from the same coordinates, but for rounding.
+  # Both are lengths from the same coordinates, except for rounding.
   expect_equal(length, state$bar_length[ropes], tolerance = 1e-12)
 })
 
-test_that("no twine of bars ends in the open: where mesh sizes change it ends on the seam", {
+test_that("drawn twines of bars end on seams if mesh sizes change", {
   state <- unsettled("midwater_trawl", nodes = 1500, netting = "bars")
   drawing <- state_drawing(state)
   from <- cbind(drawing$netting$from, drawing$ropes$from)
   to <- cbind(drawing$netting$to, drawing$ropes$to)
   along <- to - from
-  # Points that are tied between nodes are the ends of twines on seams and ropes.
+  # Tied points between nodes are the ends of twines on seams and ropes.
   tied <- state_points(state)[, -seq_len(engine_array(state, "nodes"))]
   inside <- apply(tied, 2, function(place) {
     share <- colSums((place - from) * along) / colSums(along^2)
@@ -46,19 +46,19 @@ test_that("no twine of bars ends in the open: where mesh sizes change it ends on
   expect_true(all(inside))
 })
 
-test_that("cells lie in the panel's grid where their nodes bound them", {
+test_that("drawn cells are in the panel's grid between their nodes", {
   state <- unsettled(sheets_plan, nodes = 300)
-  lattice <- state$lattice
-  for (name in names(panels_of(lattice))) {
-    mine <- elements_of(lattice, "cell", name)
-    grid <- panel_of(lattice, name)$grid
-    cell <- panel_of(lattice, name)$cell
+  mesh <- state$mesh
+  for (name in names(panels_of(mesh))) {
+    mine <- elements_of(mesh, "cell", name)
+    grid <- panel_of(mesh, name)$grid
+    cell <- panel_of(mesh, name)$cell
     expect_length(cell, length(mine))
     column <- row(grid)[cell]
     row <- col(grid)[cell]
     expect_equal(range(column), c(1, nrow(grid) - 1))
     expect_equal(range(row), c(1, ncol(grid) - 1))
-    node <- matrix(engine_array(lattice, "cells", "node"), 4L)[, mine, drop = FALSE]
+    node <- matrix(engine_array(mesh, "cells", "node"), 4L)[, mine, drop = FALSE]
     inside <- vapply(seq_along(mine), function(k) {
       all(node[, k] %in% grid[column[k] + 0:1, row[k] + 0:1])
     }, NA)
@@ -66,9 +66,10 @@ test_that("cells lie in the panel's grid where their nodes bound them", {
   }
 })
 
-test_that("a cell's lines carry its own tensions", {
+test_that("drawn lines of a cell have the cell's tensions", {
   state <- unsettled(sheets_plan, nodes = 300)
-  # Tensions that tell the row of the panel: the mean depth of the cell in mesh coordinates.
+  # Artificial tensions that identify the row of the panel: the mean depth of the cell in mesh
+  # coordinates.
   twine <- matrix(engine_array(state, "cells", "twine"), 8L)
   state$u_tension <- colMeans(twine[c(1, 3, 5, 7), ] + twine[c(2, 4, 6, 8), ]) / 2
   state$v_tension <- state$u_tension + 1000
@@ -77,14 +78,14 @@ test_that("a cell's lines carry its own tensions", {
   grid <- panel_of(state, "top")$grid
   cells <- prod(dim(grid) - 1)
   expect_length(lines$tension, 2 * cells)
-  # A row's middle, but for the taper.
+  # The middle of a row, except for the taper.
   row <- rep(seq_len(ncol(grid) - 1), each = nrow(grid) - 1)
   deep <- state$si$panels$top$deep
   expect_equal(lines$tension[seq_len(cells)], (row - 0.5) * deep / max(row), tolerance = 0.02)
   expect_equal(lines$tension[cells + seq_len(cells)], lines$tension[seq_len(cells)] + 1000)
 })
 
-test_that("twines of square meshes run along the cells, of diamond meshes across them", {
+test_that("drawn twines run along square cells and across diamond cells", {
   state <- unsettled(sheets_plan, nodes = 300)
   lines <- function(name) {
     panel_cell_lines(state, state_points(state), name, which(parts_of(state)$name == name), 1)
@@ -95,7 +96,7 @@ test_that("twines of square meshes run along the cells, of diamond meshes across
   expect_length(lines("top")$tension, 2 * prod(cells("top")))
 })
 
-test_that("a net too fine for a page is thinned to the lines asked for", {
+test_that("drawing thins a fine net to the requested number of lines", {
   for (netting in c("cells", "bars")) {
     state <- unsettled(sheets_plan, nodes = 3000, netting = netting)
     points <- state_points(state)
@@ -107,7 +108,7 @@ test_that("a net too fine for a page is thinned to the lines asked for", {
       expect_gt(length(thin$netting$tension), limit / 5)
       expect_true(all(are_among(cbind(thin$netting$from, thin$netting$to), points)))
       expect_setequal(unique(thin$netting$part), unique(whole$netting$part))
-      # Thinning takes lines out, not away from the sides of the net.
+      # Thinning removes lines, but not along the sides of the net.
       expect_equal(
         apply(cbind(thin$netting$from, thin$netting$to), 1, range),
         apply(cbind(whole$netting$from, whole$netting$to), 1, range), tolerance = 0.1
@@ -116,12 +117,12 @@ test_that("a net too fine for a page is thinned to the lines asked for", {
   }
 })
 
-test_that("a thinned panel of bars is drawn along whole twines that lie evenly apart", {
+test_that("thinned panel of bars shows whole, evenly spaced twines", {
   state <- unsettled(sheets_plan, nodes = 3000, netting = "bars")
   state$bar_tension[] <- 7
   part <- which(parts_of(state)$name == "top")
   drawn <- panel_of(state, "top")
-  # in mesh coordinates a twine is a straight line on which i + j or j - i stays the same
+  # in mesh coordinates a twine is a straight line of constant i + j or j - i
   node <- ifelse(drawn$node < 0, engine_array(state, "nodes") - drawn$node, drawn$node)
   points <- matrix(NA_real_, 3, max(node))
   points[, node] <- rbind(drawn$i, drawn$j, 0)
@@ -140,7 +141,7 @@ test_that("a thinned panel of bars is drawn along whole twines that lie evenly a
     length(whole) / length(x)
   }))
   expect_equal(as.vector(apart), c(1, 1))
-  # as much twine is drawn as in all bars of every fourth twine, and each line has up to four
+  # the drawn length equals the length of every fourth twine, and each line has up to four bars
   expect_lte(max(abs(along)), 4 + 0.5)
   all_bars <- panel_bar_lines(state, points, "top", part, 0)
   expect_equal(sum(abs(along)), sum(part_of(state, "bar") == part) / drawn$segments / 4,
@@ -148,7 +149,7 @@ test_that("a thinned panel of bars is drawn along whole twines that lie evenly a
   expect_lt(length(lines$tension), length(all_bars$tension) / 10)
 })
 
-test_that("a rope with too many bars is drawn whole through fewer nodes", {
+test_that("rope with many bars is drawn whole through fewer nodes", {
   state <- unsettled("towed_cable")
   lines <- state_drawing(state, limit = 30)$ropes
   n <- length(lines$tension)
@@ -159,7 +160,7 @@ test_that("a rope with too many bars is drawn whole through fewer nodes", {
   expect_equal(lines$to[, n], state$position[, nodes[length(nodes)]])
 })
 
-test_that("pieces and held points are marked where they are", {
+test_that("pieces and fixed points are marked at their positions", {
   state <- unsettled(sheets_plan)
   marks <- state_drawing(state)$marks
   expect_setequal(marks$role, c("float", "otter_board", "other", "moved"))
@@ -169,12 +170,12 @@ test_that("pieces and held points are marked where they are", {
     at(which(marks$part == "sinker")), state$position[, nodes_at(state, "tip.lower_left")]
   )
   floats <- t(as.matrix(marks[marks$role == "float", c("x", "y", "z")]))
-  on_rope <- state$position[, along_rope(state, "head_line")$node]
+  on_rope <- state$position[, along_rope(state, "headline")$node]
   expect_true(all(are_among(floats, on_rope)))
   expect_lte(ncol(floats), marks_of_piece)
 })
 
-test_that("the flow is towing and current together, and none in air", {
+test_that("flow_past() adds towing and current and is zero in air", {
   plan <- sheets_plan
   plan$water <- list(current = list(speed = 0.5, toward = "90 deg"))
   expect_equal(flow_past(unsettled(plan)), c(1, 0.5))

@@ -1,4 +1,4 @@
-# The sea bed under a gear: how a dragged chain lies on it, what it carries and how it rubs.
+# The seabed under a gear: shape, load and friction of a dragged chain.
 
 # A chain without water, so that only weight and ground act, dragged over level ground.
 dragged_chain <- function(...) {
@@ -11,10 +11,10 @@ dragged_chain <- function(...) {
   )
 }
 
-# Its closed form: a hanging length s pulls down with V = w s; what lies drags with
-# H = mu w (L - s), mu reduced by the slip speed of 0.02 m/s; the catenary rises by
-# H/w (sqrt(1 + (V/H)^2) - 1). Returns s (m) and, in N, both forces at the ship, what lies on the
-# ground and the weight of a metre.
+# Analytical solution. A hanging length s pulls down with V = w s. The part on the ground has the
+# friction H = mu w (L - s), with mu reduced by the slip speed of 0.02 m/s. The catenary rises by
+# H/w (sqrt(1 + (V/H)^2) - 1). Returns s (m) and, in N, both forces at the ship, the ground load and
+# the weight of a metre.
 hung_chain <- function() {
   w <- 4 * gear_gravity
   mu <- 0.6 / sqrt(1 + 0.02^2)
@@ -26,7 +26,7 @@ hung_chain <- function() {
   c(hanging = s, along = mu * w * (60 - s), vertical = w * s, ground = w * (60 - s), metre = w)
 }
 
-test_that("a dragged chain hangs in the catenary above the length that its friction needs", {
+test_that("dragged chain hangs in a catenary set by its friction", {
   state <- settle(dragged_chain(), nodes = 400)
   exact <- hung_chain()
   s <- exact[["hanging"]]
@@ -38,9 +38,9 @@ test_that("a dragged chain hangs in the catenary above the length that its frict
   expect_equal(-pull$x_kN, exact[["along"]] / 1000, tolerance = 0.15 / (60 - s))
   expect_equal(found[["ground_load_kN"]], 60 * w / 1000 - pull$z_kN, tolerance = 1e-6)
   expect_equal(found[["ground_friction_percent"]], 100, tolerance = 1e-6)
-  # It sinks in until the ground bears it: p^2 = 2 h w / (k d), h = 0.02 m, k = 3e6 Pa/m.
+  # Penetration at the equilibrium: p^2 = 2 h w / (k d), h = 0.02 m, k = 3e6 Pa/m.
   sunk <- sqrt(2 * 0.02 * w / (3e6 * 0.013))
-  # So the chain, curved with a radius of H/w, touches the ground sooner by sqrt(2 sunk H/w).
+  # So the chain, curved with a radius of H/w, touches the ground earlier by sqrt(2 sunk H/w).
   sooner <- sqrt(2 * sunk * exact[["along"]] / w)
   expect_gt(found[["rope_on_ground_m"]], 60 - s)
   expect_lt(found[["rope_on_ground_m"]], 60 - s + sooner + 0.15)
@@ -48,12 +48,13 @@ test_that("a dragged chain hangs in the catenary above the length that its frict
   expect_equal(-15 - tail, sunk - 0.013 / 2, tolerance = 1e-4)
 })
 
-test_that("a gear lies on sloping ground, and all forces balance", {
+test_that("gear settles on sloping ground with zero remainder", {
   state <- settle(update(dragged_chain(),
     seabed.slope = list(angle = "10 deg", toward = "90 deg"), water.density = 1025
   ), nodes = 100)
   x <- state$position[, nodes_at(state, "tail")]
-  # It slides down aside, and its middle stays half a diameter, less a millimetre or two, above.
+  # It slides sideways down, and its middle is half a diameter, less a millimetre or two, above the
+  # ground.
   expect_gt(x[2], 1)
   above <- height_above_ground(state$si$ground, cbind(x))
   expect_lt(abs(above - 0.013 / 2), 0.007)
@@ -62,9 +63,9 @@ test_that("a gear lies on sloping ground, and all forces balance", {
   expect_lt(max(abs(remainder)), 1e-6)
 })
 
-test_that("an otter board stands on the ground by its shoe", {
-  # Upright and on its side are both balances of a board on the ground. With its centre of gravity
-  # at -0.6 m the lattice decides which is found; here most lattices have it upright.
+test_that("otter board settles on the ground on its shoe", {
+  # A board on the ground has equilibria upright and on its side. With its centre of gravity at -0.6
+  # m the mesh decides the result; here most meshes have it upright.
   board <- read_gear(test_path("plans", "towed_board.yaml"))
   state <- settle(update(board,
     seabed = list(depth = "9.7 m", friction = 0.5), ropes.warp.length = "60 m",
@@ -73,17 +74,17 @@ test_that("an otter board stands on the ground by its shoe", {
   table <- board_table(state)
   expect_equal(table$condition, "flying")
   expect_gt(table$ground_load_kN, 0.01)
-  # The warp is fastened 1.35 m above its lower edge, which is level within the trim.
+  # The warp is attached 1.35 m above its lower edge, which is level except for the trim.
   expect_equal(measures(state)[["depth_m"]], 9.7 - 1.35, tolerance = 0.05 / 8)
   remainder <- summary(state)$balance
   expect_lt(max(abs(unlist(remainder[remainder$force == "remainder", -1]))), 1e-6)
 })
 
-test_that("a sloping bed has the plan's depth below the origin", {
+test_that("sloping bed has the plan's depth below the origin", {
   bed <- list(depth = 50, slope = list(angle = 0.3, toward = 0.5), friction = 0.5, stiffness = 1e4)
   ground <- si_seabed(bed, 2, 100)
   expect_equal(height_above_ground(ground, c(0, 0, -50)), 0)
-  # down the slope by 10 m it is 10 tan(0.3) deeper, and distances are across it
+  # 10 m down the slope it is 10 tan(0.3) deeper, and distances are normal to it
   down <- 10 * c(cos(0.5), sin(0.5))
   expect_equal(height_above_ground(ground, c(down, -50 - 10 * tan(0.3))), 0)
   expect_equal(height_above_ground(ground, c(0, 0, -40)), 10 * cos(0.3))

@@ -1,6 +1,6 @@
-# Settling from a state. tests/ratchets/cost.R counts what this costs.
+# settle() from a state. tests/ratchets/cost.R counts its cost.
 
-test_that("any shipped gear settles from its own state without a step", {
+test_that("settle() from a gear's own state needs no iteration", {
   for (name in gears()$name) {
     gear <- read_gear(name)
     suppressWarnings(state <- settled(name, nodes = 300), classes = "codend_warning")
@@ -11,11 +11,11 @@ test_that("any shipped gear settles from its own state without a step", {
   }
 })
 
-test_that("settle() from a state finds the equilibrium that it finds from nothing", {
+test_that("settle() from a state finds the same equilibrium as from scratch", {
   # With blended drag and a speed 10 % higher, the corners have two equilibria 0.03 % apart.
-  thin <- update(read_gear(test_path("plans", "trawl_1536.yaml")), netting_drag = "twines")
+  thin <- update(read_gear(test_path("plans", "trawl_1536.yaml")), netting_drag = "morison")
   trawl <- read_gear("midwater_trawl")
-  # A change of length is left out: it changes the mesh of a state that is settled from nothing.
+  # Changes of length are omitted: they would change the mesh of a cold start.
   changed <- list(
     update(thin, towing.speed = "4.95 knot"), update(thin, otter_boards.area = "13.2 m2"),
     update(thin, otter_boards.mass = "4.4 tonne"), update(trawl, towing.speed = "4.4 knot")

@@ -1,16 +1,16 @@
-# Coarse to fine, and from a state.
+# Mesh levels from coarse to fine, and solves from a state.
 
-test_that("coarse to fine ends where the crude start ends", {
+test_that("mesh levels and the crude start reach the same equilibrium", {
   gear <- read_gear("midwater_trawl")
   state <- settle(gear, nodes = 1500, netting = "bars")
   crude <- settle_numbers(gear_si(gear), 1500, "bars", through_levels = FALSE)
   expect_true(crude$report$converged)
-  # Forces in balance to 1e-8 of the largest tension; slack twine has little to hold it in place.
+  # Residual of 1e-8 of the largest tension; slack twine has little stiffness.
   expect_equal(crude$position, as.vector(state$position), tolerance = 1e-6)
   expect_lte(state$report$iterations, crude$report$iterations)
 })
 
-test_that("a state is the start of another speed, warp or finer lattice", {
+test_that("settle() from a state handles another speed, warp or finer mesh", {
   gear <- read_gear("midwater_trawl")
   state <- settled("midwater_trawl", nodes = 500)
   # Steps from the state and from a crude start when this was written: 8 and 25, 25 and 23.
@@ -24,7 +24,7 @@ test_that("a state is the start of another speed, warp or finer lattice", {
     expect_lt(near$report$factorisations, share[[speed]] * crude$report$factorisations)
   }
 
-  # Left in place the net would be torn: 60 steps and more, 10 or 30 % more warp alike.
+  # If the net kept its position it would be torn: 60 steps and more, for 10 or 30 % more warp.
   longer <- update(gear, warps.length = "910 m")
   near <- settle(longer, nodes = 500, from = state)
   expect_lte(near$report$iterations, 40)
@@ -39,30 +39,30 @@ test_that("a state is the start of another speed, warp or finer lattice", {
   )
 })
 
-test_that("where steps from a state do not close in its lattice is settled from near", {
+test_that("settle() from a state falls back if its steps diverge", {
   state <- settled("midwater_trawl", nodes = 500)
-  # held where it was, the net is torn between ropes a seventh as long
+  # at its old position, the net is torn between ropes a seventh as long
   gear <- update(state$gear, warps.length = "100 m")
   near <- settle(gear, nodes = 500, from = state)
-  lattice <- build_lattice(gear_si(gear), 500, NULL, state_shape(state))
-  expect_identical(near$lattice$mesh$bars, lattice$mesh$bars)
+  mesh <- build_mesh(gear_si(gear), 500, NULL, state_shape(state))
+  expect_identical(near$mesh$model$bars, mesh$model$bars)
   # the same numbers from a start that was never settled
-  bare <- engine_settle(lattice$mesh, as.double(lattice$start), "crude", numeric(),
-    line_part(lattice), settle_tolerance, settle_iterations, function(...) NULL)
+  bare <- engine_settle(mesh$model, as.double(mesh$start), "crude", numeric(),
+    line_part(mesh), settle_tolerance, settle_iterations, function(...) NULL)
   expect_equal(as.double(near$position), bare$position, tolerance = 1e-6)
 })
 
-test_that("a codend that is filled in steps ends as one that is filled at once", {
+test_that("codend filled in steps equals one filled at once", {
   codend <- read_gear("t90_codend")
   filled <- function(meshes, from = NULL) {
     suppressWarnings(settle(update(codend, catch.blocked_meshes = meshes), 1500, from = from))
   }
   at_once <- filled(12)
-  # with 4 meshes it is flat, and steps from there would stay on a balance of half the volume
+  # with 4 meshes it is flat, and steps from there would stay at an equilibrium of half the volume
   by_steps <- filled(12, filled(8, filled(4)))
   expect_identical(by_steps$position, at_once$position)
   expect_identical(by_steps$report$iterations, at_once$report$iterations)
-  # the same catch under another flow still starts from the state, and keeps its shape
+  # the same catch in another flow still starts from the state, and keeps its shape
   faster <- update(by_steps$gear, towing.speed = "3.03 knot")
   expect_equal(measures(settle(faster, from = by_steps)), measures(settle(faster, 1500)),
     tolerance = 1e-6, ignore_attr = TRUE)

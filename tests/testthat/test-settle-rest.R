@@ -1,4 +1,4 @@
-# Simple things at rest settle, and a tow of them stays where it begins.
+# Simple gear at rest settles and stays at rest in a tow.
 
 on_bed <- "seabed: {depth: 20 m, friction: 0.5}"
 ground_rope <- function(material, where = on_bed) {
@@ -13,25 +13,25 @@ ropes:
   line: {from: west, to: east, length: 10 m, diameter: 20 mm, material: %s}
 ", where, material))
 }
-# How far any node is from where it began after 20 s, m.
+# Largest displacement of a node after 20 s, m.
 drift <- function(state) {
   end <- tow(state, until = 20, every = 20)
   expect_equal(max(end$time), 20)
   max(abs(state_at(end, 20)$position - state$position))
 }
 
-test_that("a slack rope lies on level ground, which carries its weight in water", {
+test_that("slack rope on level ground has its weight in water as load", {
   for (material in c("steel_chain", "PA")) {
     state <- settle(ground_rope(material), 100)
     line <- state$si$ropes$line
     weight <- 10 * (line$mass_per_length - 1025 * line$volume_per_length) * 9.81
-    # a held end carries half of the element beside it itself
+    # a fixed end carries half of the element next to it
     expect_equal(measures(state)[["ground_load_kN"]], weight / 1000, tolerance = 0.02)
     expect_lt(drift(state), 1e-3)
   }
 })
 
-test_that("a slack rope hangs between two points in still water", {
+test_that("slack rope in still water hangs as a catenary", {
   state <- settle(ground_rope("PA", ""), 100)
   # an inextensible catenary: sinh(u) / u = length / span, sag a (cosh(u) - 1)
   u <- stats::uniroot(function(u) sinh(u) / u - 10 / 8, c(0.1, 5), tol = 1e-10)$root
@@ -40,7 +40,7 @@ test_that("a slack rope hangs between two points in still water", {
   expect_lt(drift(state), 1e-3)
 })
 
-test_that("a net lies on the bed, or hangs in still water", {
+test_that("net settles on the bed and in still water", {
   wall <- "
 codend: 1
 name: Net at rest
@@ -54,7 +54,7 @@ panels:
     meshes: {upper: 140, lower: 140, deep: 30}
     twine: {diameter: 2 mm, material: PA}
 ropes:
-  head_line: {along: wall.upper, hanging_ratio: 0.7, diameter: 12 mm, material: PA}
+  headline: {along: wall.upper, hanging_ratio: 0.7, diameter: 12 mm, material: PA}
   west_tie: {from: west, to: wall.upper_left, length: 0.5 m, diameter: 12 mm, material: PA}
   east_tie: {from: east, to: wall.upper_right, length: 0.5 m, diameter: 12 mm, material: PA}
 "

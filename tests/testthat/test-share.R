@@ -7,22 +7,22 @@ misfit_at_random <- function(series, places = 3) {
   }, 0))
 }
 
-test_that("series of sliders are the numbers that the plan gives", {
+test_that("slider series reproduce the numbers of changed plans", {
   set.seed(38)
   for (name in c("towed_cable", "stow_net", "t90_codend")) {
     state <- suppressWarnings(settle(name, nodes = 300))
     standard <- shared_measures(state)$standard
     series <- slider_series(state, slider_fields(state$gear, NULL, NULL), standard)
-    # of double precision, after sums of a dozen terms
+    # double precision, after sums of a dozen terms
     expect_lt(misfit_at_random(series), 1e-12)
-    # and the test can tell: without its last term a series is off
+    # check of the test: without its last term a series is wrong
     less <- series
     less$terms <- less$terms[-1L]
     expect_gt(misfit_at_random(less), 1e-6)
   }
 })
 
-test_that("an area and a coefficient of lift meet in a cross term", {
+test_that("slider series has a cross term for area times lift coefficient", {
   state <- suppressWarnings(settle("poly_noreastern_trawl", nodes = 300))
   fields <- slider_fields(state$gear, c("otter_boards.area", "otter_boards.lift_coefficient"), NULL)
   series <- slider_series(state, fields, shared_measures(state)$standard)
@@ -31,7 +31,7 @@ test_that("an area and a coefficient of lift meet in a cross term", {
   expect_lt(misfit_at_random(series), 1e-12)
 })
 
-test_that("a shared scene has the bars that carry each drawn tension", {
+test_that("shared scene lists the bars of each drawn tension", {
   # netting of bars with seams, netting of cells, ropes alone
   for (name in c("midwater_trawl", "stow_net", "towed_cable")) {
     state <- suppressWarnings(settle(name, nodes = 300))
@@ -52,10 +52,10 @@ test_that("a shared scene has the bars that carry each drawn tension", {
   }
 })
 
-test_that("fields that cannot be sliders are refused by name", {
+test_that("slider_fields() rejects unsuitable fields by name", {
   gear <- read_gear("towed_cable")
   expect_wrong(slider_fields(gear, "ropes.cable.segments", NULL), "ropes.cable.segments")
-  # what divides the gear otherwise changes more than numbers
+  # a field that changes the mesh changes more than numbers
   base <- list(gear.panels.rows = 4L, gear.panels.deep = c(1, 2))
   odd <- function(...) odd_array(list(...), base)
   expect_match(odd(gear.panels.rows = 4L, gear.panels.deep = 1:3 + 0), "parts")
@@ -65,10 +65,10 @@ test_that("fields that cannot be sliders are refused by name", {
   of <- function(path) {
     slider_series(state, slider_fields(state$gear, path, NULL), shared_measures(state)$standard)
   }
-  expect_wrong(of(list(sprintf("panels.net_%d.meshes.deep", 1:8))), "divides the gear otherwise")
+  expect_wrong(of(list(sprintf("panels.net_%d.meshes.deep", 1:8))), "changes the mesh of the model")
 })
 
-test_that("arguments are checked before anything is computed", {
+test_that("share() checks its arguments before any computation", {
   state <- settle("towed_cable")
   argument <- function(expression) expect_error(expression, class = "codend_error")
   argument(slider_fields(state$gear, "nowhere.length", NULL))
@@ -80,7 +80,7 @@ test_that("arguments are checked before anything is computed", {
   expect_equal(c(field$lower, field$upper, slider_step(field)), c(2, 6, 0.02))
 })
 
-# The bytes of letters_of(), as text of bits.
+# The bytes of letters_of(), as a string of bits.
 bytes_of <- function(found) {
   code <- match(strsplit(found[[2]], "")[[1]], text_letters) - 1L
   pair <- matrix(code, 2L)
@@ -88,7 +88,7 @@ bytes_of <- function(found) {
   memDecompress(packBits(as.vector(bits)[seq_len(8L * found[[1]])]), "gzip")
 }
 
-test_that("arrays come back from their bytes", {
+test_that("packed_arrays() can be decoded from its bytes", {
   arrays <- list(
     a = c(1.5, -2, pi), b = 1:5, c = c("x", "y", "x"), d = structure(2L, class = "groups"),
     e = cos(seq_len(999)), f = c(1.5, -2, pi)
@@ -105,12 +105,12 @@ test_that("arrays come back from their bytes", {
   words <- as.character(packed$head$c[[5]])
   expect_identical(words[cumsum(back(packed$head$c, 4L, "integer")) + 1L], arrays$c)
   expect_identical(back(packed$head$e, 8L, "double"), arrays$e)
-  # once for both
+  # stored once for both
   expect_identical(packed$head$f, packed$head$a)
   expect_equal(few_figures(c(pi, -1e-7, 0, NA), 10), c(pi, -1e-7, 0, NA), tolerance = 2^-10)
 })
 
-test_that("a page runs no script of a plan's words; without an engine there is none", {
+test_that("share() escapes the plan's strings and needs the engine for pages", {
   gear <- update(read_gear("towed_cable"), name = "</script><script>hurt()</script>")
   state <- settle(gear)
   file <- tempfile(fileext = ".html")

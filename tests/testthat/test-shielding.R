@@ -1,6 +1,6 @@
-# Netting slows the water behind it, by published laws, consistently with its own shape.
+# Wakes of netting by published formulas, consistent with the shape of the netting.
 
-# Square sheets of netting one behind the other, held stretched along their upper and lower edges.
+# Square sheets of netting in a row, fixed stretched along their upper and lower edges.
 sheets <- function(law, number = 2, ...) {
   points <- seams <- panels <- list()
   for (k in seq_len(number)) {
@@ -34,7 +34,7 @@ drag_of <- function(state) {
   drag$drag_kN[drag$kind == "netting"]
 }
 
-test_that("the laws are as printed", {
+test_that("shielding reduces speed by the published formulas", {
   laws <- list(
     loland = function(sn) 1 - 0.46 * (0.33 * sn + 6.54 * sn^2 - 4.88 * sn^3),
     cheng = function(sn) (1 + 0.05 - 0.38 * sn) / (1 + 0.05)
@@ -42,16 +42,15 @@ test_that("the laws are as printed", {
   for (netting in c("cells", "bars")) {
     for (law in names(laws)) {
       state <- settle(sheets(law), nodes = 400, netting = netting)
-      # Twine of 2 mm, bars of 20 mm: 0.2 as the sum of its twine, less where it is stretched, and
-      # less the crossings, which are without knots and count once.
+      # Twine of 2 mm, bars of 20 mm: solidity 0.2 as the sum of twines. Stretch reduces it, and so
+      # do crossings, which have no knots and count once.
       lines <- state_lines(state)
       twine <- 0.2 / mean(lines$length / lines$rest)^2
       sn <- twine - twine^2 / 4
       drag <- drag_of(state)
-      # Drag goes with the speed squared; sheets bow by a few deg. Middles of bars on a sheet's
-      # border are beside the shadow: of 8 by 8 meshes a tenth of the twine, its speed reduced by
-      # half as
-      # much: 2 %.
+      # Drag is proportional to speed squared; sheets sag by a few degrees. Midpoints of bars on a
+      # sheet's border are outside the wake: with 8 by 8 meshes this is 10 % of the twine with half
+      # the speed reduction, 2 %.
       expect_equal(drag[2] / drag[1], laws[[law]](sn)^2,
         tolerance = c(cells = 0.005, bars = 0.025)[[netting]])
       expect_lt(state$report$wake_change, 1e-5)
@@ -60,19 +59,19 @@ test_that("the laws are as printed", {
   }
 })
 
-test_that("each sheet upstream slows the water again", {
+test_that("each sheet upstream reduces the speed again", {
   drag <- drag_of(settle(sheets("loland", 3), nodes = 600))
   expect_equal(drag[3] / drag[2], drag[2] / drag[1], tolerance = 0.01)
 })
 
-test_that("shielding is per panel and off unless asked for", {
+test_that("shielding is a field per panel and off by default", {
   none <- drag_of(settle(sheets("none"), nodes = 400))
   expect_equal(none[1], none[2], tolerance = 1e-6)
   expect_equal(drag_of(settle(sheets("loland", shielding = "none"), nodes = 400)), none)
   expect_refused(sheets("some"))
 })
 
-test_that("shielded states are in balance and repeat to the bit", {
+test_that("shielded states have zero remainder and are reproducible", {
   plan <- sheets("cheng")
   state <- settle(plan, nodes = 400)
   balance <- summary(state)$balance
@@ -82,7 +81,7 @@ test_that("shielded states are in balance and repeat to the bit", {
   expect_identical(settle(plan, nodes = 400)$position, state$position)
 })
 
-test_that("a shielded state stays as it is while it is towed", {
+test_that("shielded state remains at rest in a tow", {
   for (netting in c("cells", "bars")) {
     state <- settle(sheets("cheng"), nodes = 200, netting = netting)
     expect_lt(min(engine_array(state, "wake")), 0.95)
@@ -94,15 +93,15 @@ test_that("a shielded state stays as it is while it is towed", {
   }
 })
 
-test_that("the wake follows a current that changes, to the gear that settles in it", {
+test_that("wake follows a changing current to the settled state", {
   gear <- update(sheets("loland"), water.current.toward = "15 deg")
   turning <- list(speed = 0.5, toward = data.frame(time = c(0, 20), value = c("0 deg", "15 deg")))
   found <- tow(sheets("loland"), until = 200, every = 20, nodes = 200,
     schedule = tow_schedule(current = turning))
   expected <- settle(gear, nodes = 200)
-  # the second sheet comes out of the shadow of the first, 4 m and 15 deg, by half
+  # the second sheet leaves half of the first sheet's wake, with 4 m and 15 deg
   expect_gt(mean(found$wake[, 11]), mean(found$wake[, 1]) + 0.005)
-  # shares to 1e-5 each; drag with their square
+  # speed fractions to 1e-5 each; drag with their square
   expect_equal(drag_of(state_at(found, 200)), drag_of(expected), tolerance = 1e-4)
 
   file <- file.path(test_folder(), "tow.nc")

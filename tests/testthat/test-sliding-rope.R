@@ -1,4 +1,4 @@
-# Ropes that slide through places, and places at a share of a rope's length.
+# Ropes that slide through points, and points at a fraction of a rope's length.
 
 # The rope's second end is `drop` m lower.
 hanging_weight <- function(drop = 0, ...) {
@@ -13,10 +13,10 @@ hanging_weight <- function(drop = 0, ...) {
   )
 }
 
-test_that("a weight on a sliding rope hangs where both parts are equally steep", {
+test_that("weight on a sliding rope settles with equal slopes", {
   for (drop in c(0, 1.5)) {
     state <- settle(hanging_weight(drop))
-    # both parts at the angle whose cosine is 8/10; EA of 1e8 N stretches 4 kN's worth, 4e-5
+    # both parts have the angle with cosine 8/10; EA of 1e8 N stretches by 4e-5 under 4 kN
     expect_equal(measures(state)[["depth_m"]], 1 + 3 + drop / 2, tolerance = 1e-4)
     expect_equal(state$position[1, nodes_at(state, "ring")], 4 + drop * 8 / 12, tolerance = 1e-4)
     expect_equal(measures(state)[["pull_kN"]], 0.5 * 9.81 / (2 * 0.6), tolerance = 1e-4)
@@ -26,7 +26,7 @@ test_that("a weight on a sliding rope hangs where both parts are equally steep",
   }
 })
 
-test_that("a rope that slides needs its two ends, a length and another place each time", {
+test_that("sliding rope requires two ends, a length and different points", {
   expect_refused(
     gear("g", a = gear_point(position = c(0, 0, 0), held = "fixed"),
       w = rope(through = list("a"), length = 1, diameter = 0.01, material = "PE")),
@@ -34,18 +34,18 @@ test_that("a rope that slides needs its two ends, a length and another place eac
   )
   bad <- hanging_weight()
   expect_refused(update(bad, ropes.wire.through = list("rin")), "ropes.wire.through")
-  expect_refused(update(bad, ropes.wire.through = list("ring", "ring")), "the same place")
+  expect_refused(update(bad, ropes.wire.through = list("ring", "ring")), "the same position")
   expect_refused(update(bad, measures.depth.depth = "wire[1.5]"), "measures.depth.depth")
 })
 
-test_that("a place at a share of a laced rope has a node of its own", {
+test_that("point at a fraction of a laced rope has its own node", {
   wall <- gear(
     "Netting on two piles",
     west = gear_point(position = c(0, -5, -1), held = "fixed"),
     east = gear_point(position = c(0, 5, -1), held = "fixed"),
     wall = netting_panel(mesh_size = "100 mm", meshes = list(upper = 140, lower = 140, deep = 10),
       twine = list(diameter = "2 mm", material = "PA")),
-    head_line = rope(along = "wall.upper", hanging_ratio = 0.7, diameter = "12 mm",
+    headline = rope(along = "wall.upper", hanging_ratio = 0.7, diameter = "12 mm",
       material = "PE"),
     foot = rope(along = "-wall.lower", hanging_ratio = 0.7, diameter = "12 mm", material = "PE"),
     west_tie = rope("west", "wall.upper_left", length = 0.5, diameter = "12 mm", material = "PE"),
@@ -54,14 +54,14 @@ test_that("a place at a share of a laced rope has a node of its own", {
     weight = piece(at = "ring", mass = "10 kg", density = "7850 kg/m3"),
     depth = measure(depth = "foot[0.17]")
   )
-  lattice <- codend:::build_lattice(codend:::gear_si(wall), 100)
-  foot <- along_rope(lattice, "foot")
-  node <- nodes_at(lattice, "foot[0.17]")
-  # breaks are kept to 1e-7 of an edge
+  mesh <- codend:::build_mesh(codend:::gear_si(wall), 100)
+  foot <- along_rope(mesh, "foot")
+  node <- nodes_at(mesh, "foot[0.17]")
+  # breaks are accurate to 1e-7 of an edge
   expect_equal(foot$at[match(node, foot$node)], 0.17, tolerance = 1e-6)
-  expect_equal(nodes_at(lattice, "ring"), node)
-  # of the edge that runs the other way 0.83
-  panel <- division_of(lattice)
+  expect_equal(nodes_at(mesh, "ring"), node)
+  # 0.83 of the edge, which runs in the opposite direction
+  panel <- division_of(mesh)
   on_lower <- panel$before[2] + seq_len(panel$count[2])
   expect_equal(panel$fraction[on_lower][panel$edge_node[on_lower] == node], 0.83, tolerance = 1e-6)
 })

@@ -1,6 +1,6 @@
 skip_if_not_installed("RNetCDF")
 
-test_that("a state that is read is the one that was written", {
+test_that("saved state is read back identically", {
   folder <- test_folder()
   file <- file.path(folder, "state.nc")
   states <- list(
@@ -21,7 +21,7 @@ test_that("a state that is read is the one that was written", {
   })$position, settle(states[[1]]$gear, nodes = 200, from = states[[1]])$position)
 })
 
-test_that("a file says in plain NetCDF what the state holds", {
+test_that("saved state is plain NetCDF with CF units", {
   file <- file.path(test_folder(), "state.nc")
   state <- settled("midwater_trawl", nodes = 500)
   write_result(state, file)
@@ -36,7 +36,7 @@ test_that("a file says in plain NetCDF what the state holds", {
   expect_identical(unit("door_spread_m"), "m")
   expect_identical(unit("swept_area_km2_per_h"), "km2 h-1")
   expect_identical(unit("slack_netting_percent"), "percent")
-  # every unit is one that the UDUNITS library knows, as the conventions ask
+  # the UDUNITS library knows every unit, as the conventions require
   info <- RNetCDF::file.inq.nc(nc)
   for (id in seq_len(info$nvars) - 1L) {
     known <- RNetCDF::var.inq.nc(nc, id)
@@ -53,17 +53,17 @@ test_that("a file says in plain NetCDF what the state holds", {
   expect_identical(get("part_name"), parts_of(state)$name)
 })
 
-test_that("other files are refused with their reason", {
+test_that("read_result() rejects other files with the reason", {
   folder <- test_folder()
   file <- file.path(folder, "other.nc")
   expect_error(read_result(file), "does not exist", class = "codend_error_file")
   write_netcdf(file, function(nc) RNetCDF::dim.def.nc(nc, "node", 3))
   expect_error(read_result(file), "no state", class = "codend_error_file")
   writeLines("text", file)
-  expect_error(read_result(file), "no NetCDF", class = "codend_error_file")
+  expect_error(read_result(file), "not a NetCDF file", class = "codend_error_file")
 })
 
-test_that("Python's standard library reads a state", {
+test_that("Python's standard library reads a state's JSON", {
   skip_if_not(has_python("json"), "Python is not installed")
   file <- file.path(test_folder(), "state.json")
   for (name in c("towed_cable", "model_cage")) {
@@ -88,7 +88,7 @@ test_that("Python's standard library reads a state", {
   }
 })
 
-test_that("a state's JSON is by its schema", {
+test_that("JSON of a state satisfies its schema", {
   skip_if_not(has_python("jsonschema"), "jsonschema for Python is not installed")
   file <- file.path(test_folder(), "state.json")
   write_result(settled("model_cage", nodes = 100), file)

@@ -1,6 +1,6 @@
 skip_if_not_installed("RNetCDF")
 
-# A weight on a cable whose winch gives way, and a rope behind it that parts.
+# A weight on a cable with a slipping winch, and a rope behind it that breaks.
 hauled_plan <- list(
   codend = 1, name = "Hauled \u00e5 weight", towing = list(speed = 2),
   points = list(ship = list(position = c(0, 0, 0), held = "moved"), body = list()),
@@ -27,7 +27,7 @@ hauled <- function(...) {
 
 known <- function(trajectory) unclass(plain_result(trajectory))
 
-test_that("a trajectory that is read is the one that was written", {
+test_that("saved tow is read back identically", {
   folder <- test_folder()
   file <- file.path(folder, "tow.nc")
   trajectory <- hauled(until = 30)
@@ -44,12 +44,12 @@ test_that("a trajectory that is read is the one that was written", {
   expect_identical(nrow(netting$straight_tension), 0L)
 })
 
-test_that("a trajectory knows the straight bars of hexagonal netting, in its file too", {
+test_that("saved tow includes straight bars of hexagonal netting", {
   plan <- panel_in_current_plan
   plan$panels$net[c("orientation", "straight_bar", "netting")] <- list("hexagonal", 0.02, "cells")
   trajectory <- tow(as_gear(plan), until = 0.2, every = 0.1, nodes = 100)
   state <- state_at(trajectory, 0.2)
-  # recomputed from places and velocities that are turned into the vessel's axes and back
+  # recomputed from positions and velocities that are rotated into the vessel's axes and back
   expect_equal(trajectory$straight_tension[, 3], state$straight_tension, tolerance = 1e-8)
   expect_gt(max(trajectory$straight_tension), 0)
   tensions <- as.data.frame(trajectory, what = "tensions")
@@ -60,7 +60,7 @@ test_that("a trajectory knows the straight bars of hexagonal netting, in its fil
   expect_identical(known(read_result(file)), known(trajectory))
 })
 
-test_that("a file keeps errors of measures, and where a trawl sticks to the bed", {
+test_that("saved tow keeps errors of measures and friction anchors", {
   trawl <- tow("poly_noreastern_trawl", nodes = 300, until = 2, every = 1)
   file <- file.path(test_folder(), "tow.nc")
   write_result(trawl, file)
@@ -72,18 +72,18 @@ test_that("a file keeps errors of measures, and where a trawl sticks to the bed"
   expect_identical(attr(measures(state_at(read, 2)), "error"), error)
 })
 
-test_that("a tow goes on from a file as if it had never stopped", {
+test_that("tow() continues from a file as without interruption", {
   file <- file.path(test_folder(), "tow.nc")
   whole <- hauled(until = 30)
   write_result(hauled(until = 15), file)
   on <- tow(read_result(file), until = 30, file = file)
-  # what a march counts begins anew
+  # the counts of the report start again
   same <- setdiff(names(whole), "report")
   expect_identical(known(on)[same], known(whole)[same])
   expect_identical(known(read_result(file)), known(on))
 })
 
-test_that("a file says in plain NetCDF what the trajectory holds", {
+test_that("saved tow is plain NetCDF", {
   file <- file.path(test_folder(), "tow.nc")
   trajectory <- hauled(until = 10, file = file)
   nc <- RNetCDF::open.nc(file)
@@ -101,7 +101,7 @@ test_that("a file says in plain NetCDF what the trajectory holds", {
   expect_identical(read_gear(plan)$plan, trajectory$gear$plan)
 })
 
-test_that("xarray opens a trajectory, with its measures over time", {
+test_that("xarray opens a tow with its measures over time", {
   skip_if_not(has_python("xarray") && has_python("netCDF4"), "xarray is not installed")
   file <- file.path(test_folder(), "tow.nc")
   trajectory <- hauled(until = 10)
@@ -121,8 +121,7 @@ test_that("xarray opens a trajectory, with its measures over time", {
   expect_identical(found$names, c("time", "platform_speed_wrt_ground"))
 })
 
-# Pays out slowly, and sends its own process a signal between the states of 15 and 20 s where it is
-# told to.
+# Pays out slowly. If requested, sends its own process a signal between the states of 15 and 20 s.
 steered <- function(plan, file) {
   control <- function(measures, time) {
     signal <- Sys.getenv("CODEND_TEST_SIGNAL")
@@ -134,7 +133,7 @@ steered <- function(plan, file) {
 }
 environment(steered) <- globalenv()
 
-# Runs it in a process of its own; returns list(status, end = how its trajectory ended).
+# Runs it in a separate process; returns list(status, end = end of its trajectory).
 signalled <- function(plan, folder, file, signal) {
   saveRDS(steered, file.path(folder, "run.rds"))
   script <- file.path(folder, "run.R")
@@ -151,7 +150,7 @@ signalled <- function(plan, folder, file, signal) {
   list(status = status, end = if (file.exists(end)) readLines(end))
 }
 
-test_that("a run that is interrupted gives what was done, and a tow goes on from its file", {
+test_that("interrupted tow returns its result and continues from its file", {
   skip_on_os("windows")
   folder <- test_folder()
   file <- file.path(folder, "tow.nc")
@@ -171,7 +170,7 @@ test_that("a run that is interrupted gives what was done, and a tow goes on from
   expect_identical(known(read_result(file))[same], known(whole)[same])
 })
 
-test_that("a run that is killed leaves what it had kept, and a tow goes on from there", {
+test_that("killed tow leaves its saved steps and continues from them", {
   folder <- test_folder()
   file <- file.path(folder, "tow.nc")
   plan <- write_gear(as_gear(hauled_plan), file.path(folder, "plan.yaml"))
@@ -185,14 +184,14 @@ test_that("a run that is killed leaves what it had kept, and a tow goes on from 
   on <- tow(found, until = 30, schedule = tow_schedule(control = function(measures, time) 0.1))
   expect_identical(on$position, whole$position)
 
-  # a record that was being written: its numbers are there, and its mark is not
+  # an incomplete record: its numbers are there, but its mark is not
   nc <- RNetCDF::open.nc(file, write = TRUE)
   RNetCDF::var.put.nc(nc, "time", 20, 5, 1)
   RNetCDF::var.put.nc(nc, "resume_now_time", 20, 2, 1)
   RNetCDF::close.nc(nc)
   expect_identical(read_result(file)[c("time", "memory")], found[c("time", "memory")])
 
-  # where the machine stopped too, the end of the file may never have reached the disk
+  # if the machine stopped too, the end of the file may not have reached the disk
   bytes <- readBin(file, "raw", file.size(file))
   for (lost in c(1, 100, 500)) {
     cut <- file.path(folder, "cut.nc")
@@ -203,7 +202,7 @@ test_that("a run that is killed leaves what it had kept, and a tow goes on from 
   expect_error(read_result(cut), class = "codend_error_file")
 })
 
-test_that("files that cannot be read or written are clear errors that leave nothing", {
+test_that("unreadable or unwritable files throw an error and leave nothing", {
   folder <- test_folder()
   trajectory <- hauled(until = 5)
   wrong <- function(code) expect_error(code, class = "codend_error_file")

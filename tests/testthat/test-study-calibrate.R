@@ -1,13 +1,13 @@
-# Calibrations against planted values, closed forms of least squares, and the likelihood itself.
+# Calibrations compared with true values, analytical least squares, and the likelihood itself.
 
 towed_sphere <- as_gear(towed_sphere_plan(pieces = list(sphere = list(drag_coefficient = 0.5))))
 drag_by_speed <- pi / 16 * 1025 / 2
 coefficient <- list(pieces.sphere.drag_coefficient = c(0.2, 1.5))
 
-# Numbers that are normal to the eye, without chance.
+# Deterministic numbers with a nearly normal distribution.
 noise <- function(n) stats::qnorm((((seq_len(n) * 0.6180339887) %% 1) * n + 0.5) / (n + 1))
 
-test_that("a linear model has the least squares of its closed form", {
+test_that("calibrate() gives the least squares of a linear model", {
   # drag is C_D times a known number: regression through the origin
   speed <- rep(seq(1, 3, by = 0.25), 2)
   known <- drag_by_speed * speed^2
@@ -15,13 +15,14 @@ test_that("a linear model has the least squares of its closed form", {
   fit <- calibrate(towed_sphere, data.frame(towing.speed = speed, Drag = drag), coefficient,
     Drag ~ total_drag)
   wanted <- stats::lm(drag ~ known - 1)
-  # Where the likelihood is flat to 1e-7 of itself the value is within 1e-4.
+  # Where the likelihood is flat to 1e-7, the value is accurate to 1e-4.
   expect_equal(unname(coef(fit)), unname(stats::coef(wanted)), tolerance = 1e-4)
   expect_equal(unname(sqrt(diag(vcov(fit)))), unname(sqrt(diag(stats::vcov(wanted)))),
     tolerance = 1e-3)
   expect_equal(unname(confint(fit, method = "normal", level = 0.9))[1, ],
     unname(stats::confint(wanted, level = 0.9))[1, ], tolerance = 1e-3)
-  # Of a linear model the likelihood has the same interval; its ends are found to 1 % of half of it.
+  # For a linear model the likelihood has the same interval; its ends are accurate to 1 % of its
+  # half width.
   half <- diff(stats::confint(wanted, level = 0.9)[1, ]) / 2
   expect_lt(max(abs(confint(fit, level = 0.9) - stats::confint(wanted, level = 0.9))), 0.02 * half)
   expect_equal(residuals(fit), unname(stats::residuals(wanted)), tolerance = 1e-2)
@@ -36,7 +37,7 @@ test_that("a linear model has the least squares of its closed form", {
     tolerance = 1e-3)
 })
 
-test_that("planted values come back from two measures, and others are told", {
+test_that("calibrate() recovers two true values and explain_misfit() names others", {
   true <- update(towed_sphere, pieces.sphere.drag_coefficient = 0.8, pieces.sphere.mass = 150)
   runs <- data.frame(towing.speed = paste(rep(2:6, 3), "knot"))
   found <- vary(true, towing.speed = paste(2:6, "knot"))
@@ -50,14 +51,14 @@ test_that("planted values come back from two measures, and others are told", {
   off <- (coef(fit) - c(0.8, 150)) / fit$fields$error
   expect_lt(max(abs(off)), 3)
   expect_lt(max(fit$fields$error / c(0.8, 150)), 0.05)
-  # With one of the two held wrong, the other is what the misfit points at.
+  # If one field is fixed at a wrong value, the misfit identifies it.
   blind <- calibrate(towed_sphere, runs, coefficient, list(Pull ~ pull_kN, Depth ~ depth))
   found <- explain_misfit(blind, to = c("pieces.sphere.mass", "pieces.sphere.volume",
     "pieces.sphere.diameter"))
   expect_identical(found$inputs$field[1], "pieces.sphere.mass")
   expect_lt(found$inputs$p[1], 1e-4)
   expect_lt(found$inputs$percent[1], -10)
-  # A diameter does what the coefficient does.
+  # A diameter has the same effect as the coefficient.
   expect_lt(found$inputs$own[found$inputs$field == "pieces.sphere.diameter"], 1e-3)
   expect_output(print(found), "pieces.sphere.mass")
   expect_true(all(c("pull_kN", "depth_m") %in%
@@ -65,7 +66,7 @@ test_that("planted values come back from two measures, and others are told", {
   expect_gte(min(found$measurements$gain), 1)
 })
 
-test_that("hauls of a fine lattice are fitted with few nodes", {
+test_that("calibrate() fits hauls of a fine mesh with few nodes", {
   plan <- towed_sphere_plan()
   plan$ropes$line <- list(from = "ship", to = "end", length = "100 m", diameter = "20 mm",
     axial_stiffness = "10 MN", mass_per_length = 1)
@@ -77,17 +78,17 @@ test_that("hauls of a fine lattice are fitted with few nodes", {
     fit <- calibrate(gear, runs, list(ropes.line.length = c("60 m", "200 m")), Depth ~ depth_m,
       nodes = 4, accuracy = accuracy)
     ends <- confint(fit, method = "normal")
-    # what the lattice leaves is part of the interval
+    # the mesh error is part of the interval
     expect_true(ends[1L] < 100 && ends[2L] > 100)
-    c(abs(unname(coef(fit)) - 100), fit$fields$lattice)
+    c(abs(unname(coef(fit)) - 100), fit$fields$mesh)
   }
   coarse <- off(NULL)
   fine <- off("0.05 %")
   expect_true(all(fine < coarse / 3))
 })
 
-test_that("a prior and known errors weigh as they should", {
-  # One haul of error s and a prior of mean m and deviation t: the mean of both by their weights.
+test_that("calibrate() weights a prior and known errors correctly", {
+  # One haul with error s and a prior of mean m and deviation t: their weighted mean.
   known <- drag_by_speed * 4
   runs <- data.frame(towing.speed = 2, Drag = 0.7 * known)
   fit <- calibrate(towed_sphere, runs,
@@ -98,7 +99,7 @@ test_that("a prior and known errors weigh as they should", {
   expect_equal(fit$fields$error, 1 / sqrt(1 / 0.05^2 + 1 / 0.1^2), tolerance = 1e-3)
 })
 
-test_that("a field at the end of its range is said to be there", {
+test_that("calibrate() reports a field at the end of its range", {
   known <- drag_by_speed * c(1, 4, 9, 16)
   fit <- calibrate(towed_sphere, data.frame(towing.speed = 1:4, Drag = 2 * known), coefficient,
     Drag ~ total_drag)
@@ -108,7 +109,7 @@ test_that("a field at the end of its range is said to be there", {
   expect_output(print(fit), "upper end of its range")
 })
 
-test_that("rows without a measurement are not matched, those alike are settled once", {
+test_that("calibrate() skips missing measurements and settles identical rows once", {
   known <- drag_by_speed * c(1, 4, 1, 4)
   runs <- data.frame(towing.speed = c(1, 2, 1, 2), Drag = c(0.6, 0.61, 0.59, 0.6) * known,
     Depth = c(9, NA, NA, NA))

@@ -1,4 +1,4 @@
-test_that("a grid holds every combination, ranges with their ends, whole numbers once", {
+test_that("designs(how = \"grid\") returns every combination with range ends", {
   found <- designs(towing.speed = value_range("3 knot", "5 knot"), floats.number = c(10, 20),
     how = "grid", number = 3)
   expect_s3_class(found, "codend_designs")
@@ -9,14 +9,14 @@ test_that("a grid holds every combination, ranges with their ends, whole numbers
   expect_equal(nrow(designs(together, towing.speed = 1:3, how = "grid")), 6L)
 })
 
-test_that("one at a time begins with the plan as it is", {
+test_that("designs(how = \"one_at_a_time\") starts with the unchanged plan", {
   found <- designs(towing.speed = c("3 knot", "5 knot"), warps.length = value_range(400, 600),
     how = "one_at_a_time", number = 3)
   expect_identical(found$towing.speed, c(NA, "3 knot", "5 knot", NA, NA, NA))
   expect_equal(found$warps.length, c(NA, NA, NA, 400, 500, 600))
 })
 
-test_that("a Latin hypercube meets every stratum of every field once", {
+test_that("designs(how = \"latin\") covers every stratum of every field once", {
   skip_if_not_installed("lhs")
   found <- designs(a.length = value_range(0, 1), b.length = value_range(10, 1000, log = TRUE),
     c.mass = normal_value(5, 2), how = "latin", number = 50, seed = 4)
@@ -26,10 +26,11 @@ test_that("a Latin hypercube meets every stratum of every field once", {
   expect_equal(strata(pnorm(found$c.mass, 5, 2)), 0:49)
 })
 
-test_that("a Sobol' sample is a net: elementary boxes of two fields hold as many points each", {
+test_that("designs(how = \"sobol\") returns a net of two fields", {
   skip_if_not_installed("spacefillr")
   # The first two coordinates of Sobol's sequence are a (0, m, 2)-net in base 2 (Sobol' 1967), and
-  # scrambling keeps that (Owen 1995): boxes of 2^-a by 2^-(m - a) hold one of 2^m points each.
+  # scrambling preserves this property (Owen 1995). So each box of 2^-a by 2^-(m - a) contains one
+  # point among 2^m.
   found <- designs(a.length = value_range(0, 1), b.length = value_range(0, 1), how = "sobol",
     number = 64,
     seed = 9)
@@ -42,21 +43,21 @@ test_that("a Sobol' sample is a net: elementary boxes of two fields hold as many
   expect_false(identical(found$a.length, other$a.length))
 })
 
-test_that("samples have the distributions asked for", {
+test_that("designs(how = \"random\") has the requested distributions", {
   found <- designs(a.length = normal_value("2 m", "10 cm", low = "1.9 m"), b.number = 1:4,
     c.number = value_range(2, 5, whole = TRUE), how = "random", number = 20000)
   value <- as.double(sub(" m", "", found$a.length))
   expect_true(all(value >= 1.9))
-  # of a normal distribution cut at one standard deviation below: mean + sd dnorm(1) / pnorm(1);
-  # 4 standard errors of 20,000 draws
+  # Normal distribution cut at one standard deviation below its mean: mean + sd dnorm(1) / pnorm(1);
+  # 4 standard errors of 20,000 draws.
   expect_equal(mean(value), 2 + 0.1 * dnorm(1) / pnorm(1), tolerance = 4 * 0.1 / sqrt(20000) / 2)
-  # a quarter each; 4 standard errors of a share
+  # a quarter each; 4 standard errors of a fraction
   share <- 4 * sqrt(0.25 * 0.75 / 20000)
   expect_true(all(abs(table(found$b.number) / 20000 - 0.25) < share))
   expect_true(all(abs(table(found$c.number) / 20000 - 0.25) < share))
 })
 
-test_that("designs for indices are two samples and the first with each field of the second", {
+test_that("designs(how = \"indices\") combines two samples field by field", {
   skip_if_not_installed("spacefillr")
   found <- designs(a.length = value_range(0, 1), b.length = value_range(0, 1), how = "indices",
     number = 8)
@@ -68,7 +69,7 @@ test_that("designs for indices are two samples and the first with each field of 
   expect_equal(block(3)[, 2], block(1)[, 2], ignore_attr = TRUE)
 })
 
-test_that("a seed gives the same designs, and the session's random numbers stay", {
+test_that("designs() is reproducible by seed and keeps the session's random state", {
   draw <- function(seed) {
     designs(a.length = value_range("1 m", "2 m"), how = "random", number = 20, seed = seed)
   }
@@ -87,7 +88,7 @@ test_that("a seed gives the same designs, and the session's random numbers stay"
   expect_false(exists(".Random.seed", globalenv(), inherits = FALSE))
 })
 
-test_that("a table or a CSV file is taken as it is", {
+test_that("designs() accepts a table or a CSV file unchanged", {
   file <- file.path(test_folder(), "designs.csv")
   table <- data.frame(towing.speed = c("3 knot", NA), ropes.cable.length = c(300, 500))
   utils::write.csv(table, file, row.names = FALSE, na = "")
@@ -98,7 +99,7 @@ test_that("a table or a CSV file is taken as it is", {
   expect_error(designs("no-such.csv"), "does not exist", class = "codend_error_file")
 })
 
-test_that("ranges and distributions are told in the plan's words", {
+test_that("ranges and distributions print in the plan's units", {
   expect_output(print(value_range("3 knot", "5 knot")), "between 3 knot and 5 knot")
   expect_identical(value_range("1 m", "250 cm")$ends, c(1, 2.5))
   expect_output(print(normal_value("2 t", "100 kg", high = "2200 kg")),

@@ -1,4 +1,4 @@
-# A study of a function of its fields in place of a gear.
+# A study of a function of its fields instead of a gear.
 study_of <- function(designs, f, failed = integer()) {
   table <- as.data.frame(unclass(designs), optional = TRUE)
   value <- apply(as.matrix(table), 1, f)
@@ -16,15 +16,15 @@ study_of <- function(designs, f, failed = integer()) {
   )
 }
 
-# Ishigami and Homma (1990): sin x1 + a sin^2 x2 + b x3^4 sin x1 of x in -pi to pi, whose indices
-# are known in closed form.
+# Ishigami and Homma (1990): sin x1 + a sin^2 x2 + b x3^4 sin x1 for x in -pi to pi, with analytical
+# indices.
 ishigami <- function(x) sin(x[1]) + 7 * sin(x[2])^2 + 0.1 * x[3]^4 * sin(x[1])
 three <- function(how, number) {
   side <- value_range(-pi, pi)
   designs(x.1 = side, x.2 = side, x.3 = side, how = how, number = number)
 }
 
-test_that("Sobol' indices are those of a function whose indices are known", {
+test_that("effects() returns the Sobol' indices of a known function", {
   skip_if_not_installed("spacefillr")
   found <- effects(study_of(three("indices", 1024), ishigami), resamples = 200, what = "indices")
   v1 <- 0.5 * (1 + 0.1 * pi^4 / 5)^2
@@ -33,25 +33,25 @@ test_that("Sobol' indices are those of a function whose indices are known", {
   variance <- v1 + v2 + v13
   expect_identical(found$measure, rep("drag_kN", 3))
   expect_identical(found$field, c("x.1", "x.2", "x.3"))
-  # their own intervals, of 90 %, are 0.05 wide to either side or less at 1024 random samples
+  # the half width of their 90 % intervals is 0.05 or less with 1024 random samples
   expect_true(all(abs(found$first - c(v1, v2, 0) / variance) < 0.05))
   expect_true(all(abs(found$total - c(v1 + v13, v2, v13) / variance) < 0.05))
   expect_true(all(found$first_low < found$first & found$first < found$first_high))
   expect_true(all(found$total_high - found$total_low < 0.15))
 })
 
-test_that("of a sum, which Sobol' points sample closely, indices are right to half a percent", {
+test_that("effects() returns indices of a sum within half a percent", {
   skip_if_not_installed("spacefillr")
   side <- value_range(0, 1)
   many <- designs(x.1 = side, x.2 = side, how = "indices", number = 8192)
   found <- effects(study_of(many, function(x) x[1] + 2 * x[2]), resamples = 10, what = "indices")
-  # variances of 1 and 4 twelfths; the points leave some thousandths
+  # variances of 1 and 4 twelfths; the points leave an error of some thousandths
   expect_lt(max(abs(found$first / c(0.2, 0.8) - 1)), 0.005)
   expect_lt(max(abs(found$total / c(0.2, 0.8) - 1)), 0.005)
 })
 
-test_that("intervals hold the known index about as often as they say", {
-  # of a sum of two fields: variances 1 and 4 of 5; 40 samples of 64
+test_that("index intervals contain the true index at their stated rate", {
+  # a sum of two fields: variances 1 and 4 of 5; 40 samples of 64
   held <- vapply(1:40, function(seed) {
     points <- with_seed(seed, matrix(runif(64 * 4), 64))
     blocks <- pick_freeze(points)
@@ -61,11 +61,11 @@ test_that("intervals hold the known index about as often as they say", {
       resamples = 200)
     abs(found$total_low[2] + found$total_high[2] - 1.6) <= found$total_high[2] - found$total_low[2]
   }, NA)
-  # 90 % of 40 is 36, with a standard deviation of 1.9: four of them below
+  # 90 % of 40 is 36, with a standard deviation of 1.9: four standard deviations below
   expect_gte(sum(held), 28)
 })
 
-test_that("groups with a design that did not settle are left out, with a warning", {
+test_that("effects() omits groups with unsettled designs and warns", {
   skip_if_not_installed("spacefillr")
   whole <- three("indices", 256)
   expect_warning(found <- effects(study_of(whole, ishigami, failed = c(3, 300, 1030)),
@@ -74,7 +74,7 @@ test_that("groups with a design that did not settle are left out, with a warning
   expect_identical(unique(found$designs), 253L)
 })
 
-test_that("main effects and effects of pairs are those of an analysis of variance of a grid", {
+test_that("effects() of a grid equal an analysis of variance", {
   grid <- designs(x.1 = c(1, 2, 4), x.2 = c(0, 3), how = "grid")
   f <- function(x) x[1] + x[2] + 0.5 * x[1] * x[2]
   x <- study_of(grid, f)
@@ -87,14 +87,14 @@ test_that("main effects and effects of pairs are those of an analysis of varianc
   expect_equal(effects(x, what = "pairs")$spread, sqrt(squares[3] / 6))
 })
 
-test_that("a field of many values has groups of equal size", {
+test_that("effects() groups a field of many values equally", {
   skip_if_not_installed("spacefillr")
   found <- effects(study_of(three("sobol", 64), ishigami), groups = 4)
   expect_identical(found$designs, rep(16L, 12))
   expect_true(all(diff(found$value[1:4]) > 0))
 })
 
-test_that("a study is summed up, and wrong arguments are told", {
+test_that("summary() of a study counts designs and effects() checks arguments", {
   x <- study_of(designs(x.1 = c(1, 2, 4), x.2 = c(0, 3)), sum, failed = 2)
   expect_output(print(summary(x)), "6 designs of \"A function\": 6 done, 5 settled")
   expect_output(print(summary(x)), "1  did not settle")
@@ -105,7 +105,7 @@ test_that("a study is summed up, and wrong arguments are told", {
   expect_wrong(effects(study_of(designs(x.1 = 1:3), sum), what = "pairs"))
 })
 
-test_that("main effects are drawn, each field by itself", {
+test_that("main effects are drawn in one panel per field", {
   x <- study_of(designs(x.1 = c(1, 2, 4), x.2 = c(0, 3)), sum)
   found <- effects(x)
   data <- ggplot2::autoplot(found)$data
@@ -116,9 +116,9 @@ test_that("main effects are drawn, each field by itself", {
   expect_picture(effects(x))
 })
 
-test_that("effects of pairs are drawn as lines that fan out", {
+test_that("pair effects are drawn as diverging lines", {
   grid <- designs(x.1 = c(1, 2, 4), x.2 = c(0, 3), x.3 = 1:2, how = "grid")
-  # x.1 and x.2 work together, x.3 adds to both
+  # x.1 and x.2 interact, x.3 adds to both
   found <- effects(study_of(grid, function(x) x[1] * x[2] + x[3]), what = "pairs")
   expect_identical(c(found$field[1], found$other[1]), c("x.1", "x.2"))
   expect_equal(found$spread[-1], c(0, 0))
@@ -142,7 +142,7 @@ test_that("Sobol' indices are drawn with their intervals", {
   expect_wrong(plot(found, "depth"))
 })
 
-test_that("drawn designs have response curves, single fields the others as in the plan", {
+test_that("designs are drawn with response curves by field", {
   skip_if_not_installed("lhs")
   side <- value_range(0, 1)
   sample <- study_of(designs(x.1 = side, x.2 = side, how = "latin", number = 30, seed = 3),
@@ -151,7 +151,7 @@ test_that("drawn designs have response curves, single fields the others as in th
   expect_identical(levels(chart$data$across), c("x 1", "x 2"))
   of_first <- chart$data[chart$data$across == "x 1", ]
   expect_identical(sum(!of_first$joined), 29L)
-  # a smooth curve through points of a straight line is that line
+  # a smooth curve through points of a straight line equals the line
   curve <- of_first[of_first$joined, ]
   expect_equal(curve$value, 3 * curve$at)
   crosses <- Filter(function(layer) inherits(layer$geom, "GeomText"), chart$layers)
@@ -164,7 +164,7 @@ test_that("drawn designs have response curves, single fields the others as in th
   data <- ggplot2::autoplot(single, "drag_kN")$data
   expect_equal(data$at[data$across == "x 1"], c(1, 2, 4, 9))
   expect_equal(data$value, c(c(1, 2, 4, 9) + 7, c(0, 3, 7) + 9))
-  # a sample has no figure for each combination
+  # a sample has no value for each combination
   expect_true(has_response_curves(sample))
   expect_false(has_response_curves(study_of(designs(x.1 = 1:3, x.2 = 1:2), sum)))
   expect_picture(sample, "drag_kN")

@@ -10,7 +10,7 @@ with_plan <- function(..., run) {
   force(run)
 }
 
-test_that("two workers give the bytes of one, with a store and without", {
+test_that("two workers give the bytes of one, with or without store", {
   alone <- vary("towed_cable", sixteen)
   store <- file.path(test_folder(), "a.study")
   found <- with_plan("multisession", workers = 2, run = {
@@ -22,7 +22,7 @@ test_that("two workers give the bytes of one, with a store and without", {
     alone)
 })
 
-test_that("a study goes on where a worker is killed, and a design that kills is told", {
+test_that("study continues after a killed worker and names the deadly design", {
   skip_on_os("windows")
   store <- file.path(test_folder(), "a.study")
   create_store(new_study("towed_cable", list(sixteen), 1500, NULL), store)
@@ -46,11 +46,11 @@ test_that("a study goes on where a worker is killed, and a design that kills is 
   with_plan("multisession", workers = 2, run = run(store, 4))
   found <- read_study(store)
   expect_identical(which(!found$settled), 7L)
-  expect_match(found$problem[7], "worker ended 2 times")
+  expect_match(found$problem[7], "worker process ended 2 times")
   expect_identical(found$total_drag_kN[-7], vary("towed_cable", sixteen)$total_drag_kN[-7])
 })
 
-test_that("progress is told to progressr as rows come", {
+test_that("study reports progress to progressr by row", {
   skip_if_not_installed("progressr")
   told <- 0
   withCallingHandlers(

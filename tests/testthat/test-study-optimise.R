@@ -1,14 +1,14 @@
-# Optima against closed forms and brute force, conditions and kinks that are planted.
+# Optima compared with analytical solutions and exhaustive search; artificial conditions and kinks.
 
 skip_if_not_installed("nloptr")
 
-# It hangs 10 m W / sqrt(W^2 + D^2) deep.
+# Its depth is 10 m W / sqrt(W^2 + D^2).
 towed_sphere <- function(...) as_gear(towed_sphere_plan(...))
 drag_by_speed <- 0.47 * pi / 16 * 1025 / 2
 
-test_that("the optimum of a towed sphere is that of its closed form", {
-  # At a depth of at least 9.5 m the line is at most as steep as k = D / W; there the pull is
-  # c v^2 sqrt(1 + 1 / k^2), and with 4000 / v it is least at v^3 = 2000 / (c sqrt(1 + 1 / k^2)).
+test_that("optimise_gear() finds the analytical optimum of a towed sphere", {
+  # At a depth of at least 9.5 m the slope of the line is at most k = D / W. The pull is then c v^2
+  # sqrt(1 + 1 / k^2). With 4000 / v added it has its minimum at v^3 = 2000 / (c sqrt(1 + 1 / k^2)).
   found <- optimise_gear(towed_sphere(), ~ pull + 4000 / towing.speed, ~ depth >= "9.5 m", list(
     towing.speed = c("1 m/s", "3 m/s"), pieces.sphere.mass = c("50 kg", "300 kg")
   ))
@@ -16,39 +16,40 @@ test_that("the optimum of a towed sphere is that of its closed form", {
   c <- drag_by_speed * sqrt(1 + 1 / k^2)
   speed <- (2000 / c)^(1 / 3)
   mass <- drag_by_speed * speed^2 / k / 9.81 + 0.01 * 1025
-  # The aim is flat: a search that leaves 1e-6 of it leaves 1e-3 of the speed.
-  expect_equal(found$aim$value, c * speed^2 + 4000 / speed, tolerance = 1e-5)
+  # The objective is flat: an error of 1e-6 in its value is an error of 1e-3 in the speed.
+  expect_equal(found$objective$value, c * speed^2 + 4000 / speed, tolerance = 1e-5)
   expect_equal(found$fields$value, c(speed, mass), tolerance = 5e-3)
   expect_equal(found$keep$right, 9.5)
   expect_equal(found$keep$left, 9.5, tolerance = 1e-4)
   expect_true(found$optimal && found$smooth && found$keep$active && found$keep$holds)
-  # The price of depth, by differences of the closed form.
+  # The price of depth, by differences of the analytical solution.
   best <- function(share) {
     c <- drag_by_speed * sqrt(1 + 1 / (1 / share^2 - 1))
     speed <- (2000 / c)^(1 / 3)
     c * speed^2 + 4000 / speed
   }
   price <- (best(0.95 * 1.0001) - best(0.95 * 0.9999)) / 2e-4 / best(0.95)
-  begun <- found$aim$begun
+  begun <- found$objective$begun
   expect_equal(found$keep$price, price * best(0.95) / begun, tolerance = 0.02)
   expect_identical(found$gear$plan$towing$speed, found$state$gear$plan$towing$speed)
   expect_equal(measures(found$state)[["depth_m"]], found$keep$left, tolerance = 1e-8)
-  expect_equal(found$aim$saving, 1 - found$aim$value / begun)
+  expect_equal(found$objective$saving, 1 - found$objective$value / begun)
 })
 
-test_that("a grid finds nothing better, and every start the same", {
-  aim <- ~ (total_drag + 500) / towing.speed
+test_that("optimise_gear() beats a grid from every start", {
+  objective <- ~ (total_drag + 500) / towing.speed
   change <- list(towing.speed = c("1 m/s", "3 m/s"), ropes.line.length = value_range("8 m", "12 m"))
-  found <- optimise_gear(towed_sphere(), aim, ~ depth >= 9, change, starts = 3)
+  found <- optimise_gear(towed_sphere(), objective, ~ depth >= 9, change, starts = 3)
   grid <- vary(towed_sphere(), towing.speed = seq(1, 3, by = 0.1),
     ropes.line.length = c(8, 9.6, 10.8, 12))
   kept <- grid[grid$depth_m >= 9, ]
   values <- (kept$total_drag_kN * 1000 + 500) / kept[["towing.speed_m_per_s"]]
-  expect_lte(found$aim$value, min(values) * (1 + 1e-6))
-  # Between two steps of the grid, of 0.1 m/s, 500 / v + c v differs by 0.1 %; depth takes the rest.
-  expect_gt(found$aim$value, min(values) * 0.995)
+  expect_lte(found$objective$value, min(values) * (1 + 1e-6))
+  # Between two steps of the grid, 0.1 m/s, 500 / v + c v differs by 0.1 %; depth explains the
+  # remaining difference.
+  expect_gt(found$objective$value, min(values) * 0.995)
   expect_identical(nrow(found$starts), 3L)
-  expect_equal(found$starts$aim, rep(found$aim$value, 3), tolerance = 1e-4)
+  expect_equal(found$starts$objective, rep(found$objective$value, 3), tolerance = 1e-4)
 })
 
 # Five spheres on five lines, one below the other.
@@ -70,7 +71,7 @@ chain_of_spheres <- function() {
   ))
 }
 
-test_that("ten fields take at most 60 settled gears", {
+test_that("optimise_gear() of ten fields settles at most 60 gears", {
   change <- c(
     setNames(rep(list(c("30 kg", "300 kg")), 5), paste0("pieces.sphere", 1:5, ".mass")),
     setNames(rep(list(c("15 m", "40 m")), 5), paste0("ropes.line", 1:5, ".length"))
@@ -78,12 +79,12 @@ test_that("ten fields take at most 60 settled gears", {
   keep <- ~ depth_p1 >= "20 m" & depth_p2 >= "40 m" & depth_p3 >= "60 m" & depth_p4 >= "80 m" &
     depth_p5 >= "100 m"
   found <- optimise_gear(chain_of_spheres(), "total_drag_kN", keep, change)
-  expect_lte(found$settles, 60)
+  expect_lte(found$n_solves, 60)
   expect_true(found$optimal)
   expect_true(all(found$keep$holds))
-  expect_gt(found$aim$saving, 0.01)
-  # No single field moved by 1 % of its range betters the aim within the conditions by more than the
-  # slopes that are left, and what conditions may fail by.
+  expect_gt(found$objective$saving, 0.01)
+  # A change of a single field by 1 % of its range within the conditions cannot improve the
+  # objective by more than the remaining derivatives and the tolerance of the conditions.
   better <- vapply(seq_len(nrow(found$fields)), function(k) {
     field <- found$fields[k, ]
     max(vapply(c(-0.01, 0.01), function(share) {
@@ -92,14 +93,14 @@ test_that("ten fields take at most 60 settled gears", {
       at <- measures(settle(do.call(update, c(list(found$gear), setNames(
         list(paste(value, field$unit)), field$field)))))
       if (any(at[paste0("depth_p", 1:5, "_m")] < c(20, 40, 60, 80, 100))) return(0)
-      1 - at[["total_drag_kN"]] / found$aim$value
+      1 - at[["total_drag_kN"]] / found$objective$value
     }, 0))
   }, 0)
   expect_lt(max(better), 0.01 * 2e-3 + 1e-4)
 })
 
-test_that("whole numbers are rounded, settled and checked again", {
-  # n floats of 60 N hold a load of 1000 N down to the top of a line that stands on the ground.
+test_that("optimise_gear() rounds integers, settles and checks again", {
+  # n floats of 60 N carry a load of 1000 N at the top of a line anchored on the ground.
   gear <- as_gear(list(
     codend = 1, name = "Buoyed line",
     points = list(anchor = list(position = c(0, 0, -50), held = "fixed"), top = c(a = 1)[0]),
@@ -117,7 +118,7 @@ test_that("whole numbers are rounded, settled and checked again", {
   expect_equal(found$gear$plan$pieces$floats$number, 21)
 })
 
-test_that("what cannot be kept is said, with the nearest gear", {
+test_that("optimise_gear() warns about infeasible conditions and returns the nearest gear", {
   expect_warning(
     found <- optimise_gear(towed_sphere(), ~ total_drag, ~ depth >= "9.99 m",
       list(towing.speed = c("1.5 m/s", "3 m/s"))),
@@ -125,10 +126,10 @@ test_that("what cannot be kept is said, with the nearest gear", {
   )
   expect_false(found$optimal)
   expect_identical(found$fields$at, "lower")
-  expect_output(print(found), "NOT KEPT")
+  expect_output(print(found), "NOT MET")
 })
 
-test_that("equal conditions are met", {
+test_that("optimise_gear() satisfies equality conditions", {
   power <- "1 kW"
   found <- optimise_gear(towed_sphere(), ~ total_drag, ~ tow_power == power,
     list(towing.speed = c("1 m/s", "3 m/s"), pieces.sphere.mass = c("100 kg", "300 kg")))
@@ -136,7 +137,7 @@ test_that("equal conditions are met", {
   expect_equal(found$fields$value[1], (1000 / drag_by_speed)^(1 / 3), tolerance = 1e-4)
 })
 
-test_that("an optimum that is sought with few nodes holds with many", {
+test_that("optimise_gear() with few nodes gives an optimum valid with many", {
   plan <- towed_sphere_plan()
   plan$ropes$line <- list(from = "ship", to = "end", length = "100 m", diameter = "20 mm",
     axial_stiffness = "10 MN", mass_per_length = 1)
@@ -147,20 +148,20 @@ test_that("an optimum that is sought with few nodes holds with many", {
   }
   depth <- function(found) measures(settle(found$gear, nodes = 400))[["depth_m"]]
   found <- optimum()
-  # four elements leave percents in the depth, which the last lattice does not
+  # four elements leave an error of some percent in the depth, which the last mesh removes
   expect_gt(found$nodes, 10)
   expect_lt(found$accuracy, 0.01)
   expect_true(found$optimal && found$keep$holds && !found$keep$sure)
   expect_lt(abs(depth(found) - 50), 2 * found$keep$error)
-  expect_output(print(found), "within its error.*nodes, which leave an error of")
-  # on four alone it says so
+  expect_output(print(found), "within its error.*nodes, with an error of")
+  # with four elements alone it reports the error
   coarse <- optimum(accuracy = NULL)
   expect_gt(abs(depth(coarse) - 50), 0.5)
   expect_lt(abs(depth(coarse) - 50), 2 * coarse$keep$error)
 })
 
-test_that("a kink at the optimum is told", {
-  # 1000 N on two lines of 1 MN beside each other; both bear where they are equally long.
+test_that("optimise_gear() reports a kink at the optimum", {
+  # 1000 N on two parallel lines of 1 MN; both carry load if they are equally long.
   line <- list(from = "nail", to = "ring", length = 10, diameter = 0.01, axial_stiffness = 1e6,
     mass_per_length = 0, segments = 1)
   gear <- as_gear(list(
@@ -170,24 +171,24 @@ test_that("a kink at the optimum is told", {
     ropes = list(first = line, second = utils::modifyList(line, list(length = 10.03))),
     measures = list(pull = list(tension = "first.start"), depth = list(depth = "ring"))
   ))
-  # The first line bears all until it is 10.02 m long, then less: its pull over its length falls
-  # from there on, and depth grows more slowly.
+  # The first line carries all load until it is 10.02 m long, then less. From there its pull falls
+  # with its length, and depth grows more slowly.
   found <- optimise_gear(gear, ~ (depth - 10.0301)^2 + 1e-4 * pull, NULL,
     list(ropes.first.length = c(10, 10.08)))
   expect_s3_class(found, "codend_optimum")
   expect_true(all(c("measure", "field") %in% names(found$kinks)))
-  # Depth grows by 1 m per m of the first line before and by half of it after: this is least where
-  # both begin to bear, 10.02 m, whose slopes of one side lead away.
+  # Depth grows by 1 m per m of the first line before and by 0.5 m after. The minimum is where
+  # both start to carry load, 10.02 m. Derivatives from one side point away from it.
   found <- optimise_gear(gear, ~ 0.75 * ropes.first.length - depth, NULL,
     list(ropes.first.length = c(9.99, 10.08)))
   # a thousandth of the range, and of the change over it
   expect_equal(found$fields$value, 10.02, tolerance = 1e-5)
   depth <- function(first) max(first * 1.001, (first + 10.03 + 0.01) / 2)
-  expect_lte(found$aim$value, 0.75 * 10.02 - depth(10.02) + 2e-5)
+  expect_lte(found$objective$value, 0.75 * 10.02 - depth(10.02) + 2e-5)
   expect_identical(nrow(found$starts), 3L)
 })
 
-test_that("optima are printed and drawn", {
+test_that("optima have a print, a summary and plots", {
   found <- optimise_gear(towed_sphere(), ~ total_drag / towing.speed, ~ depth <= "9.9 m",
     list(towing.speed = c("1 m/s", "3 m/s")))
   expect_output(print(found), "total_drag/towing.speed: 94.59 before")
@@ -196,19 +197,20 @@ test_that("optima are printed and drawn", {
   expect_error(plot(found, file = "a.txt"), class = "codend_error_file")
 })
 
-test_that("an aim in which nothing changes is an error, and NaN is told once", {
+test_that("optimise_gear() rejects constant and undefined objectives once", {
   change <- list(ropes.cable.length = c("600 m", "1200 m"))
-  wrong <- function(aim, said) {
-    expect_no_warning(expect_wrong(optimise_gear("towed_cable", aim, change = change, nodes = 50),
+  wrong <- function(objective, said) {
+    expect_no_warning(expect_wrong(optimise_gear("towed_cable", objective, change = change,
+      nodes = 50),
       said))
   }
-  wrong(~1, "nothing that changes")
+  wrong(~1, "does not depend")
   wrong(~ log(-total_drag_kN), "NaN")
 })
 
-test_that("a trade-off goes along the closed form of its curve", {
-  # Of a sphere that is to be towed fast and deep the heaviest is best at every speed, and hangs
-  # L W / sqrt(W^2 + D^2) deep. Speed alone leaves the mass free. Ends may miss by 0.1 %.
+test_that("trade_off() follows the analytical curve", {
+  # For a sphere that is towed fast and deep, the largest mass is best at every speed. Its depth is
+  # L W / sqrt(W^2 + D^2). Speed alone leaves the mass undetermined. Ends may deviate by 0.1 %.
   gear <- update(towed_sphere(), pieces.sphere.mass = "80 kg")
   found <- trade_off(gear, list(speed = ~ -towing.speed, depth = ~ -depth), points = 4,
     change = list(towing.speed = c("1 m/s", "3 m/s"), pieces.sphere.mass = c("60 kg", "100 kg")))
@@ -224,17 +226,17 @@ test_that("a trade-off goes along the closed form of its curve", {
   expect_wrong(trade_off(towed_sphere(), ~depth, change = list()), "two objectives")
 })
 
-test_that("short prawn trawls save drag per swept width as published", {
+test_that("short prawn trawls save the published drag per swept width", {
   # Broadhurst, Sterling and Millar (2012), Fisheries Research 134-136:73: bodies cut 1N5B spread
-  # 4.7 to 5.6 % wider than those cut 1N2B with up to 4.3 % less drag, so with 4.5 to 9.4 % less
-  # drag for their width. Twine and boards are not printed.
+  # 4.7 to 5.6 % wider than bodies cut 1N2B with up to 4.3 % less drag. So drag per width is 4.5 to
+  # 9.4 % less. Twine and boards are not published.
   prawn <- read_gear(system.file("extdata", "penaeid_trawl.yaml", package = "codend"))
   found <- optimise_gear(prawn, ~ total_drag / wing_end_spread,
     change = list(sections.body.meshes.deep = c(112, 160)), nodes = 400, accuracy = NULL)
   expect_equal(found$fields$value, 112)
   expect_identical(found$fields$at, "lower")
-  expect_gt(found$aim$saving, 0.045)
-  expect_lt(found$aim$saving, 0.094)
-  # the boards are tuned to the spread that is printed
+  expect_gt(found$objective$saving, 0.045)
+  expect_lt(found$objective$saving, 0.094)
+  # the boards are tuned to the published spread
   expect_equal(measures(settle(prawn, nodes = 400))[["wing_end_spread_m"]], 4.33, tolerance = 0.01)
 })

@@ -1,11 +1,11 @@
-# Draws against posteriors in closed form: the drag of a sphere is linear in its coefficient.
+# Draws compared with analytical posteriors: the drag of a sphere is linear in its coefficient.
 
 towed_sphere <- as_gear(towed_sphere_plan(pieces = list(sphere = list(drag_coefficient = 0.5))))
 drag_by_speed <- pi / 16 * 1025 / 2
 
-# Of a chain worth `effective` draws the mean is known to sd / sqrt(effective), the standard
-# deviation to about sd / sqrt(2 effective) and a tail's quantile to about 2 sd / sqrt(effective);
-# four times that here.
+# Accuracy of a chain with `effective` independent draws: sd / sqrt(effective) for the mean, about
+# sd / sqrt(2 effective) for the standard deviation, about 2 sd / sqrt(effective) for
+# quantiles. The tolerance is four times as large.
 expect_drawn <- function(draws, mean, sd, low, high) {
   chain <- attr(draws, "chain")
   error <- sd / sqrt(chain$effective)
@@ -15,7 +15,7 @@ expect_drawn <- function(draws, mean, sd, low, high) {
   expect_lt(abs(chain$q95 - high), 8 * error)
 }
 
-test_that("a prior and a known error give the normal posterior of both", {
+test_that("sample_posterior() with known error gives the normal posterior", {
   skip_if_not_installed("mcmc")
   known <- drag_by_speed * 4
   fit <- calibrate(towed_sphere, data.frame(towing.speed = 2, Drag = 0.7 * known),
@@ -32,7 +32,7 @@ test_that("a prior and a known error give the normal posterior of both", {
   expect_output(print(draws), "400 draws.*pieces.sphere.drag_coefficient")
 })
 
-test_that("an error that is estimated gives Student's posterior", {
+test_that("sample_posterior() with estimated error gives Student's posterior", {
   skip_if_not_installed("mcmc")
   speed <- rep(2, 5)
   known <- drag_by_speed * speed^2
@@ -43,14 +43,14 @@ test_that("an error that is estimated gives Student's posterior", {
   mean <- stats::coef(wanted)[[1]]
   error <- sqrt(stats::vcov(wanted)[1, 1])
   draws <- sample_posterior(fit, draws = 300)
-  # of 4 degrees of freedom: a standard deviation of sqrt(4 / 2)
+  # with 4 degrees of freedom: a standard deviation of sqrt(4 / 2)
   chain <- attr(draws, "chain")
   expect_lt(abs(chain$q50 - mean), 5 * error / sqrt(chain$effective))
   reach <- (chain$q95 - chain$q5) / 2
   expect_lt(abs(reach / (stats::qt(0.95, 4) * error) - 1), 6 / sqrt(chain$effective))
 })
 
-test_that("few draws are warned of, wrong arguments refused", {
+test_that("sample_posterior() warns about few draws and rejects wrong arguments", {
   skip_if_not_installed("mcmc")
   fit <- calibrate(towed_sphere, data.frame(towing.speed = 2, Drag = 1500),
     list(pieces.sphere.drag_coefficient = c(0.2, 1.5)), Drag ~ total_drag, error = 100)

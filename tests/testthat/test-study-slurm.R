@@ -1,11 +1,11 @@
-test_that("a study runs as jobs of Slurm, and gives the bytes of one process", {
-  # beside the package's tests in a checkout, not in the installed package
+test_that("study as Slurm jobs gives the bytes of one process", {
+  # next to the package's tests in a checkout, not in the installed package
   script <- test_path("..", "slurm", "with-slurm")
   skip_if_not(file.exists(script), "the scripts of a checkout")
   skip_if_not_installed("future.batchtools")
   skip_if_not_installed("RNetCDF")
   run <- function(...) {
-    # a minute is usual; a Slurm that hangs is a failure, not a wait
+    # a minute is usual; a Slurm that hangs counts as a failure
     suppressWarnings(system2(normalizePath(script), c(...), stdout = TRUE, stderr = TRUE,
       timeout = 600))
   }

@@ -4,18 +4,18 @@ small_study <- function() {
   designs(towing.speed = c("3 knot", "4 knot", "5 knot"), ropes.cable.length = c("300 m", "500 m"))
 }
 
-test_that("a study on disk gives what the same study in memory gives, to the last bit", {
+test_that("study on disk equals the study in memory to the last bit", {
   store <- file.path(test_folder(), "a.study")
   alone <- vary("towed_cable", small_study())
   expect_identical(vary("towed_cable", small_study(), store = store), alone)
   expect_identical(read_study(store), alone)
-  # again: nothing is left to do
+  # again: no design is left to run
   before <- file.mtime(list.files(store, recursive = TRUE, full.names = TRUE))
   expect_identical(vary("towed_cable", small_study(), store = store), alone)
   expect_identical(file.mtime(list.files(store, recursive = TRUE, full.names = TRUE)), before)
 })
 
-test_that("designs of every kind come back from a store as they went", {
+test_that("store returns designs of every kind unchanged", {
   store <- file.path(test_folder(), "a.study")
   table <- data.frame(
     towing.speed = c(pi / 2, NA, 1 / 3), ropes.cable.length = c("300 m", NA, "1e2 fathom"),
@@ -29,7 +29,7 @@ test_that("designs of every kind come back from a store as they went", {
   expect_identical(study$gear$plan, read_gear("towed_cable")$plan)
 })
 
-test_that("tasks share the designs among them, and what is done is not run again", {
+test_that("tasks divide the designs and skip finished ones", {
   store <- file.path(test_folder(), "a.study")
   write_study("towed_cable", small_study(), store)
   expect_equal(run_study(store, 2, 4), 2L)
@@ -42,12 +42,11 @@ test_that("tasks share the designs among them, and what is done is not run again
   expect_identical(read_study(store), vary("towed_cable", small_study()))
 })
 
-test_that("what a killed worker leaves behind is no row", {
+test_that("store ignores the remains of a killed worker", {
   store <- file.path(test_folder(), "a.study")
   write_study("towed_cable", small_study(), store)
   run_study(store, 1, 6)
-  # a file that was being written, one whose row was gathered by another process, and a design that
-  # a process was settling
+  # an incomplete file, a row gathered by another process, and a design that a process was settling
   dir.create(file.path(store, "claims", "0000003"))
   writeLines("{\"design\":2,\"prob", file.path(store, "rows", ".codend-1234"))
   expect_identical(designs_done(store), 1L)
@@ -60,7 +59,7 @@ test_that("what a killed worker leaves behind is no row", {
   expect_length(list.files(file.path(store, "claims")), 0L)
 })
 
-test_that("of processes that make a store of one name at once, one does, and the others say so", {
+test_that("simultaneous processes create a store exactly once", {
   skip_if_not_installed("callr")
   folder <- test_folder()
   store <- file.path(folder, "a.study")
@@ -80,12 +79,12 @@ test_that("of processes that make a store of one name at once, one does, and the
   found <- lapply(makers, function(maker) maker$get_result())
   made <- vapply(found, is.numeric, NA)
   expect_identical(sum(made), 1L)
-  for (said in found[!made]) expect_match(said, "exists already", fixed = TRUE)
+  for (said in found[!made]) expect_match(said, "exists\\s+already")
   expect_identical(study_status(store)$designs, found[made][[1]])
   expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "a.study")
 })
 
-test_that("processes on one store share the designs, and find what one alone does", {
+test_that("processes on one store divide the designs and give equal results", {
   skip_if_not_installed("callr")
   skip_on_os("windows")
   folder <- test_folder()
@@ -100,12 +99,12 @@ test_that("processes on one store share the designs, and find what one alone doe
   found <- lapply(workers, function(worker) worker$get_result())
   expect_identical(found[[1]], found[[2]])
   expect_identical(found[[1]], vary("towed_cable", many))
-  # at the end each may settle what the other is at
+  # at the end each may settle the other's last design
   settled <- unlist(lapply(list.files(file.path(store, "tasks"), full.names = TRUE), readLines))
   expect_lte(length(settled), 60L + 2L)
 })
 
-test_that("rows of another study that had the folder before are passed over", {
+test_that("store ignores rows of an earlier study in its folder", {
   folder <- test_folder()
   store <- file.path(folder, "a.study")
   other <- file.path(folder, "b.study")
@@ -122,7 +121,7 @@ test_that("rows of another study that had the folder before are passed over", {
   expect_equal(nrow(read_study(store)), 0L)
 })
 
-test_that("a row with one changed byte is left out, and all others are read", {
+test_that("read_study() omits a damaged row and reads all others", {
   store <- file.path(test_folder(), "a.study")
   write_study("towed_cable", small_study(), store)
   run_study(store, 1, 3)
@@ -135,7 +134,7 @@ test_that("a row with one changed byte is left out, and all others are read", {
     good <- readBin(file, "raw", file.size(file))
     for (k in 1:20) {
       changed <- good
-      # no line break: it ends a row
+      # not a line break, which ends a row
       at <- sample(which(good != 10), 1L)
       changed[at] <- as.raw(sample(setdiff(33:255, as.integer(good[at])), 1L))
       writeBin(changed, file)
@@ -154,7 +153,7 @@ test_that("a row with one changed byte is left out, and all others are read", {
   expect_error(read_study(store), "damaged", class = "codend_error_file")
 })
 
-test_that("a process that is killed loses the run that it was at, no more", {
+test_that("killed process loses only its current run", {
   skip_if_not_installed("callr")
   skip_on_os("windows")
   store <- file.path(test_folder(), "a.study")
@@ -170,7 +169,7 @@ test_that("a process that is killed loses the run that it was at, no more", {
   worker$wait()
   done <- designs_done(store)
   expect_gte(length(done), 3L)
-  # one after another, none torn
+  # consecutive and complete
   expect_identical(done, seq_along(done))
   found <- read_study(store)
   expect_true(all(found$settled))
@@ -178,7 +177,7 @@ test_that("a process that is killed loses the run that it was at, no more", {
   expect_identical(found$total_drag_kN[1:3], first$total_drag_kN)
 })
 
-test_that("another study does not go on in a store", {
+test_that("store rejects another study", {
   store <- file.path(test_folder(), "a.study")
   write_study("towed_cable", small_study(), store)
   other <- function(...) expect_error(vary(..., store = store), class = "codend_error_file")
@@ -188,13 +187,13 @@ test_that("another study does not go on in a store", {
   expect_match(conditionMessage(other("towed_cable", small_study(), nodes = 50)), "nodes")
   expect_error(write_study("towed_cable", small_study(), store), "exists",
     class = "codend_error_file")
-  expect_error(read_study(tempdir()), "is no study", class = "codend_error_file")
+  expect_error(read_study(tempdir()), "is not a study", class = "codend_error_file")
   expect_wrong(run_study(store, 3, 2))
   writeLines("{\"codend_study\": 99}", file.path(store, "study.json"))
   expect_error(study_status(store), "another format", class = "codend_error_file")
 })
 
-test_that("a study runs from the shell", {
+test_that("study command creates and runs a study from the shell", {
   folder <- test_folder()
   file <- file.path(folder, "designs.csv")
   writeLines(c("towing.speed,ropes.cable.length", "3 knot,300 m", ",500 m", "5 knot,"), file)
@@ -216,7 +215,7 @@ test_that("a study runs from the shell", {
   expect_identical(run("run", file.path(folder, "none"))$status, 1L)
 })
 
-test_that("a store that cannot be is one error that names it", {
+test_that("invalid store throws one error that names it", {
   skip_if_not_installed("RNetCDF")
   wrong <- function(store, said, class) {
     expect_no_warning(expect_error(vary("towed_cable", towing.speed = "3 knot", nodes = 50,
@@ -224,7 +223,7 @@ test_that("a store that cannot be is one error that names it", {
   }
   wrong(7, "`store`", "codend_error_argument")
   wrong("", "`store`", "codend_error_argument")
-  wrong(file.path(tempfile("nowhere"), "a.study"), "no folder that can be written",
+  wrong(file.path(tempfile("nowhere"), "a.study"), "must be in a writable folder",
     "codend_error_file")
   expect_wrong(write_study("towed_cable", data.frame(), tempfile()), "`designs`")
 })

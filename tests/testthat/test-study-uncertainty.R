@@ -1,6 +1,7 @@
-# Budgets against closed forms, differences of settled gears, and drawn truths.
+# Uncertainties compared with analytical solutions, differences of settled gears, and random true
+# values.
 
-# A sphere on a thin line: its drag is all the drag, its pull is known.
+# A sphere on a thin line: the sphere has all the drag, and its pull is known.
 known_sphere <- function(...) {
   plan <- towed_sphere_plan(ropes = list(line = list(axial_stiffness = "12 MN")))
   update(
@@ -14,7 +15,7 @@ known_sphere <- function(...) {
 
 row_of <- function(found, measure) found$measures[found$measures$measure == measure, ]
 
-test_that("the budget of a towed sphere is that of its closed form", {
+test_that("uncertainty() of a towed sphere equals the analytical budget", {
   state <- settle(known_sphere())
   found <- uncertainty(state)
   drag <- 0.47 * pi / 16 * 1025 * 2^2 / 2
@@ -22,24 +23,25 @@ test_that("the budget of a towed sphere is that of its closed form", {
   pull <- sqrt(drag^2 + weight^2)
   model <- measure_residuals(measures(state))$sd[names(measures(state)) == "total_drag_kN"]
   row <- row_of(found, "total_drag_kN")
-  # drag goes with the multiplier and the square of the speed; the line's is 1e-8 of it
+  # drag is proportional to the multiplier and the speed squared; the line's drag is 1e-8 of the
+  # total
   expect_equal(row$coefficients, 0.05 * drag / 1000, tolerance = 1e-5)
   expect_equal(row$conditions, 0.02 * drag / 1000, tolerance = 1e-5)
   expect_equal(row$plan, 0, tolerance = 1e-5)
   expect_equal(row$model, model * drag / 1000, tolerance = 1e-5)
   expect_equal(row$uncertainty,
-    sqrt((0.05^2 + 0.02^2 + model^2) * (drag / 1000)^2 + row$lattice^2), tolerance = 1e-5)
+    sqrt((0.05^2 + 0.02^2 + model^2) * (drag / 1000)^2 + row$mesh^2), tolerance = 1e-5)
   # the pull by the mass: 9.81 weight / pull
   row <- row_of(found, "pull_kN")
   expect_equal(row$plan, 0.04 * 200 * 9.81 * weight / pull / 1000, tolerance = 1e-3)
   largest <- found$sources[found$sources$measure == "pull_kN", ][1L, ]
   expect_identical(largest$source, "pieces sphere mass")
   expect_equal(largest$percent, 100 * (largest$contribution / row$uncertainty)^2)
-  # the interval reaches Student's t of the degrees of freedom that the model's part leaves
+  # the interval uses Student's t with the degrees of freedom of the model residuals
   expect_equal(row$high - row$value, qt(0.95, row$freedom) * row$uncertainty)
 })
 
-test_that("slopes by multipliers are differences of settled gears, without a new lattice", {
+test_that("derivatives by multipliers equal differences without a new mesh", {
   state <- settled("poly_noreastern_trawl", nodes = 400)
   sources <- multiplier_sources(state$gear)
   for (k in seq_along(sources)) sources[[k]][c("share", "off")] <- list(1e-3, 0)
@@ -49,19 +51,20 @@ test_that("slopes by multipliers are differences of settled gears, without a new
   for (name in c("rope_normal_drag", "screen_drag", "knot_drag", "board_lift", "ground_friction",
     "ground_gear_weight")) {
     source <- sources[[match(name, names(force_multipliers))]]
-    slope <- field_slopes(work, source_field(source, state$gear$plan), secants = FALSE)$slope[main]
+    slope <- field_sensitivities(work, source_field(source, state$gear$plan),
+      secants = FALSE)$slope[main]
     sides <- vapply(c(0.999, 1.001), function(factor) {
       gear <- do.call(update, c(list(state$gear), setNames(list(factor), paste0("multipliers.",
         name))))
       plain_measures(measures(settle(gear, nodes = 400, from = state)))[main]
     }, numeric(4))
     secant <- unname((sides[, 2] - sides[, 1]) / 0.002)
-    # settled to 1e-6 of the largest tension over a step of 2e-3; curves of the third order
+    # settled to 1e-6 of the largest tension over a step of 2e-3; third-order curvature
     expect_equal(unname(slope), secant, tolerance = 5e-3, info = name)
   }
 })
 
-test_that("friction of netting along the flow counts where its law has none", {
+test_that("uncertainty() counts netting friction that screen models omit", {
   state <- settled("poly_noreastern_trawl", nodes = 400)
   gear <- state$gear
   name <- force_multipliers[["screen_friction"]]
@@ -69,30 +72,32 @@ test_that("friction of netting along the flow counts where its law has none", {
   source <- Find(function(source) source$name == name, multiplier_sources(gear))
   expect_identical(source$share, 0.02)
   main <- c("total_drag_kN", "headline_height_m", "door_spread_m")
-  # the slope is that of settled gears: to 1e-6 of the tension over a step of 1e-3, and its curve
-  slope <- field_slopes(tangent_work(state), source_field(source, gear$plan), secants = FALSE)$slope
+  # the derivative equals differences of settled gears: 1e-6 of the tension over a step of 1e-3, and
+  # curvature
+  slope <- field_sensitivities(tangent_work(state), source_field(source, gear$plan),
+    secants = FALSE)$slope
   rubbed <- function(friction) {
     rubs <- update(gear, multipliers = list(screen_friction = friction))
     plain_measures(measures(settle(rubs, nodes = 400, from = state)))[main]
   }
   expect_equal(slope[main], (rubbed(1e-3) - plain_measures(measures(state))[main]) / 1e-3,
     tolerance = 2e-2)
-  # the budget has the change to a gear with that much, to the tenth that the way there bends
+  # the budget has the change of a gear with this friction, to the 10 % of its curvature
   found <- uncertainty(state, main)$sources
   found <- found[found$source == name, ]
   change <- rubbed(0.02) - plain_measures(measures(state))[main]
   expect_equal(found$contribution, unname(change[found$measure]), tolerance = 0.1)
   expect_gt(found$contribution[found$measure == "total_drag_kN"], 0)
-  # by the sum over twines there is nothing to add, and what a plan says of it counts
+  # with twine-by-twine drag there is no such source, and the plan's uncertainty counts
   cable <- tangent_work(settled("towed_cable"))
-  summed <- quick_slopes(cable, source_field(source, gear$plan), 0.02)
+  summed <- quick_derivatives(cable, source_field(source, gear$plan), 0.02)
   expect_true(all(summed$slope == 0))
   known <- update(gear, uncertain = list(multipliers.screen_friction = "0.03"))
   source <- Find(function(source) source$name == name, multiplier_sources(known))
   expect_identical(source$share, 0.03)
 })
 
-test_that("counts and kinks of slack netting contribute what settled gears show", {
+test_that("kinks of slack netting contribute as in settled gears", {
   state <- settled("cage", nodes = 400)
   sources <- uncertainty_sources(state$gear)
   names(sources) <- vapply(sources, `[[`, "", "name")
@@ -100,19 +105,19 @@ test_that("counts and kinks of slack netting contribute what settled gears show"
   found <- source_contributions(state, sources, follow = 0L)$spread
   work <- tangent_work(state)
   whole <- vapply(sources, function(source) {
-    sides <- secant_slopes(work, source_field(source, state$gear$plan), source$share)
+    sides <- secant_derivatives(work, source_field(source, state$gear$plan), source$share)
     (sides$below + sides$above) / 2 * source$share
   }, work$values)
   main <- c("total_drag_kN", "bottom_depth_m")
-  # the current's drag by d bends over 10 %
+  # the drag by the current is nonlinear in d over 10 %
   expect_equal(found[main, ], whole[main, ], tolerance = 0.1, ignore_attr = TRUE)
-  # twines of one cell are 0.1 % of the netting, a fifth of what is found
+  # the twines of one cell are 0.1 % of the netting, a fifth of the result
   slack <- found["slack_netting_percent", 1L] / whole["slack_netting_percent", 1L]
   expect_gt(slack, 1 / 2)
   expect_lt(slack, 2)
 })
 
-test_that("intervals hold as many drawn truths as they say", {
+test_that("uncertainty() intervals contain random truths at their stated rate", {
   gear <- update(read_gear("towed_cable"), ropes.cable.segments = 20)
   state <- settle(gear)
   found <- uncertainty(state, c("body_depth_m", "ship_tension_kN"))
@@ -123,7 +128,7 @@ test_that("intervals hold as many drawn truths as they say", {
     fields <- unlist(lapply(sources, function(source) {
       field <- common_field(gear$plan, source$paths)
       share <- max(rnorm(1, source$off, source$share), -0.9)
-      # what correlations the posterior has make no difference to one multiplier that matters
+      # correlations of the posterior are irrelevant, because one multiplier dominates
       setNames(lapply(field$parts, function(part) field_text(part$value * (1 + share), part)),
         source$paths)
     }), recursive = FALSE)
@@ -132,32 +137,32 @@ test_that("intervals hold as many drawn truths as they say", {
   model <- found$measures$model
   truth <- truth + model * matrix(rnorm(2 * n), 2)
   inside <- rowMeans(truth >= found$measures$low & truth <= found$measures$high)
-  # binomial: 0.9 +- 3 sqrt(0.9 0.1 / 150), and t of few degrees of freedom reaches further
+  # binomial: 0.9 +- 3 sqrt(0.9 0.1 / 150), and t with few degrees of freedom is wider
   expect_true(all(inside > 0.9 - 0.075))
   expect_true(all(inside < 0.995))
 })
 
-test_that("samples agree with slopes where the gear is smooth", {
+test_that("uncertainty(method = \"samples\") agrees with derivatives for a smooth gear", {
   state <- settle(known_sphere())
   line <- uncertainty(state, "total_drag_kN")
   drawn <- uncertainty(state, "total_drag_kN", method = "samples", samples = 60)
-  # 60 spread draws give a standard deviation to some 5 %
+  # 60 well spread draws give a standard deviation to about 5 %
   expect_equal(drawn$measures$uncertainty, line$measures$uncertainty, tolerance = 0.08)
   expect_equal(drawn$measures$high, line$measures$high, tolerance = 0.03)
-  expect_identical(drawn$cost$settles, 60)
+  expect_identical(drawn$cost$n_solves, 60)
 })
 
-test_that("the measurement that narrows most is that of the closed form", {
+test_that("uncertainty() names the analytically most useful measurement", {
   found <- uncertainty(settle(known_sphere()))
-  best <- found$narrow[found$narrow$measure == "total_drag_kN", ][1L, ]
+  best <- found$next_measurement[found$next_measurement$measure == "total_drag_kN", ][1L, ]
   row <- row_of(found, "total_drag_kN")
-  # the pull is mostly weight: the speed says most, 2 % of the drag
-  expect_identical(best$by, "towing speed")
-  expect_equal(best$left, sqrt(row$uncertainty^2 - (0.02 * row$value)^2), tolerance = 1e-4)
-  expect_output(print(found), "to narrow it most, measure")
+  # the pull is mostly weight: the speed is the most useful, 2 % of the drag
+  expect_identical(best$measurement, "towing speed")
+  expect_equal(best$remaining_sd, sqrt(row$uncertainty^2 - (0.02 * row$value)^2), tolerance = 1e-4)
+  expect_output(print(found), "best next measurement")
 })
 
-test_that("all twine of a net errs by the same share, whatever its diameters", {
+test_that("all twine of a net has the same relative diameter error", {
   sources <- field_sources(settled_gear("poly_noreastern_trawl"))
   twine <- Find(function(source) source$name == "twine diameters", sources)
   plan <- settled_gear("poly_noreastern_trawl")$plan
@@ -167,14 +172,14 @@ test_that("all twine of a net errs by the same share, whatever its diameters", {
   now <- vapply(twine$paths, function(path) plan_field(gear$plan, path)$value, "")
   expect_equal(vapply(now, quantity_si, 0, "length") / vapply(values, quantity_si, 0, "length"),
     rep(1.1, length(values)), ignore_attr = TRUE)
-  # every row of the table can be read, and says where it is from
+  # every row of the table is readable and has a source
   table <- uncertainty_table()
   expect_true(all(is.finite(vapply(table$uncertainty, table_share, 0))))
   expect_true(all(nzchar(table$source)))
   expect_identical(table$field[table$group == "coefficients"], names(force_multipliers))
 })
 
-test_that("calibration begins from what is known, and narrows what it calibrates", {
+test_that("calibrate() starts from known priors and reduces their uncertainty", {
   gear <- known_sphere()
   priors <- known_priors(gear, c("multipliers.piece_drag", "pieces.sphere.mass"))
   expect_equal(priors[[1L]]$numbers[1:2], c(1, 0.05))
@@ -194,7 +199,7 @@ test_that("calibration begins from what is known, and narrows what it calibrates
   expect_wrong(calibrate(gear, runs, change = "towing.nothing", match = Drag ~ total_drag_kN))
 })
 
-test_that("a lower bound is kept with its probability", {
+test_that("optimise_gear() satisfies lower() with its probability", {
   skip_if_not_installed("nloptr")
   gear <- known_sphere()
   state <- settle(gear)
@@ -208,7 +213,7 @@ test_that("a lower bound is kept with its probability", {
   expect_wrong(optimise_gear(gear, ~ropes.line.length, ~ lower(depht, 0.9) >= 3, change))
 })
 
-test_that("the budget is drawn, of all measures and of one", {
+test_that("uncertainty plot shows all measures or one", {
   found <- uncertainty(settle(known_sphere()))
   for (sources in list(NULL, "pull_kN")) {
     file <- tempfile(fileext = ".png")
@@ -217,7 +222,7 @@ test_that("the budget is drawn, of all measures and of one", {
   }
 })
 
-test_that("summary, report and command line show it", {
+test_that("summary, report and command line show uncertainty()", {
   state <- settle(known_sphere())
   found <- uncertainty(state)
   expect_match(format(summary(state, uncertainty = found)), "pull +1[.]8.* kN +90 %: ", all = FALSE)
@@ -225,7 +230,7 @@ test_that("summary, report and command line show it", {
   file <- tempfile(fileext = ".html")
   report(state, file, uncertainty = found)
   page <- paste(readLines(file), collapse = " ")
-  expect_match(page, "How sure these numbers are", fixed = TRUE)
+  expect_match(page, "Uncertainty of the results", fixed = TRUE)
   expect_match(page, "standard uncertainty", fixed = TRUE)
   record <- uncertainty_record(found)$uncertainty
   expect_identical(record$pull_kN$low, row_of(found, "pull_kN")$low)

@@ -1,4 +1,4 @@
-test_that("every variation is what settling it alone gives", {
+test_that("vary() gives each variation the result of a single settle()", {
   found <- vary("towed_cable", towing.speed = c("3 knot", "4 knot"),
     ropes.cable.length = c(300, 500, 700))
   expect_s3_class(found, "codend_variations")
@@ -12,7 +12,7 @@ test_that("every variation is what settling it alone gives", {
     alone <- measures(settle(gear))
     # both are settled to 1e-8 of the largest tension, from different starts
     expect_equal(unlist(found[row, names(alone)]), plain_measures(alone), tolerance = 1e-6)
-    # a design of another shape has errors of its own: those of the gear are near
+    # a design with another shape has its own errors, close to the gear's errors
     error <- unlist(found[row, error_columns(names(alone))])
     expect_true(all(is.finite(error)))
     main <- names(alone) %in% c("total_drag_kN", "body_depth_m")
@@ -29,12 +29,12 @@ test_that("every variation is what settling it alone gives", {
   )
 })
 
-test_that("fields of a data frame change together, and units are told", {
+test_that("vary() changes fields of a data frame together and reports units", {
   found <- vary("crossing_cables", data.frame(
     ropes.south_1.length = c("4.1 m", "410 cm"), ropes.south_2.length = c("4.1 m", "4.2 m")
   ), ropes.west_1.material = "PA")
   expect_equal(nrow(found), 2L)
-  # mixed units become SI
+  # mixed units are converted to SI
   expect_equal(found[["ropes.south_1.length_m"]], c(4.1, 4.1))
   expect_equal(found[["ropes.south_2.length_m"]], c(4.1, 4.2))
   expect_identical(found[["ropes.west_1.material"]], c("PA", "PA"))
@@ -44,7 +44,7 @@ test_that("fields of a data frame change together, and units are told", {
   expect_identical(field_words(found, "ropes.cable.material"), "ropes cable material")
 })
 
-test_that("what does not settle is told in its row, and the others go on", {
+test_that("vary() reports a design without convergence and continues", {
   failing <- function(gear, ...) {
     if (gear_si(gear)$towing$speed == 2) {
       cli::cli_abort("The gear did not settle: {.field test}.",
@@ -68,14 +68,14 @@ test_that("what does not settle is told in its row, and the others go on", {
   expect_equal(unlist(found[3, names(alone)]), plain_measures(alone), tolerance = 1e-6)
 })
 
-test_that("values that do not go together are told in their row", {
+test_that("vary() reports incompatible values in their row", {
   plan <- update(read_gear("towed_cable"), ropes.cable.segments = NULL)
   found <- vary(plan, towing.speed = "3 knot", ropes.cable.to = c(plan$plan$ropes$cable$to, "moon"))
   expect_identical(found$settled, c(TRUE, FALSE))
   expect_match(found$problem[2], "moon")
 })
 
-test_that("what is missing stays as in the plan, and one column may be several fields", {
+test_that("vary() keeps the plan's value for NA and joins fields", {
   gear <- read_gear("crossing_cables")
   both <- update(gear, ropes.south_1.length = 4.1, ropes.south_2.length = 4.1)
   found <- vary(gear, designs(data.frame(

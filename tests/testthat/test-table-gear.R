@@ -1,4 +1,4 @@
-test_that("a gear's summary has the masses that its plan gives", {
+test_that("summary() of a gear lists the masses of its plan", {
   found <- summary(read_gear("midwater_trawl"))
   parts <- found$parts
   row <- function(name) parts[parts$part == name, ]
@@ -13,7 +13,7 @@ test_that("a gear's summary has the masses that its plan gives", {
   expect_output(print(found), "otter board +2 +9000")
 })
 
-test_that("a gear's summary weighs in water what the settled gear does", {
+test_that("summary() of a gear has the weight in water of the state", {
   for (name in c("towed_cable", "beam_trawl")) {
     state <- settled(name, nodes = 300)
     drag <- summary(state)$drag_totals

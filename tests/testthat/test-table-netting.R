@@ -1,11 +1,11 @@
-test_that("the table of netting has the twine and mass of the lattice", {
+test_that("table of netting has the twine and mass of the mesh", {
   state <- settled("t90_codend")
   found <- summary(state$gear)$netting
   drag <- as.data.frame(state, what = "drag")
   drag <- drag[drag$kind == "netting", ]
   expect_equal(found$weight_in_water_kN, drag$weight_in_water_kN[match(found$panel, drag$part)],
     tolerance = 1e-10)
-  # by hand: a panel of 10 to 6 meshes of 100 mm, 5 deep, of two twines of 2 mm and 4 g/m
+  # reference: a panel of 10 to 6 meshes of 100 mm, 5 deep, of two twines of 2 mm and 4 g/m
   gear <- gear("Panel",
     points = list(nail = list(at = "net.upper_left", position = c(0, 0, 0), held = "fixed")),
     panels = list(net = netting_panel("100 mm", list(upper = 10, lower = 6, deep = 5),

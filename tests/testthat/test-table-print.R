@@ -1,4 +1,4 @@
-test_that("a state prints in at most ten lines", {
+test_that("print() of a state takes at most ten lines", {
   for (name in shipped_states) {
     state <- shipped_state(name)
     lines <- capture.output(shown <- withVisible(print(state)))
@@ -9,7 +9,7 @@ test_that("a state prints in at most ten lines", {
   }
 })
 
-test_that("prints are the same whatever R's options for numbers are", {
+test_that("printed output does not depend on R's number options", {
   state <- settle(update(read_gear("towed_cable"), ropes.cable.length = 1000.25))
   trajectory <- tow(state, until = 1, every = 0.5)
   shown <- list(
@@ -25,7 +25,7 @@ test_that("prints are the same whatever R's options for numbers are", {
   expect_identical(printed(scipen = -9), printed(scipen = 0))
 })
 
-test_that("conditions are told in words", {
+test_that("conditions_text() describes speed, water and current", {
   still <- list(
     water = list(density = 1025, current = data.frame(depth = 0, x = 0, y = 0)),
     towing = list(speed = 4.5 * 1852 / 3600)
@@ -40,5 +40,5 @@ test_that("conditions are told in words", {
   expect_equal(conditions_text(held), "Held in water of 1000 kg/m3, current up to 0.5 m/s")
   held$water$density <- 0
   held$water$current <- data.frame(depth = 0, x = 0, y = 0)
-  expect_equal(conditions_text(held), "Held in no water")
+  expect_equal(conditions_text(held), "Held without water")
 })

@@ -1,4 +1,4 @@
-test_that("tensions have a row per bar and per family of every cell", {
+test_that("tensions table has a row per bar and per cell family", {
   state <- settled("midwater_trawl", nodes = 500, netting = "cells")
   table <- as.data.frame(state)
   bars <- length(engine_array(state, "bars", "rest"))
@@ -10,7 +10,7 @@ test_that("tensions have a row per bar and per family of every cell", {
   expect_equal(unique(table$family), c("bar", "u", "v"))
 })
 
-test_that("a line's middle lies between its ends and its length is theirs", {
+test_that("table has the midpoint and length of each line", {
   for (netting in c("cells", "bars")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     table <- as.data.frame(state)
@@ -25,25 +25,25 @@ test_that("a line's middle lies between its ends and its length is theirs", {
   }
 })
 
-test_that("lines times their unstretched length is the plan's twine", {
+test_that("lines times unstretched length equals the plan's twine", {
   for (netting in c("cells", "bars")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
     lines <- state_lines(state)
     net <- lines[parts_of(state)$kind[lines$part] == "netting", ]
-    # 20 x 20 meshes of four bars of 50 mm; the lattice is built to 1e-6
+    # 20 x 20 meshes of four bars of 50 mm; the mesh is built to 1e-6
     expect_equal(sum(net$lines * net$rest), 20 * 20 * 4 * 0.05, tolerance = 1e-6)
   }
 })
 
-test_that("tied points lie between their nodes", {
+test_that("tied points are between their nodes", {
   state <- structure(list(
     position = cbind(c(0, 0, 0), c(4, 8, 0)),
-    lattice = sketched_lattice(mesh = list(ties = list(first = 1L, second = 2L, share = 0.25)))
+    mesh = sketched_mesh(model = list(ties = list(first = 1L, second = 2L, share = 0.25)))
   ), class = "codend_state")
   expect_equal(state_points(state)[, 3], c(1, 2, 0))
 })
 
-test_that("nodes tell which parts meet there and whether they are held", {
+test_that("nodes table lists the connected parts and fixed nodes", {
   state <- settled("crossing_cables")
   table <- as.data.frame(state, what = "nodes")
   expect_named(table, c("node", "x_m", "y_m", "z_m", "parts", "held"))
@@ -54,29 +54,29 @@ test_that("nodes tell which parts meet there and whether they are held", {
   expect_equal(t(as.matrix(table[c("x_m", "y_m", "z_m")])), state$position, ignore_attr = TRUE)
 })
 
-test_that("elements on tied points belong to both nodes that carry them", {
-  lattice <- sketched_lattice(
-    mesh = list(
+test_that("elements on tied points belong to both supporting nodes", {
+  mesh <- sketched_mesh(
+    model = list(
       nodes = 3L, ties = list(first = 1L, second = 2L, share = 0.5),
       bars = list(node = c(4L, 3L)), cells = list(node = integer())
     ),
     bar_part = 1L, parts = data.frame(name = "net")
   )
-  expect_equal(node_parts(lattice), c("net", "net", "net"))
+  expect_equal(node_parts(mesh), c("net", "net", "net"))
 })
 
-test_that("measures, drag and reactions are tables too", {
+test_that("measures, drag and reactions are available as tables", {
   state <- settled("towed_cable")
   table <- as.data.frame(state, what = "measures")
   expect_equal(setNames(table$value, table$measure), plain_measures(measures(state)))
   expect_equal(table$unit[table$measure == "tow_power_kW"], "kW")
   expect_equal(as.data.frame(state, what = "drag"), summary(state)$drag)
   expect_equal(as.data.frame(state, what = "reactions")$point, "ship")
-  # a table asked for without its name would be taken for row names
+  # an unnamed `what` would be mistaken for row names
   expect_error(as.data.frame(state, "drag"))
 })
 
-test_that("columns of numbers end in their unit", {
+test_that("number columns end in their unit", {
   state <- shipped_state("midwater_trawl")
   plain <- c("element", "lines", "node")
   for (what in c("tensions", "nodes", "drag", "reactions")) {

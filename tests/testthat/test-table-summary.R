@@ -1,4 +1,4 @@
-test_that("a summary holds what it prints", {
+test_that("summary() of a state returns the printed values", {
   for (name in shipped_states) {
     state <- shipped_state(name)
     found <- summary(state)
@@ -10,7 +10,7 @@ test_that("a summary holds what it prints", {
   }
 })
 
-test_that("a summary is plain aligned text where there are no colours", {
+test_that("summary() prints plain aligned text without colours", {
   state <- shipped_state("midwater_trawl")
   lines <- capture.output(shown <- withVisible(print(summary(state))))
   expect_false(shown$visible)
@@ -19,11 +19,11 @@ test_that("a summary is plain aligned text where there are no colours", {
     "Highest twine tensions", "Slack netting", "Force balance", "Solution")) {
     expect_true(title %in% lines, info = title)
   }
-  # no line wider than a terminal
+  # lines fit a terminal
   expect_lte(max(nchar(lines)), 110)
 })
 
-test_that("parts of one role stand together", {
+test_that("summary() groups parts of one role", {
   tensions <- data.frame(
     part = c("port", "starboard", "sweep"), kind = "rope", role = c("warp", "warp", NA),
     max_kN = c(10, 12, 3), mean_kN = 1, strength_percent = c(20, 24, NA)
@@ -34,7 +34,7 @@ test_that("parts of one role stand together", {
   )
 })
 
-test_that("slack netting is told by its share", {
+test_that("summary() lists slack netting in percent", {
   slack <- data.frame(
     part = c("a", "b", "c"), role = c("wings", "wings", NA), twine_m = c(10, 30, 60),
     slack_percent = c(80, 40, 0)
@@ -42,7 +42,7 @@ test_that("slack netting is told by its share", {
   expect_equal(
     slack_lines(slack),
     c(
-      "  20.0 % of all twine carries no tension: there the netting hangs loose and may move.",
+      "  20.0 % of all twine carries no tension; slack netting may move.",
       "  wings, 2 panels  50.0 %"
     )
   )

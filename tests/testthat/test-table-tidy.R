@@ -1,4 +1,4 @@
-test_that("a state is tidy: its measures, and one row of the whole", {
+test_that("tidy() and glance() of a state return measures and one row", {
   state <- settled("towed_cable", nodes = 300)
   table <- tidy.codend_state(state)
   expect_identical(table$estimate, as.double(measures(state)))
@@ -9,7 +9,7 @@ test_that("a state is tidy: its measures, and one row of the whole", {
   expect_identical(row$nodes, nrow(as.data.frame(state, what = "nodes")))
 })
 
-test_that("a trajectory and slopes are tidy", {
+test_that("tidy() covers trajectories and sensitivities", {
   state <- settled("towed_cable", nodes = 300)
   trajectory <- tow(state, until = 4, every = 2,
     schedule = tow_schedule(speed = data.frame(time = c(0, 2), value = c("4 knot", "4.5 knot"))))
@@ -19,21 +19,21 @@ test_that("a trajectory and slopes are tidy", {
   row <- glance.codend_trajectory(trajectory)
   expect_identical(row[c("times", "until", "end")],
     data.frame(times = 3L, until = 4, end = "reached"))
-  # tow() itself stops where more than 2 % is made or lost
+  # tow() itself stops if the energy imbalance exceeds 2 %
   expect_lt(abs(row$energy_imbalance), 0.02)
 
   slopes <- sensitivities(state, to = "towing.speed", secants = FALSE)
-  expect_identical(tidy.codend_sensitivities(slopes)$estimate, slopes$slope)
+  expect_identical(tidy.codend_sensitivities(slopes)$estimate, slopes$derivative)
 })
 
-test_that("the package generics finds the methods", {
+test_that("generics package dispatches to the tidy methods", {
   skip_if_not_installed("generics")
   state <- settled("towed_cable", nodes = 300)
   expect_identical(generics::tidy(state), tidy.codend_state(state))
   expect_identical(generics::glance(state), glance.codend_state(state))
 })
 
-test_that("a calibration, its posterior, an optimum and variations are tidy", {
+test_that("tidy() covers a calibration and its posterior", {
   runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
   fit <- calibrate("towed_cable", runs, nodes = 20, match = Drag ~ total_drag_kN,
     change = list(ropes.cable.diameter = c("10 mm", "30 mm")))
@@ -61,7 +61,7 @@ test_that("a calibration, its posterior, an optimum and variations are tidy", {
   expect_identical(glance.codend_posterior(draws)$draws, 20L)
 })
 
-test_that("an optimum and variations are tidy", {
+test_that("tidy() covers an optimum and variations", {
   best <- optimise_gear("towed_cable", minimise = ~ total_drag, nodes = 20,
     change = list(ropes.cable.length = c("900 m", "1100 m")))
   table <- tidy.codend_optimum(best)

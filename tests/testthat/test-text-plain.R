@@ -1,4 +1,4 @@
-test_that("a message becomes one line without a terminal's colours and bullets", {
+test_that("plain_message() returns one line without colours and bullets", {
   text <- c("Rope {.field a!} is {.val {3}}.", x = "It must be i > 4.", i = "Look.", "*" = "One.",
     v = "Done.", "!" = "Mind.", ">" = "Next.", " " = "Last.")
   said <- "Rope a! is 3. It must be i > 4. Look. One. Done. Mind. Next. Last."
@@ -10,7 +10,7 @@ test_that("a message becomes one line without a terminal's colours and bullets",
   expect_identical(plain_message(simpleError("i is\n  not > 3")), "i is not > 3")
 })
 
-test_that("text may hold what HTML and XML mark with", {
+test_that("escape_markup() escapes characters of HTML and XML", {
   skip_if_not_installed("xml2")
   text <- "a \"b\" 'c' <d> & e &amp; f"
   read <- xml2::read_xml(sprintf("<a b=\"%1$s\" c='%1$s'>%1$s</a>", escape_markup(text)))
@@ -19,7 +19,7 @@ test_that("text may hold what HTML and XML mark with", {
   expect_identical(xml2::xml_text(read), text)
 })
 
-test_that("plans and files are the same whatever R's options for numbers are", {
+test_that("plans and files do not depend on R's number options", {
   folder <- test_folder()
   made <- function(name, ...) {
     kept <- options(...)
@@ -36,7 +36,8 @@ test_that("plans and files are the same whatever R's options for numbers are", {
     best <- optimise_gear(state$gear, minimise = "total_drag_kN",
       change = list(ropes.cable.length = c("999.5 m", "1000.25 m")))
     list(
-      picture = unname(tools::md5sum(picture)), slopes = slopes$slope, best = best$fields$value,
+      picture = unname(tools::md5sum(picture)), slopes = slopes$derivative,
+        best = best$fields$value,
       printed = c(capture.output(print(slopes), print(best)), conditions_text(state$si)),
       plans = lapply(plans, function(plan) format(assembly(read_gear(plan)))),
       files = unname(tools::md5sum(files)), columns = column_figures(c(0.5, 12.25)),
@@ -44,7 +45,7 @@ test_that("plans and files are the same whatever R's options for numbers are", {
     )
   }
   plain <- made("plain")
-  # the axes of a picture have the decimal mark of the session
+  # the axes of a picture use the session's decimal mark
   expect_identical(made("comma", OutDec = ",", scipen = -9)[-1], plain[-1])
   expect_identical(made("digits", scipen = 100, digits = 4), plain)
 })

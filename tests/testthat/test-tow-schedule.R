@@ -1,6 +1,6 @@
-# The schedule of a tow as users give it.
+# The schedule of a tow as given by users.
 
-test_that("a schedule prints what it changes", {
+test_that("tow_schedule() prints its changes", {
   expect_snapshot({
     tow_schedule()
     tow_schedule(
@@ -11,7 +11,7 @@ test_that("a schedule prints what it changes", {
   })
 })
 
-test_that("a schedule takes what it leaves out from the plan", {
+test_that("tow_schedule() takes omitted fields from the plan", {
   planned <- list(speed = 2, catch = 0.5, until = 60)
   found <- with_planned(tow_schedule(speed = 3), planned)
   expect_identical(found$speed, 3)
@@ -19,7 +19,7 @@ test_that("a schedule takes what it leaves out from the plan", {
   expect_null(found$warp_out)
 })
 
-test_that("a schedule of a wrong kind is refused", {
+test_that("tow() rejects schedules of a wrong kind", {
   expect_wrong(tow("towed_cable", schedule = list(speed = 2)), "must be a schedule")
   expect_wrong(tow_schedule(control = 3), "`control` must be a function")
   expect_wrong(tow_schedule(winch = list(force = 1)), "`winch` must be a list")

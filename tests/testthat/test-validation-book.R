@@ -1,5 +1,5 @@
-# The validation book's manifest, judgements and pictures. tests/ratchets/accuracy.R computes its
-# cases. The book is with the sources, not in the built package.
+# Tests the validation book's manifest, judgements and pictures. tests/ratchets/accuracy.R computes
+# its cases. The book is part of the sources, not of the built package.
 
 book <- local({
   root <- test_path("..", "..")
@@ -21,7 +21,7 @@ book <- local({
   }
 })
 
-test_that("the manifest has its cases, each with a function", {
+test_that("manifest has at least 20 cases with a function each", {
   book(function(room, manifest) {
     expect_gte(length(manifest), 20)
     for (id in names(manifest)) {
@@ -34,7 +34,7 @@ test_that("the manifest has its cases, each with a function", {
   })
 })
 
-test_that("what is wrong in a manifest is told", {
+test_that("check_case() rejects wrong cases of a manifest", {
   book(function(room, manifest) {
     case <- manifest$elastic_catenary
     room$check_case(case)
@@ -49,7 +49,7 @@ test_that("what is wrong in a manifest is told", {
   })
 })
 
-test_that("bands, tuned values and signs are judged as told", {
+test_that("judge() applies bands, tuned values and signs", {
   book(function(room, manifest) {
     case <- list(id = "made_up", group = "hauls",
       quantities = list(a = list(unit = "m", band = 5, status = "held"),
@@ -63,7 +63,7 @@ test_that("bands, tuned values and signs are judged as told", {
     ))
     judged <- room$judge(rows, list(made_up = case))
     expect_identical(judged$found, c("held", "missed", "tuned", "missed"))
-    # the mean size of misfits, not the size of their mean; tuned rows do not count
+    # the mean absolute misfit, not the absolute mean; tuned rows do not count
     expect_equal(judged$misfit[1:2], c(4.5, 6))
     expect_equal(judged$bias[1:2], c(4.5, 0))
     expect_equal(c(judged$measured[4], judged$computed[4]), c(1, -1))
@@ -71,7 +71,7 @@ test_that("bands, tuned values and signs are judged as told", {
   })
 })
 
-test_that("every picture of the page is one picture, not the last of several", {
+test_that("draw_hauls() writes a single picture", {
   book(function(room, manifest) {
     rows <- utils::read.csv("validation/misfits.csv")
     folder <- tempfile()
@@ -80,7 +80,7 @@ test_that("every picture of the page is one picture, not the last of several", {
     room$draw_hauls(rows, manifest)
     grDevices::dev.off()
     expect_identical(list.files(folder), "hauls-1.png")
-    # with a picture for each case that has values by warp
+    # with a panel for each case that has values by warp
     hauls <- names(Filter(function(case) case$group == "hauls", manifest))
     by_warp <- rows$case[grepl(" m of (warp|wire)$", rows$at) & rows$kind == "quantity"]
     expect_true(all(hauls %in% by_warp))

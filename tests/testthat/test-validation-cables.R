@@ -1,4 +1,4 @@
-# Cables against closed forms: reference/analytic_benchmarks.csv says how each value was found.
+# Cables compared with analytical solutions: reference/analytic_benchmarks.csv documents each value.
 
 benchmark <- local({
   table <- utils::read.csv(test_path("reference", "analytic_benchmarks.csv"), comment.char = "#")
@@ -7,7 +7,7 @@ benchmark <- local({
 
 weight_per_metre <- function(newton) newton / 9.81
 
-# A rope that neither weighs nor floats nor drags unless told otherwise.
+# A rope without weight, buoyancy and drag by default.
 line <- function(from, to, length, ..., diameter = 0.02, mass_per_length = 0) {
   rope(
     from = from, to = to, length = length, diameter = diameter, volume_per_length = 0,
@@ -18,7 +18,7 @@ line <- function(from, to, length, ..., diameter = 0.02, mass_per_length = 0) {
 no_drag <- list(normal = 0, tangential = 0, skin = 0)
 air <- list(density = 0)
 
-# Order of convergence from errors at one resolution and at the double.
+# Order of convergence from errors at one resolution and at twice the resolution.
 order_of <- function(error) log2(error[-length(error)] / error[-1])
 
 reaction <- function(state, name) {
@@ -35,7 +35,7 @@ hanging_catenary <- function(segments) {
   ))
 }
 
-test_that("a chain approaches the elastic catenary as segments^-2", {
+test_that("chain converges to the elastic catenary as segments^-2", {
   h <- benchmark("elastic_catenary", "horizontal_tension")
   v <- benchmark("elastic_catenary", "lower_vertical_tension")
   # Elastic catenary at its middle, s = 50 m of 100 m, from the lower end's tension (Irvine 1981).
@@ -55,16 +55,16 @@ test_that("a chain approaches the elastic catenary as segments^-2", {
       x = x[1] - middle[1], z = x[3] - middle[2]
     )
   }, numeric(5))
-  # lumped masses and straight bars are both second order; 0.1 is for the next order at 16 segments
+  # lumped masses and straight bars are both second order; 0.1 covers the next order at 16 segments
   for (quantity in rownames(errors)) {
     expect_equal(order_of(abs(errors[quantity, ])), rep(2, 3), tolerance = 0.05, label = quantity)
   }
-  # of 1400 N and 50 m: what segments^-2 leaves at 128
+  # of 1400 N and 50 m: the error of order segments^-2 at 128
   expect_lt(max(abs(errors[1:3, 4])), 0.1)
   expect_lt(max(abs(errors[4:5, 4])), 0.005)
 })
 
-# Where the loaded point of an isolated cable lies (m); load: N.
+# Position of the loaded point of an isolated cable (m); load: N.
 isolated_cable <- function(load) {
   part <- function(from, to, length) {
     line(from, to, length, axial_stiffness = 548.4e-6 * 131.0e9,
@@ -106,26 +106,27 @@ towed_body <- function(segments) {
   c(x[1], -x[3], sqrt(sum(pull^2)), atan2(pull[3], -pull[1]) * 180 / pi)
 }
 
-test_that("a towed cable with a body approaches the steady cable equations", {
+test_that("towed cable with a body converges to the steady cable equations", {
   wanted <- c(
     benchmark("towed_cable_body", "layback"), benchmark("towed_cable_body", "depth"),
     benchmark("towed_cable_body", "top_tension"), benchmark("towed_cable_body", "top_angle")
   )
   found <- vapply(c(25, 50, 100), towed_body, numeric(4))
-  # second order: 16 times less from 25 to 100, where 6e-5 is left
+  # second order: 16 times less from 25 to 100, where 6e-5 remains
   error <- abs(found - wanted) / wanted
   expect_lt(max(error[, 3]), 6e-5)
   expect_gt(min(error[, 1] / error[, 3]), 10)
 })
 
-# R sin^2 across the cable alone keeps T constant: a catenary of parameter c = T / R across the
-# flow, half length c sinh(b / c) for a half span b. Tension (N) and depth of the bight (m).
+# Normal drag R sin^2 alone keeps T constant. The shape is a catenary of parameter c = T / R across
+# the flow, with half length c sinh(b / c) for a half span b. Returns tension (N) and depth of the
+# bight (m).
 neutral_catenary <- function() {
   drag <- 0.5 * 1025 * 1.2 * 0.02 * 1.5^2
   c <- 30 / uniroot(function(u) sinh(u) / u - 40 / 30, c(0.1, 5), tol = 1e-14)$root
   list(tension = drag * c, bight = c * (cosh(30 / c) - 1))
 }
-# The same of the gear, with every element's tension.
+# The same for the gear, with every element's tension.
 neutral_cable <- function(segments) {
   state <- settle(gear("Neutral cable",
     towing = list(speed = 1.5), port = gear_point(c(0, -30, -10), "moved"),
@@ -137,7 +138,7 @@ neutral_cable <- function(segments) {
   list(tension = state$bar_tension, bight = bight)
 }
 
-test_that("a neutrally buoyant cable with normal drag alone has one tension, and is a catenary", {
+test_that("neutral cable with only normal drag is a constant-tension catenary", {
   wanted <- neutral_catenary()
   spread <- vapply(c(20, 40, 80), function(n) {
     found <- neutral_cable(n)
@@ -147,11 +148,11 @@ test_that("a neutrally buoyant cable with normal drag alone has one tension, and
     )
   }, numeric(3))
   for (k in 1:3) expect_equal(order_of(abs(spread[k, ])), rep(2, 2), tolerance = 0.1)
-  # what segments^-2 leaves at 80
+  # the error of order segments^-2 at 80
   expect_lt(max(abs(spread[, 3])), 2e-3)
 })
 
-# A sphere on a line in a current of 1.2 m/s toward 30 degrees: the state, and what statics give.
+# A sphere on a line in a current of 1.2 m/s toward 30 degrees: the state, and the static solution.
 hanging_sphere <- function() {
   settle(gear("Hanging sphere",
     water = list(current = list(speed = 1.2, toward = "30 deg")),
@@ -165,13 +166,13 @@ hanging_sphere_forces <- list(
   weight = 9.81 * (100 - 1025 * pi / 6 * 0.4^3)
 )
 
-test_that("a hanging sphere stands in the current at atan(D / W)", {
+test_that("hanging sphere in a current has the angle atan(D / W)", {
   state <- hanging_sphere()
   drag <- hanging_sphere_forces$drag
   weight <- hanging_sphere_forces$weight
   tension <- sqrt(drag^2 + weight^2)
   pull <- reaction(state, "buoy")
-  # exact statics: what is left is the solver's 1e-8 of the tension
+  # exact statics: the solver's residual of 1e-8 of the tension remains
   expect_equal(pull, c(-drag * cos(pi / 6), -drag * 0.5, weight), tolerance = 1e-7)
   expect_equal(max(state$bar_tension), tension, tolerance = 1e-7)
   run <- 10 * (1 + tension / 1e6) / tension * c(drag * cos(pi / 6), drag * 0.5, -weight)
@@ -190,8 +191,8 @@ kite_line <- function() {
   atan2(-pull[3], -pull[1]) * 180 / pi
 }
 
-# Steady cable in a current that turns with depth: integrated from the body up to the ship in the
-# unstretched length, with the body's depth found by shooting. Classical fourth-order Runge-Kutta.
+# Steady cable in a current that turns with depth. It is integrated from the body up to the ship in
+# the unstretched length; shooting determines the body's depth. Classical fourth-order Runge-Kutta.
 shoot_cable <- function(water_at, cable, body, steps) {
   rho <- 1025
   line_drag <- function(z, t) {
@@ -230,7 +231,7 @@ sheared_layers <- list(
   list(depth = 120, speed = 0.8, toward = "90 deg"),
   list(depth = 300, speed = 0.3, toward = "200 deg")
 )
-# A cable towed with a body through those layers.
+# A cable towed with a body through these layers.
 sheared_cable <- function(segments) {
   settle(gear("Cable in a shear",
     water = list(current = sheared_layers), towing = list(speed = 1.5),
@@ -256,18 +257,18 @@ sheared_cable_exact <- function() {
   )
 }
 
-test_that("a current that turns with depth moves a towed cable as shooting says", {
+test_that("towed cable in a turning current matches the shooting solution", {
   exact <- sheared_cable_exact()
   found <- lapply(c(50, 100), sheared_cable)
   error <- vapply(found, function(s) max(abs(node_at(s, "body") - exact$body)), 0)
-  # second order but for the kinks of the profile, which fall anywhere in an element
+  # second order, except for the kinks of the profile at arbitrary positions in elements
   expect_lt(error[2], 0.02)
   expect_gt(error[1] / error[2], 2.5)
   expect_equal(-reaction(found[[2]], "ship"), -exact$tension, tolerance = 1e-4)
 })
 
-# A warp with a clump, which programs for mooring lines can all run: the clump's x and z from the
-# upper end (m) and the tension there (N), by shooting and of the plan.
+# A warp with a clump, which all programs for mooring lines can run. Values: the clump's x and z
+# from the upper end (m) and the tension there (N), by shooting and by the plan.
 towed_warp_exact <- function() {
   found <- shoot_cable(
     function(z) c(2, 0, 0),
@@ -284,18 +285,18 @@ towed_warp <- function(segments) {
   c(run[c(1, 3)], sqrt(sum(reaction(state, "upper_end")^2)))
 }
 
-test_that("a warp with a clump approaches the continuum as segments^-2", {
+test_that("warp with a clump converges to the continuum as segments^-2", {
   wanted <- towed_warp_exact()
-  # shooting by others, to the digits that they print
+  # published shooting solutions, to their printed digits
   expect_lt(max(abs(wanted[1:2] - c(799.121, -581.965))), 0.0005)
   expect_lt(abs(wanted[3] - 18965.0), 0.05)
   error <- abs(vapply(c(50, 100, 200), towed_warp, numeric(3)) - wanted)
   for (k in 1:3) {
     order <- order_of(error[k, ])
-    # of the next order less is left at 200 segments
+    # the next order contributes less at 200 segments
     expect_equal(order, c(2, 2), tolerance = 0.04)
     expect_lt(abs(order[2] - 2), abs(order[1] - 2))
   }
-  # what other lumped-mass programs reach with 200 segments
+  # accuracy of other lumped-mass programs with 200 segments
   expect_lt(sqrt(sum(error[1:2, 3]^2)), 0.04)
 })

@@ -1,5 +1,5 @@
-# Cells of netting with twine of real stiffness against the same netting mesh by mesh, and against a
-# tube under pressure in closed form.
+# Cells of netting with realistic twine stiffness, compared with the same netting mesh by mesh and
+# with the analytical solution of a tube under pressure.
 
 # A diamond panel of 160 by 90 meshes of 80 mm between two points, a chain at its foot, in 0.6 m/s.
 hung_diamonds <- function(stiffness, ...) {
@@ -25,17 +25,18 @@ hung_diamonds <- function(stiffness, ...) {
   ))
 }
 
-test_that("cells of stiff twine hang as netting does mesh by mesh", {
-  # Bars mesh by mesh (29,051 nodes; in two pieces each, 58,000, the width is the same to 4 digits),
-  # computed once by bench/netting.R: foot width, m, and drag, kN, at EA of 3 kN and, nearly as
-  # rigid as steel wire, 200 kN; no twine is slack. With twines that bow alike, whatever they pull,
-  # the width was 2.4 % off at 1,000 nodes and 1.4 at 5,000; of triangles 21 %.
+test_that("cells of stiff twine hang as netting modelled mesh by mesh", {
+  # Reference: bars mesh by mesh with 29,051 nodes, computed once by bench/netting.R. With two
+  # pieces per bar, 58,000 nodes, the width is the same to 4 digits. Values: foot width, m, and
+  # drag, kN, at EA of 3 kN and 200 kN, nearly as rigid as steel wire; all twine is taut. With equal
+  # sag of all twines at any tension, the width deviated by 2.4 % at 1,000 nodes and 1.4 % at 5,000;
+  # with triangles by 21 %.
   mesh_by_mesh <- list("3000" = c(3.372, 0.4716), "2e+05" = c(3.412, 0.4747))
   for (stiffness in c(3000, 2e5)) {
     for (nodes in c(1000, 3000)) {
       found <- measures(settle(hung_diamonds(stiffness), nodes = nodes))
       known <- mesh_by_mesh[[as.character(stiffness)]]
-      # what is asked at 5,000
+      # the requirement at 5,000 nodes
       expect_lt(abs(found[["foot_width_m"]] / known[1] - 1), 0.01)
       expect_lt(abs(found[["net_drag_kN"]] / known[2] - 1), 0.005)
       expect_lt(found[["slack_netting_percent"]], 1)
@@ -44,10 +45,10 @@ test_that("cells of stiff twine hang as netting does mesh by mesh", {
 })
 
 test_that("hexagonal netting of stiff twine does not lock", {
-  # Its cells have three corners and a point of their own: three lengths take that point's three
-  # freedoms and leave those of the corners. At 60,000 nodes, computed once: foot 2.590 m wide, with
-  # a drag of 0.4351 kN, of turned hexagons 5.036 m and 0.4363 kN. At 1,100 nodes it is within 1 and
-  # 2 %, where triangles of diamonds were 21 and 3 % off.
+  # Its cells have three corners and an inner point. Three lengths use the three degrees of freedom
+  # of the inner point and leave the corners free. Reference at 60,000 nodes, computed once: foot
+  # width 2.590 m and drag 0.4351 kN; with turned hexagons 5.036 m and 0.4363 kN. At 1,100 nodes the
+  # deviation is 1 and 2 %; triangles of diamonds deviated by 21 and 3 %.
   finest <- list(hexagonal = c(2.590, 0.4351), hexagonal_turned = c(5.036, 0.4363))
   for (orientation in names(finest)) {
     gear <- hung_diamonds(3000, orientation = orientation, straight_bar = 0.01)
@@ -58,8 +59,8 @@ test_that("hexagonal netting of stiff twine does not lock", {
   }
 })
 
-# A closed tube of diamond netting, `around` meshes around in strips of `each`, filled with catch
-# over most of its length, its entrance held on a circle of radius r.
+# A closed tube of diamond netting with `around` meshes in strips of `each`, filled with catch over
+# most of its length. Its entrance is fixed on a circle of radius r.
 full_tube <- function(around, deep, filled, speed, size, radius, stiffness = 1e5, each = 1) {
   net <- list(
     mesh_size = size, meshes = list(upper = each, lower = each, deep = deep), knotted = FALSE,
@@ -74,33 +75,33 @@ full_tube <- function(around, deep, filled, speed, size, radius, stiffness = 1e5
 middle_tensions <- function(state) {
   lines <- as.data.frame(state, what = "tensions")
   lines <- lines[lines$kind == "netting", ]
-  # a fifth of the catch's length away from either
+  # at a distance of a fifth of the catch's length from either
   x <- range(state$position[1, ])
   1000 * lines$tension_kN[lines$x_m > x[1] + 0.45 * diff(x) & lines$x_m < x[1] + 0.65 * diff(x)]
 }
 
-test_that("a bag that has gone through its own axis is left for one that has not", {
-  # Two bags one behind the other, pinched off between, each pushed outward, balance too, with half
-  # the tension in the middle and less volume. A push grows there.
+test_that("settle() leaves an inverted equilibrium of a full bag", {
+  # Two bags in a row, pinched off between, each pushed outward, are in equilibrium too. They have
+  # half the tension in the middle and less volume. A perturbation grows there.
   around <- 48
   size <- 0.1
   speed <- 1.5
   radius <- around * size * sqrt(2 / 3) / (2 * pi)
   still <- 0.5 * 1.4 * 1025 * speed^2 * radius * size / 2 / sqrt(2)
   for (stiffness in c(3e3, 1e4, 2e5)) {
-    # of the stretched bar: radius and length both grow
+    # with the stretched bar: radius and length both grow
     wanted <- still
     for (turn in 1:50) wanted <- still * (1 + wanted / stiffness)^2
     for (filled in c(60, 70)) {
       state <- settle(full_tube(around, 72, filled, speed, size, radius, stiffness, each = 4))
       expect_false(state$report$unstable)
       tension <- middle_tensions(state)
-      # twelve sides under the circle's pressure: 0.1 % is the lattice's
+      # twelve sides under the circle's pressure: the mesh error is 0.1 %
       expect_equal(mean(tension), wanted, tolerance = 2e-3)
       expect_lt(stats::sd(tension) / mean(tension), 0.02)
     }
   }
-  # what cannot be left is told
+  # an equilibrium that remains unstable gives a warning
   state$report$unstable <- TRUE
   expect_warning(codend:::warn_of_doubts(state, swings = FALSE), "catch.panels",
     class = "codend_warning_catch_unstable")

@@ -1,15 +1,15 @@
-# A codend of hexagonal netting with a catch in it against AxiCodend, an axisymmetric model whose
-# nodes are the ends of the real bars and knots. Ours has no axis of symmetry: panels all round,
-# with triangles of netting between.
+# A codend of hexagonal netting with a catch, compared with AxiCodend, an axisymmetric model whose
+# nodes are the ends of the real bars and knots. Our model is not axisymmetric: it has panels around
+# the codend with triangles of netting.
 
 codend_reference <- function(name) {
   utils::read.csv(test_path("reference", paste0("axicodend_t0_", name, ".csv")), comment.char = "#")
 }
 
-# The codend of `sides` panels side by side, whose entrance is held on a circle; catch: what tells
-# how much there is.
+# The codend of `sides` panels next to each other, whose entrance is fixed on a circle; catch: the
+# plan's fields of the catch.
 codend_plan <- function(catch, sides = 50, rows = 100) {
-  # Twine as heavy as water, so that only the catch's pressure acts.
+  # Neutral twine, so that only the catch's pressure acts.
   net <- list(
     mesh_size = 0.144, meshes = list(upper = 100 / sides, lower = 100 / sides, deep = 100),
     orientation = "hexagonal", straight_bar = 0.012, knotted = FALSE,
@@ -20,7 +20,7 @@ codend_plan <- function(catch, sides = 50, rows = 100) {
   bag_plan(net, circle_of_corners(sides, 0.4), catch, coefficients = list(normal = 0))
 }
 
-# The plan tells how finely it is divided; so few nodes ask for no coarser gear first.
+# The plan defines its mesh; for so few nodes no coarser gear is solved first.
 settle_codend <- function(...) settle(as_gear(codend_plan(...)), nodes = 400)
 
 # x and mean radius of every row of nodes, and the area of its polygon.
@@ -35,11 +35,11 @@ codend_shape <- function(state) {
   )
 }
 
-# What is asked of the codend is 0.5 %. Rows of one mesh on a radius of curvature of 0.7 m flatten
-# it by (0.14 / 0.7)^2 / 24.
+# The requirement for the codend is 0.5 %. Rows of one mesh on a radius of curvature of 0.7 m
+# flatten it by (0.14 / 0.7)^2 / 24.
 within <- 0.005
 
-test_that("a codend with 50 meshes blocked has AxiCodend's shape and drag", {
+test_that("codend with 50 meshes blocked has AxiCodend's shape and drag", {
   state <- settle_codend(list(blocked_meshes = 50))
   wanted <- codend_reference("metrics")[1, ]
   shape <- codend_shape(state)
@@ -57,7 +57,7 @@ test_that("a codend with 50 meshes blocked has AxiCodend's shape and drag", {
   expect_lt(max(abs(shape$r - reference$r_m)), within * wanted$max_radius)
 })
 
-test_that("a codend as it is divided where its plan leaves that open has AxiCodend's catch", {
+test_that("codend with automatic mesh has AxiCodend's catch", {
   plan <- codend_plan(list(blocked_meshes = 50), sides = 4)
   for (panel in names(plan$panels)) plan$panels[[panel]][c("columns", "rows")] <- NULL
   state <- settle(as_gear(plan))
@@ -68,7 +68,7 @@ test_that("a codend as it is divided where its plan leaves that open has AxiCode
   expect_lt(abs(found[["catch_surface_m2"]] / wanted$catch_surface - 1), within)
 })
 
-test_that("codends filled to three quarters converge, from nothing and however divided", {
+test_that("codends filled to three quarters converge on different meshes", {
   volumes <- vapply(seq(50, 75, by = 5), function(blocked) {
     states <- list(
       settle_codend(list(blocked_meshes = blocked), sides = 16, rows = 30),
@@ -82,28 +82,28 @@ test_that("codends filled to three quarters converge, from nothing and however d
   expect_true(all(diff(volumes) > 0))
 })
 
-test_that("the drag of a catch is its pressure on the area of its front", {
+test_that("catch drag equals its pressure times its front area", {
   for (blocked in c(30, 50.5)) {
     state <- settle_codend(list(blocked_meshes = blocked), sides = 20, rows = 50)
     shape <- codend_shape(state)
-    # The front may cut through the rows: between these a radius is linear and an area square.
+    # The front may cut through the rows: between rows the radius is linear and the area quadratic.
     area <- stats::approx(seq(100, 0, by = -2), sqrt(shape$area), blocked)$y^2
     pressure <- 0.5 * 1.4 * 1025 * 1.5^2
-    # on the circle of the polygon's girth
+    # on the circle with the polygon's circumference
     pressure <- pressure * 20 * tan(pi / 20) / pi
-    # the same sum over triangles in another order, and what the solver leaves, 1e-8 of a tension
+    # the same sum over triangles in another order, and the solver's residual, 1e-8 of a tension
     expect_equal(1000 * measures(state)[["total_drag_kN"]], pressure * area, tolerance = 1e-7)
     expect_equal(as.data.frame(state, what = "drag")$drag_kN[21], pressure * area / 1000,
       tolerance = 1e-7)
   }
 })
 
-test_that("the front is found where the netting behind it encloses the catch", {
+test_that("catch front follows from the volume, mass or blocked meshes", {
   by_meshes <- settle_codend(list(blocked_meshes = 40), sides = 16, rows = 30)
   volume <- measures(by_meshes)[["catch_volume_m3"]]
   by_volume <- settle_codend(list(volume = volume), sides = 16, rows = 30)
   by_mass <- settle_codend(list(mass = 1040 * volume, density = 1040), sides = 16, rows = 30)
-  # The volume is met to 1e-6 of it, and grows at least as the meshes.
+  # The volume is met to a relative error of 1e-6, and grows at least like the meshes.
   expect_equal(measures(by_volume)[["catch_volume_m3"]], volume, tolerance = 1e-6)
   expect_equal(measures(by_volume)[["catch_front_meshes"]], 40, tolerance = 1e-5)
   expect_equal(by_mass$position, by_volume$position, tolerance = 1e-9)
@@ -115,19 +115,19 @@ test_that("hexagonal netting settles again from its own state", {
   state <- settle(gear, nodes = 400)
   again <- settle(gear, nodes = 400, from = state)
   expect_lte(again$report$iterations, 3)
-  # the solver's tolerance of 1e-8 over netting that gives way a metre under its tension
+  # the solver's tolerance of 1e-8, for netting that deforms by a metre under its tension
   expect_equal(again$position, state$position, tolerance = 1e-6)
 })
 
-test_that("a catch's volume has the curve of its netting lengthwise, its surface the area", {
-  # Half a ball whose 24 meridians are as long as the ball's along the chords of their rows, and
-  # whose rows of nodes are as long around.
+test_that("catch volume includes lengthwise curvature, and surface the netting's area", {
+  # Half a ball. The chords of the rows along its 24 meridians sum to the length of the ball's
+  # meridian, and its rows of nodes have the ball's circumference.
   ball <- function(rows) {
-    lattice <- build_lattice(gear_si(as_gear(codend_plan(list(blocked_meshes = 100), sides = 24,
+    mesh <- build_mesh(gear_si(as_gear(codend_plan(list(blocked_meshes = 100), sides = 24,
       rows = rows))))
-    x <- start_of(lattice)
-    for (panel in seq_along(panels_of(lattice))) {
-      grid <- panel_of(lattice, panel)$grid
+    x <- start_of(mesh)
+    for (panel in seq_along(panels_of(mesh))) {
+      grid <- panel_of(mesh, panel)$grid
       t <- pi / 2 * (seq_len(ncol(grid)) - 1) / (ncol(grid) - 1)
       long <- (pi / 4 / rows) / sin(pi / 4 / rows)
       wide <- long * (pi / 24) / sin(pi / 24)
@@ -137,43 +137,43 @@ test_that("a catch's volume has the curve of its netting lengthwise, its surface
           rbind(long * sin(t), wide * cos(t) * cos(angle), wide * cos(t) * sin(angle))
       }
     }
-    catch_sizes(lattice, x) / c(16 / 3 * pi, 8 * pi) - 1
+    catch_sizes(mesh, x) / c(16 / 3 * pi, 8 * pi) - 1
   }
-  # what is left of the volume is of fourth order in the rows' angle
+  # the volume error has fourth order in the rows' angle
   for (rows in c(12, 24)) expect_lt(abs(ball(rows)[1]), (pi / 2 / rows)^4 + 1e-5)
   # a flat strip is shorter than its sides by cos(pi / 24) at most
   expect_lt(abs(ball(24)[2]), 1 - cos(pi / 24))
 })
 
-test_that("the volume of a catch is that of the solid behind its front", {
+test_that("catch volume equals the solid behind its front", {
   # A cone of 16 sides from its open end at x = 0 to its tip, cut by a plane: pieces of triangles.
-  lattice <- build_lattice(gear_si(as_gear(codend_plan(list(blocked_meshes = 37.3), sides = 16,
+  mesh <- build_mesh(gear_si(as_gear(codend_plan(list(blocked_meshes = 37.3), sides = 16,
     rows = 7))))
-  x <- start_of(lattice)
-  for (panel in seq_along(panels_of(lattice))) {
-    grid <- panel_of(lattice, panel)$grid
+  x <- start_of(mesh)
+  for (panel in seq_along(panels_of(mesh))) {
+    grid <- panel_of(mesh, panel)$grid
     t <- (seq_len(ncol(grid)) - 1) / (ncol(grid) - 1)
     for (side in 1:2) {
       angle <- 2 * pi * (panel - 2 + side) / 16
       x[, grid[side, ]] <- rbind(3 * t, (1 - t) * cos(angle), (1 - t) * sin(angle))
     }
   }
-  # the circle of the girth of 16 sides
+  # the circle with the circumference of 16 sides
   base <- (16 * 2 * sin(pi / 16))^2 / (4 * pi)
   # a similar cone of 37.3 % of the length; rounding
-  expect_equal(catch_volume(lattice, x), 0.373^3 * base * 3 / 3, tolerance = 1e-12)
-  expect_equal(catch_volume(set_catch_front(lattice, 100), x), base * 3 / 3, tolerance = 1e-12)
+  expect_equal(catch_volume(mesh, x), 0.373^3 * base * 3 / 3, tolerance = 1e-12)
+  expect_equal(catch_volume(set_catch_front(mesh, 100), x), base * 3 / 3, tolerance = 1e-12)
 })
 
-test_that("a codend of stiff meshes with its catch is the same of bars and of cells", {
-  # the shipped one, divided as is wanted
+test_that("codend of stiff meshes is equal with bars and cells", {
+  # the shipped codend, without its fixed mesh
   gear <- read_gear("t90_codend")
   for (panel in names(gear$plan$panels)) gear$plan$panels[[panel]][c("columns", "rows")] <- NULL
   gear <- as_gear(unclass(gear$plan))
   found <- lapply(c(bars = "bars", cells = "cells"), function(netting) {
     measures(settle(gear, nodes = 4000, netting = netting))
   })
-  # 1 % is asked of the two nettings
+  # the two discretisations must agree to 1 %
   for (name in c("length_m", "catch_volume_m3", "total_drag_kN")) {
     expect_lt(abs(found$bars[[name]] / found$cells[[name]] - 1), 0.01, label = name)
   }

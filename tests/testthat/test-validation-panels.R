@@ -1,5 +1,5 @@
-# A rigid flat panel of netting against the drag law summed over its twine by hand, and what a
-# lattice holds against what its plan says, in both nettings and however the meshes are grouped.
+# A rigid flat panel of netting compared with the drag of its twines summed by hand, and the content
+# of a mesh compared with its plan. Both cover both nettings and several groupings of meshes.
 
 flat_panel <- function(orientation = "diamond", coefficients = "hoerner", knotted = FALSE,
                        netting = "cells", columns = 4, rows = 6, bar_segments = 2) {
@@ -17,12 +17,12 @@ flat_panel <- function(orientation = "diamond", coefficients = "hoerner", knotte
   ))
 }
 
-# Where a panel hangs open at a ratio (bars of diamond meshes at their own length) in the plane of
-# y and a direction at `incidence` to the flow (90 deg: across it).
-flat_position <- function(lattice, si, ratio, incidence) {
+# Node positions of a panel that hangs open at a ratio (bars of diamond meshes at their own length).
+# The plane contains y and a direction at `incidence` to the flow (90 deg: across it).
+flat_position <- function(mesh, si, ratio, incidence) {
   net <- si$panels$net
-  drawn <- panel_of(lattice, "net")
-  at <- matrix(NA_real_, engine_array(lattice, "nodes"), 2L)
+  drawn <- panel_of(mesh, "net")
+  at <- matrix(NA_real_, engine_array(mesh, "nodes"), 2L)
   if (drawn$netting == "cells") {
     grid <- drawn$grid
     at[as.vector(grid), 1] <- (row(grid) - 1) / (nrow(grid) - 1) * net$upper
@@ -36,9 +36,10 @@ flat_position <- function(lattice, si, ratio, incidence) {
   rbind(down * cos(incidence), across, -down * sin(incidence))
 }
 
-# Force of one metre of twine (N), by the published forms (Hoerner 1965;
-# Bessonneau and Marichal 1998; Wan et al. 2002; Takagi et al. 2004; Choo and Casarella 1971, its
-# branch 30 < Re < 2.33e5; Cifuentes and Kim 2017), from the twine's unit vector.
+# Force of one metre of twine (N) from its unit vector, by the published forms:
+#
+# Hoerner 1965; Bessonneau and Marichal 1998; Wan et al. 2002; Takagi et al. 2004; Choo and
+# Casarella 1971, its branch 30 < Re < 2.33e5; Cifuentes and Kim 2017.
 twine_force <- function(law, axis, speed, d, solidity) {
   u <- c(speed, 0, 0)
   u_t <- sum(u * axis) * axis
@@ -68,10 +69,10 @@ twine_force <- function(law, axis, speed, d, solidity) {
 panel_force <- function(gear, ratio, incidence, speed) {
   si <- gear_si(gear)
   si$towing$speed <- speed
-  lattice <- build_lattice(si, nodes = 300)
-  x <- flat_position(lattice, si, ratio, incidence)
+  mesh <- build_mesh(si, nodes = 300)
+  x <- flat_position(mesh, si, ratio, incidence)
   stopifnot(!anyNA(x))
-  found <- engine_evaluate(engine_array(lattice), as.vector(x), numeric(length(x)))
+  found <- engine_evaluate(engine_array(mesh), as.vector(x), numeric(length(x)))
   list(
     twine = rowSums(matrix(c(found$forces$bar_drag, found$forces$cell_drag), 3L)),
     knots = rowSums(matrix(found$forces$sphere_drag, 3L))
@@ -92,13 +93,13 @@ summed_force <- function(law, orientation, ratio, incidence, speed) {
   solidity <- if (orientation == "square") {
     2 * 0.002 / 0.05 - (0.002 / 0.05)^2
   } else {
-    0.002 / (0.05 * 0.3 * sqrt(1 - 0.3^2))  # of netting as it usually hangs
+    0.002 / (0.05 * 0.3 * sqrt(1 - 0.3^2))  # netting at its usual hanging ratio
   }
   metres * rowSums(vapply(axes, function(axis) twine_force(law, axis, speed, 0.002, solidity),
     numeric(3)))
 }
 
-test_that("a rigid panel drags as its twine does, by every law, however it is grouped", {
+test_that("rigid panel has the summed drag of its twines at any grouping", {
   laws <- c("hoerner", "bessonneau_marichal", "wan", "takagi", "choo_casarella", "cifuentes_kim")
   divisions <- list(
     list(netting = "cells", columns = 1, rows = 1), list(netting = "cells", columns = 5,
@@ -112,7 +113,7 @@ test_that("a rigid panel drags as its twine does, by every law, however it is gr
         for (division in divisions) {
           plan <- do.call(flat_panel, c(list(orientation, law), division))
           # the same sums in another order: rounding, and the Reynolds number's floor of 0.01 in
-          # some 1000, which moves C_n by 1e-10
+          # about 1000, which changes C_n by 1e-10
           expect_equal(panel_force(plan, 0.4, incidence, 0.6)$twine, wanted, tolerance = 1e-9)
         }
       }
@@ -120,7 +121,7 @@ test_that("a rigid panel drags as its twine does, by every law, however it is gr
   }
 })
 
-test_that("knots of a rigid panel drag as spheres, two to a mesh, however they are grouped", {
+test_that("rigid panel has the drag of two spherical knots per mesh", {
   # C_D = 24 / Re + 6 / (1 + sqrt(Re)) + 0.4 (White)
   re <- 0.6 * 0.005 / 1.19e-6
   each <- 0.5 * 1025 * 0.6^2 * pi / 4 * 0.005^2 * (24 / re + 6 / (1 + sqrt(re)) + 0.4)
@@ -133,7 +134,7 @@ test_that("knots of a rigid panel drag as spheres, two to a mesh, however they a
   }
 })
 
-test_that("a lattice holds the mass, weight, twine and knots of its plan", {
+test_that("mesh contains the mass, weight, twine and knots of its plan", {
   plans <- list(
     rectangle = list(meshes = c(30, 30, 40)),
     both = list(meshes = c(40, 21, 30)),
@@ -162,13 +163,13 @@ test_that("a lattice holds the mass, weight, twine and knots of its plan", {
     meshes <- (of$meshes[1] + of$meshes[2]) / 2 * of$meshes[3]
     twine <- meshes * 0.08 * (if (square) 1 else 2)
     knots <- meshes * (if (square) 1 else 2)
-    # double twine of polyethylene: 480 kg/m3 on its diameter squared, solid of 950 kg/m3
-    # 16 diameters of it in each knot
+    # double twine of polyethylene: 480 kg/m3 on its diameter squared, solid of 950 kg/m3; each knot
+    # contains 16 diameters of twine
     mass <- (twine + knots * 16 * 0.003) * 2 * 480 * 0.003^2
     for (netting in c("cells", "bars")) {
       for (nodes in c(40, 200, 800)) {
-        lattice <- build_lattice(si, nodes, netting)
-        array <- function(...) engine_array(lattice, ...)
+        mesh <- build_mesh(si, nodes, netting)
+        array <- function(...) engine_array(mesh, ...)
         label <- paste(name, netting, nodes)
         t <- matrix(array("cells", "twine"), 8L)
         d <- abs((t[5, ] - t[1, ]) * (t[8, ] - t[4, ]) - (t[7, ] - t[3, ]) * (t[6, ] - t[2, ]))
@@ -181,7 +182,7 @@ test_that("a lattice holds the mass, weight, twine and knots of its plan", {
           label = paste(label, "weight"))
         expect_equal(sum(array("spheres", "drag_area")), knots * pi / 4 * 0.007^2,
           tolerance = 1e-12, label = paste(label, "knots"))
-        # half of the water that balls displace
+        # half of the water that the spheres displace
         expect_equal(sum(array("spheres", "added_mass")), knots * pi / 12 * 0.007^3,
           tolerance = 1e-12, label = paste(label, "added mass"))
         expect_equal(array("materials", "diameter"), 0.006)

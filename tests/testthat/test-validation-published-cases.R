@@ -1,8 +1,8 @@
-# A square net that programs for nets can all run, against its equations written again here knot by
-# knot.
+# A square net that all net programs can run, compared with an independent implementation of its
+# equations knot by knot.
 
-# Drag of the water at velocity u (n x 2 or n x 3 rows) on one metre of cylinders of diameter d
-# along the unit vectors t, C_n = 1.2 on d and C_t = 0.01 on pi d.
+# Drag of water with velocity u (n x 2 or n x 3 rows) on one metre of cylinders. Their diameter is d
+# and their unit vectors are t. C_n = 1.2 on d and C_t = 0.01 on pi d.
 cylinder_drag <- function(t, u, d) {
   along <- rowSums(u * t) * t
   normal <- u - along
@@ -10,10 +10,9 @@ cylinder_drag <- function(t, u, d) {
     0.01 * pi * sqrt(rowSums(along^2)) * along)
 }
 
-# The balance of a square net of n x n knots 0.5 m apart whose upper row is held; knots are numbered
-# along each row, from the upper edge down.
-# Returns functions of the knots' positions (n^2 x 3): the net force on every free knot (N, a row
-# each) and its derivative, and the free knots.
+# The force balance of a square net of n x n knots 0.5 m apart with a fixed upper row. Knots are
+# numbered along each row, from the upper edge down. Returns functions of the knots' positions (n^2
+# x 3): the net force on every free knot (N, a row each), its derivative, and the free knots.
 square_net_balance <- function(n) {
   knot <- matrix(seq_len(n * n), n, n)
   # bars down, and across below the upper edge
@@ -25,7 +24,7 @@ square_net_balance <- function(n) {
   load <- matrix(0, n * n, 3)
   load[, 3] <- -9.81 * 0.25 * (0.014326 - 1025 * pi / 4 * 0.004^2) * rowSums(start + stop)
   load[knot[, n], 3] <- load[knot[, n], 3] - 9.81 * (1 - 1025 * 1.274e-4)
-  # of every bar along e: its pull on its first knot, and half its drag
+  # for every bar along e: its tension on its first knot, and half its drag
   bar_force <- function(e) {
     long <- sqrt(rowSums(e^2))
     list(
@@ -58,8 +57,8 @@ square_net_balance <- function(n) {
   )
 }
 
-# Positions of the knots (n^2 x 3), from flat, upright and at rest: Newton's method with a
-# pseudo-time step that grows.
+# Positions of the knots (n^2 x 3), starting flat, upright and at rest, by Newton's method with a
+# growing pseudo-time step.
 solve_square_net <- function(n) {
   balance <- square_net_balance(n)
   free <- balance$free
@@ -93,20 +92,20 @@ knots_of <- function(state) {
   t(state$position[, drawn$node[order(round(drawn$j), round(drawn$i))]])
 }
 
-test_that("a square net stands as the balance of its knots says", {
+test_that("square net settles to the force balance of its knots", {
   state <- settle(square_net(8))
   found <- knots_of(state)
-  # settle() leaves 1e-8 of some 80 N, where a knot that bears 1 N on 0.5 m moves by 1e-6 m at most
+  # settle() has a residual of 1e-8 of about 80 N; a knot with 1 N on 0.5 m moves by 1e-6 m at most
   expect_lt(max(abs(found - solve_square_net(8))), 1e-6)
-  # other programs, to the digits that they print
+  # other programs, to their printed digits
   expect_lt(max(abs(colMeans(found[57:64, ]) - c(0.81516, 0, -13.37759))), 5e-6)
 })
 
-test_that("larger square nets are in that balance too", {
+test_that("large square nets satisfy the same force balance", {
   for (n in c(20, 40)) {
     state <- settle(square_net(n))
     net <- square_net_balance(n)$force(knots_of(state))
-    # what settle() promises, and rounding of 24 kN/m times positions
+    # settle()'s tolerance, and rounding of 24 kN/m times positions
     expect_lt(max(abs(net)), 1e-8 * max(state$bar_tension) + 1e-9)
   }
 })

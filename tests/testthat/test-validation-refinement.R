@@ -1,9 +1,9 @@
-# The two nettings approach each other as they are refined: a tapered cone of four panels towed
+# Bars and cells converge to each other under refinement. Cases: a tapered cone of four panels towed
 # behind a frame with a catch at its end, and a sheet of netting between two ropes.
 
 soft_twine <- list(diameter = 0.002, axial_stiffness = 200, mass_per_length = 0.003)
 
-# Both nettings divide a panel by its columns; cells need their rows as well.
+# The number of columns defines the mesh of a panel in both nettings; cells need rows as well.
 resolved <- function(panel, netting, columns, rows) {
   panel$columns <- columns
   if (netting == "cells") panel$rows <- rows
@@ -20,7 +20,7 @@ cone <- function(netting, columns) {
     points = of_sides(function(k) {
       list(at = paste0(sides[k], ".upper_left"), position = corner[[k]], held = "fixed")
     }),
-    # stretched by a fiftieth, so that each is a bar of a nearly rigid frame
+    # stretched by 2 %, so that each is a bar of a nearly rigid frame
     ropes = of_sides(function(k) {
       list(along = list(paste0(sides[k], ".upper")), length = 1.6 * 0.98, diameter = 0.01,
         axial_stiffness = 3e5, mass_per_length = 0.1)
@@ -58,8 +58,8 @@ sheet <- function(netting, columns) {
   ))
 }
 
-# Difference of the two nettings at every resolution: drag of the netting and largest tension of a
-# rope (as shares of their size), and the place of one node (m).
+# Difference of the two nettings at every resolution: relative drag of the netting, relative largest
+# rope tension, and the position of one node (m).
 differences <- function(build, columns, place) {
   found <- lapply(columns, function(n) {
     each <- lapply(c("cells", "bars"), function(netting) {
@@ -84,27 +84,28 @@ differences <- function(build, columns, place) {
   do.call(cbind, found)
 }
 
-# Slope of log difference against log columns, over all resolutions.
+# Slope of log difference over log columns, over all resolutions.
 slope <- function(difference, columns) {
   -stats::coef(stats::lm(log(difference) ~ log(columns)))[[2]]
 }
 
-test_that("cells and bars approach each other on a tapered cone", {
+test_that("cells and bars converge to each other on a tapered cone", {
   columns <- c(8, 16, 24)
   found <- differences(cone, columns, c("top.lower_left", "bottom.lower_left"))
-  # both are first order in the size of their meshes; 0.8 leaves room for the grouping's own steps
+  # both are first order in the mesh size; 0.8 allows for discrete grouping
   expect_gt(slope(found["drag", ], columns), 0.8)
   expect_gt(slope(found["place", ], columns), 0.8)
-  # a quarter of a percent of drag on either side of the limit, and of 4.6 m of length less
+  # a quarter of a percent of drag on either side of the limit, and less than a quarter percent of
+  # 4.6 m of length
   expect_lt(found["drag", 3], 0.005)
   expect_lt(found["place", 3], 0.003)
-  # the frame's own stretch is nearly all of its tension
+  # the frame's own stretch causes nearly all of its tension
   expect_lt(found["tension", 3], 5e-4)
 })
 
-test_that("bars end on slanted sides where their twines do", {
-  # Shape and twine of a panel by its plan, and how far bars are from lying along their twines with
-  # the twines' own lengths, in equivalent bars.
+test_that("bars end on slanted sides at the ends of their twines", {
+  # Distance of bars from their twines in position and length, in equivalent bars, for a panel with
+  # this shape and twine.
   misfit <- function(upper, lower, deep, columns, orientation = "diamond") {
     si <- gear_si(as_gear(list(
       codend = 1, name = "Slanted panel", netting = "bars",
@@ -115,11 +116,12 @@ test_that("bars end on slanted sides where their twines do", {
         twine = list(diameter = 0.002, axial_stiffness = 1e3, mass_per_length = 0.01)
       ))
     )))
-    lattice <- build_lattice(si)
-    net <- panel_of(lattice, "net")
-    bars <- engine_array(lattice, "bars")
-    # knots by their numbers among all points; those tied to one node are not told apart by it
-    node <- point_number(net$node, engine_array(lattice, "nodes"))
+    mesh <- build_mesh(si)
+    net <- panel_of(mesh, "net")
+    bars <- engine_array(mesh, "bars")
+    # knots by their numbers among all points; several knots tied to one node cannot be
+    # distinguished
+    node <- point_number(net$node, engine_array(mesh, "nodes"))
     end <- matrix(match(bars$node, node), 2L)
     shared <- matrix(bars$node %in% node[duplicated(node)], 2L)
     known <- !is.na(colSums(end)) & !colSums(shared)
@@ -135,12 +137,12 @@ test_that("bars end on slanted sides where their twines do", {
     expect_lt(max(misfit(case[1], case[2], case[3], case[4])), 1e-12)
   }
   expect_lt(max(misfit(40, 40, 30, 7, "square")), 1e-12)
-  # A twine nearly along its side ends at a knot that was moved onto it: few do.
+  # A twine nearly parallel to its side ends at a knot that was moved onto the side: few twines do.
   slanted <- misfit(60, 15, 120, 23)
   expect_lt(mean(slanted > 1e-12), 0.02)
 })
 
-test_that("cells and bars approach each other on a sheet that hangs partly slack", {
+test_that("cells and bars converge to each other on a partly slack sheet", {
   found <- differences(sheet, c(8, 16, 32), c("upper.middle", "lower.middle"))
   expect_true(all(diff(found["drag", ]) < 0))
   expect_lt(found["drag", 3], 0.06)

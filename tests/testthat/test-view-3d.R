@@ -2,14 +2,14 @@ scene_json <- function(scene) {
   as.character(jsonlite::toJSON(scene, auto_unbox = TRUE, digits = 16, null = "null"))
 }
 
-test_that("view gives a widget whose scene holds the state's own places and tensions", {
+test_that("view_3d() returns a widget with the state's positions and tensions", {
   state <- unsettled(sheets_plan)
   page <- view_3d(state)
   expect_s3_class(page, "htmlwidget")
   scene <- page$x$scene
   points <- matrix(unpacked(scene$points$floats, "double", 4), 3L)
   all <- state_points(state)
-  # single precision: 6e-8 of some 20 m
+  # single precision: 6e-8 of about 20 m
   near <- function(x) apply(x, 2L, function(p) min(colSums((all - p)^2)))
   expect_lt(max(near(points)), 1e-10)
   ends <- matrix(unpacked(scene$ropes$ends, "integer", 4) + 1L, 2L)
@@ -22,7 +22,7 @@ test_that("view gives a widget whose scene holds the state's own places and tens
   expect_length(scene$netting, length(sheets_plan$panels))
 })
 
-test_that("surfaces carry as many meshes as the plan has", {
+test_that("netting surfaces contain as many meshes as the plan", {
   state <- unsettled(sheets_plan, nodes = 300)
   surfaces <- netting_surfaces(state)
   # In twine coordinates a panel's area is its number of bars of one family.
@@ -38,27 +38,27 @@ test_that("surfaces carry as many meshes as the plan has", {
   }, 0)
   expect_equal(area, unname(vapply(state$si$panels, panel_bars, 0)), tolerance = 1e-9)
   expect_length(surfaces$u, ncol(surfaces$at))
-  # blocks of cells keep all of it
+  # blocks of cells preserve the total
   coarse <- netting_surfaces(state, limit = 40)
   expect_lt(length(coarse$u), length(surfaces$u) / 2)
   mean_of <- function(of) stats::weighted.mean(of$u, rep(1, length(of$u)))
   expect_true(all(is.finite(mean_of(coarse))))
 })
 
-test_that("a cloud of bars has the panel's mesh coordinates, and a tension at its knots", {
+test_that("cloud of bars has the panel's mesh coordinates and tensions", {
   state <- unsettled(sheets_plan, nodes = 300, netting = "bars")
   state$bar_tension[] <- 7
   surfaces <- netting_surfaces(state)
   p <- which(names(state$si$panels) == "middle")
   panel <- surfaces$panels[[p]]
   expect_identical(panel$columns, 0L)
-  # square meshes: as many twines across and deep as the plan has
+  # square meshes: as many twines across and deep as in the plan
   expect_equal(unname(apply(panel$mesh, 1L, range)), cbind(c(0, 40), c(0, 20)))
   u <- surfaces$u[surfaces$panel == p]
   expect_setequal(u[!is.na(u)], 7)
 })
 
-test_that("what a page shows stands out by 3 to 1", {
+test_that("view colours have a contrast of 3 to 1 or more", {
   # Relative luminance and contrast of WCAG 2.2.
   light <- function(colour) {
     share <- grDevices::col2rgb(colour) / 255
@@ -76,12 +76,12 @@ test_that("what a page shows stands out by 3 to 1", {
     tension_palette("netting")
   )
   for (back in behind) expect_gt(min(contrast(shown, back)), 3)
-  # words in the picture, and those on white of their own
+  # text in the picture, and text on a white background
   for (back in behind) expect_gt(min(contrast(c("#202428", "#1c5279", "#5b4a26"), back)), 4.5)
   expect_gt(min(contrast(c("#2a3238", "#4d555c", "#b3005c"), "#FFFFFF")), 4.5)
 })
 
-test_that("the file is one small page that asks nothing of the network, the same each time", {
+test_that("view_3d() file is one small reproducible page without network requests", {
   folder <- test_folder()
   file <- file.path(folder, "gear.html")
   state <- unsettled(sheets_plan)
@@ -93,7 +93,7 @@ test_that("the file is one small page that asks nothing of the network, the same
   asking <- "(src|href|url)\\s*[=(]\\s*[\"']?(https?:)?//[^\"' )>]*"
   expect_equal(regmatches(html, gregexpr(asking, html))[[1]], character())
   expect_false(grepl("src=[\"'](?!data:)", html, perl = TRUE))
-  # The name reaches the page as text, never as markup.
+  # The name is escaped as text.
   expect_match(html, "Sheets &lt;&amp; ", fixed = TRUE)
   other <- file.path(folder, "other.html")
   view_3d(state, file = other)
@@ -101,25 +101,25 @@ test_that("the file is one small page that asks nothing of the network, the same
   expect_identical(scene_json(state_scene(state)), scene_json(view_3d(state)$x$scene))
 })
 
-test_that("colours of meshes are the means that mesh_openings() has", {
+test_that("view colours of meshes are means of mesh_openings()", {
   state <- settle("t90_codend", nodes = 200)
   scene <- view_3d(state, colour = "mesh_opening")$x$scene
   expect_identical(scene$colour, "mesh_opening")
   told <- unpacked(scene$opening$floats, "double", 4)
   known <- mesh_openings(state)$opening_percent
-  # means of corners lie among what is found along the rows
+  # means of corners are within the range along the rows
   expect_gt(min(told), 0.9 * min(known))
   expect_lt(max(told), 1.1 * max(known))
 })
 
-test_that("vessels stand where warps leave the water", {
+test_that("view shows vessels at the surface ends of warps", {
   pair <- unsettled("pair_trawl")
   expect_length(state_scene(pair)$vessels, 2)
   expect_length(state_scene(unsettled("midwater_trawl"))$vessels, 1)
   expect_length(state_scene(unsettled("gillnet"))$vessels, 0)
 })
 
-test_that("no name of a plan can end or hide what follows it in a page", {
+test_that("view_3d() escapes plan names that contain HTML", {
   plan <- read_gear("towed_cable")$plan
   plan$name <- "<!-- <script> </script> & \u003c"
   state <- settle(as_gear(plan), nodes = 50)
@@ -133,10 +133,10 @@ test_that("no name of a plan can end or hide what follows it in a page", {
   expect_identical(jsonlite::fromJSON(inner)$x$scene$name, plan$name)
 })
 
-test_that("a catch, chains, ground gear and pieces are drawn as what they are", {
+test_that("view shows a catch, chains, ground gear and pieces by kind", {
   codend <- settled("t90_codend", nodes = 200)
   panel <- netting_surfaces(codend)$panels[[1L]]
-  # 15 of 50 meshes are full, from the last ones on
+  # 15 of 50 meshes are full, counted from the rear
   depth <- drop(panel$down %*% panel$mesh)
   expect_equal(range(depth), c(0, 50))
   expect_equal(panel$full, 35)
@@ -146,9 +146,9 @@ test_that("a catch, chains, ground gear and pieces are drawn as what they are", 
   expect_setequal(form[names(form) == "tickler"], 1L)
   expect_setequal(form[names(form) == "ground_gear"], 2L)
   expect_setequal(form[names(form) == "beam"], 3L)
-  expect_setequal(form[names(form) == "head_line"], 0L)
+  expect_setequal(form[names(form) == "headline"], 0L)
   marks <- scene_marks(scene_shape(unsettled("cage"))$fixed$marks)
-  # 100 kg of steel, as a ball: the root of the area in which it is seen
+  # 100 kg of steel as a sphere: square root of its projected area
   ball <- (3 * 100 / 7850 / (4 * pi))^(1 / 3)
   expect_equal(as.double(marks$size[marks$role == "weight"]), sqrt(pi) * ball, tolerance = 1e-6)
   expect_false("other piece" %in% scene_marks(scene_shape(unsettled("longline"))$fixed$marks)$label)

@@ -14,13 +14,13 @@ variations <- function() {
       filtered_volume_m3_per_h = "m3/h"))
 }
 
-# A tow whose speed is known: faster after 10 s.
+# A tow with known speed: faster after 10 s.
 faster_cable <- function() {
   tow("towed_cable", until = 30, every = 5,
     schedule = tow_schedule(speed = data.frame(time = c(0, 10, 20), value = c(1, 1, 2))))
 }
 
-test_that("variations have a line for each combination of the other fields", {
+test_that("chart of variations has a line per combination of other fields", {
   chart <- ggplot2::autoplot(variations())
   of <- chart$data[chart$data$panel == "door spread (m)", ]
   expect_equal(of$at, c(3, 5, 3, 4, 5))
@@ -29,26 +29,26 @@ test_that("variations have a line for each combination of the other fields", {
   expect_identical(levels(chart$data$panel), c("door spread (m)", "filtered volume (m3/h)"))
   expect_identical(chart$labels$x, "towing speed (knot)")
   expect_identical(chart$labels$colour, "warps length (m)")
-  # the gear that did not settle has a cross in each panel
+  # a gear without convergence has a cross in each panel
   crosses <- Filter(function(layer) inherits(layer$geom, "GeomText"), chart$layers)
   expect_equal(crosses[[1]]$data$at, c(4, 4))
 })
 
-test_that("a field that follows the first adds no lines", {
+test_that("field that follows the first adds no lines", {
   x <- variations()[4:6, ]
   x <- cbind(x[1], ropes.other_m = c(1, 2, 3), x[-1])
   class(x) <- c("codend_variations", "data.frame")
   expect_identical(levels(drawn(x)$group), "")
 })
 
-test_that("texts become places along the axis", {
+test_that("strings become positions along the axis", {
   x <- variations()
   x <- cbind(material = rep(c("PA", "PE", "hmpe"), 2), x[-1])
   class(x) <- c("codend_variations", "data.frame")
   expect_identical(levels(drawn(x, "door_spread_m")$at), c("PA", "PE", "hmpe"))
 })
 
-test_that("a trajectory's panels are its measures and what its schedule changes", {
+test_that("chart of a tow has panels for measures and changed conditions", {
   trajectory <- faster_cable()
   data <- drawn(trajectory)
   speed <- data[data$panel == "vessel speed (m/s)", ]
@@ -65,7 +65,7 @@ test_that("a trajectory's panels are its measures and what its schedule changes"
   expect_equal(drag$high - drag$value, 2 * table$error[table$measure == "total_drag_kN"])
 })
 
-test_that("a constant is drawn as a straight line", {
+test_that("constant is drawn as a straight line", {
   ends <- function(value) range(least_range(data.frame(panel = "a", value = value))$value)
   expect_equal(ends(c(100, 100 + 1e-10)), c(99.95, 100.05))
   expect_equal(ends(c(0, 0)), c(-0.5, 0.5))
@@ -95,13 +95,13 @@ test_that("bars are sorted by size in each panel", {
   }
   expect_equal(sort(chart$data$elasticity),
     sort(found$elasticity[found$measure %in% c("total_drag_kN", "body_depth_m")]))
-  # a slope of 0 that is not smooth has no secants to draw
-  found[1, c("slope", "elasticity")] <- 0
+  # a sensitivity of 0 that is not smooth has no secants to draw
+  found[1, c("derivative", "elasticity")] <- 0
   found$smooth[1] <- FALSE
   expect_silent(plot(found, found$measure[1], file = tempfile(fileext = ".png")))
 })
 
-test_that("charts go to a device or to a file that fits them", {
+test_that("charts are drawn on a device or in a fitting file", {
   x <- variations()
   folder <- test_folder()
   grDevices::pdf(NULL, width = 10, height = 8)

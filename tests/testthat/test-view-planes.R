@@ -1,4 +1,4 @@
-test_that("plot gives its state back, on the current device or in a file", {
+test_that("plot() returns its state, on a device or in a file", {
   state <- unsettled(sheets_plan)
   grDevices::pdf(NULL)
   device <- grDevices::dev.cur()
@@ -13,7 +13,7 @@ test_that("plot gives its state back, on the current device or in a file", {
   expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), "a.png")
 })
 
-test_that("files hold the picture that their names say", {
+test_that("plot() writes the file format of the name", {
   state <- unsettled("towed_cable")
   folder <- test_folder()
   start <- function(file) rawToChar(readBin(file.path(folder, file), "raw", 5L)[2:4])
@@ -24,16 +24,16 @@ test_that("files hold the picture that their names say", {
   size <- function(...) {
     file <- file.path(folder, "size.png")
     plot(state, file = file, ...)
-    # Width and height stand at bytes 17 to 24 of a PNG file (ISO/IEC 15948).
+    # A PNG file has its width and height in bytes 17 to 24 (ISO/IEC 15948).
     readBin(readBin(file, "raw", 24L)[17:24], "integer", 2L, endian = "big")
   }
   expect_equal(size(width = 6, height = 5), c(1200, 1000))
   expect_equal(size(planes = "xz", width = 8)[1], 1600)
-  # a page that fits one plane has another height than one that fits three
+  # the page height depends on the number of planes
   expect_false(size(planes = "xz")[2] == size()[2])
 })
 
-test_that("a narrow page is a wide one drawn smaller", {
+test_that("narrow page is a scaled wide page", {
   figure <- plane_figure(unsettled("midwater_trawl", nodes = 300), c("xy", "xz", "yz"))
   expect_equal(fitting_height(figure, full_width / 2), fitting_height(figure, full_width) / 2)
   folder <- test_folder()
@@ -42,7 +42,7 @@ test_that("a narrow page is a wide one drawn smaller", {
   expect_true(file.exists(file))
 })
 
-test_that("a picture that fails leaves the old file and no other", {
+test_that("plot() that fails keeps the old file", {
   folder <- test_folder()
   file <- file.path(folder, "a.png")
   writeLines("old", file)
@@ -55,7 +55,7 @@ test_that("a picture that fails leaves the old file and no other", {
   expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), "a.png")
 })
 
-test_that("both axes have one scale and every frame lies on the page", {
+test_that("plane views have equal scales and fit the page", {
   state <- unsettled(sheets_plan)
   figure <- plane_figure(state, c("xy", "xz", "yz"))
   for (page in list(c(10, 12), c(7, 5), c(14, 6))) {
@@ -63,7 +63,7 @@ test_that("both axes have one scale and every frame lies on the page", {
     frames <- page_frames(views, page)$views
     for (frame in frames) {
       expect_true(all(frame[1:2] >= -1e-9) && all(frame[3:4] <= page + 1e-9))
-      expect_true(frame[3] - frame[1] > room_across && frame[4] - frame[2] > room_up)
+      expect_true(frame[3] - frame[1] > space_across && frame[4] - frame[2] > space_up)
     }
     grDevices::pdf(NULL, page[1], page[2])
     graphics::plot.new()
@@ -77,7 +77,7 @@ test_that("both axes have one scale and every frame lies on the page", {
   }
 })
 
-test_that("a net far behind its ship is drawn again, enlarged, where the page allows", {
+test_that("plane views enlarge a distant net if the page allows", {
   plan <- sheets_plan
   far <- plan
   far$ropes$line_port$length <- far$ropes$line_starboard$length <- 300
@@ -91,11 +91,11 @@ test_that("a net far behind its ship is drawn again, enlarged, where the page al
   expect_equal(regions(far, c(10, 4)), whole)
 })
 
-test_that("the sea bed is drawn where the gear lies on it, and none where there is none", {
+test_that("plane views draw the seabed only under gear on it", {
   expect_null(drawn_bed(unsettled("midwater_trawl", nodes = 300)))
   expect_equal(bed_heights(list(normal = c(0, 0, 1), height = -30), cbind(c(5, 7), c(0, 0))),
     c(-30, -30))
-  # falling by 1 in 10 aft: 2 m deeper 20 m behind
+  # 1 in 10 down aft: 2 m deeper at 20 m
   normal <- c(1, 0, 10) / sqrt(101)
   bed <- list(normal = normal, height = -30 * normal[3])
   expect_equal(bed_heights(bed, cbind(c(0, 9), c(20, -4))), c(-30, -32))
@@ -103,7 +103,7 @@ test_that("the sea bed is drawn where the gear lies on it, and none where there 
   state <- settle(trawl, nodes = 200)
   bed <- drawn_bed(state)
   heel <- state$position[, nodes_at(state, "lower_port")]
-  # the heel is a few metres ahead of or behind the middle of what lies on the bed
+  # the heel is within a few metres of the middle of the gear on the bed
   expect_lt(abs(bed$middle[1] - heel[1]), 5)
   expect_equal(bed_heights(bed, cbind(heel[1:2])), -30 - heel[1] * tan(5 * pi / 180))
 })

@@ -1,4 +1,4 @@
-# Waves and vessels that swing: plans, tows and what is known of them.
+# Waves and vessel motion: plans, tows and known solutions.
 
 buoy <- function(..., water = list()) {
   gear("buoy line",
@@ -14,27 +14,27 @@ long_waves <- function(...) {
   list(waves = list(height = "0.8 m", period = "7 s", rising = "5 s", ...))
 }
 
-test_that("a spectrum's waves have its energy, wherever it is cut", {
+test_that("truncated wave spectrum keeps its energy", {
   of <- function(...) {
     gear_si(buoy(water = list(waves = list(height = "2 m", period = "8 s", ...))))$water$waves
   }
   jonswap <- of(spectrum = "jonswap", components = 200)
-  # significant: four times the standard deviation of sums of cosines
+  # significant height: four times the standard deviation of sums of cosines
   expect_equal(4 * sqrt(sum(jonswap$amplitude^2) / 2), 2, tolerance = 1e-12)
-  # closed form of Pierson and Moskowitz: the share of energy below s is exp(-1.25 s^-4)
+  # analytical solution of Pierson and Moskowitz: the fraction of energy below s is exp(-1.25 s^-4)
   plain <- of(spectrum = "pierson_moskowitz", components = 200)
   share <- (seq_len(200) - 0.5) / 200
-  # beyond 6 times the peak lies 1.25 / 6^4 = 0.001 of it, which is shared out
+  # the part above 6 times the peak, 1.25 / 6^4 = 0.001, is distributed over the components
   exact <- 2 * pi / 8 * (1.25 / -log(share * exp(-1.25 / 6^4)))^0.25
   expect_equal(plain$frequency, exact, tolerance = 1e-5)
   expect_equal(of(spectrum = "jonswap", peakedness = 1, components = 200)$frequency, exact,
     tolerance = 1e-5)
-  # a peaked spectrum gathers round its peak
+  # a peaked spectrum concentrates near its peak
   near <- function(waves) sum(abs(waves$frequency * 8 / (2 * pi) - 1) < 0.1)
   expect_gt(near(jonswap), 1.5 * near(plain))
 })
 
-test_that("the same seed gives the same sea, and another one another", {
+test_that("wave seed determines the sea", {
   phase <- function(seed) {
     gear_si(buoy(water = list(waves = list(height = 2, period = 8, spectrum = "jonswap",
       seed = seed))))$water$waves$phase
@@ -43,11 +43,11 @@ test_that("the same seed gives the same sea, and another one another", {
   expect_false(any(phase(3) == phase(4)))
   # the published test of the generator: after 10,000 draws from 1
   expect_equal(2147483647 * drawn_numbers(1, 9990)[9990], 1043618065, tolerance = 1e-12)
-  # as many in each quarter as chance has it: four standard deviations
+  # uniform within four standard deviations in each quarter
   expect_lt(max(abs(table(cut(drawn_numbers(1, 4000), 0:4 / 4)) - 1000)), 4 * sqrt(750))
 })
 
-test_that("waves that would break, and a swing that nothing answers to, are refused", {
+test_that("check rejects breaking waves and a vessel response without waves", {
   error <- expect_refused(buoy(water = list(waves = list(height = "5 m", period = "4 s"))))
   expect_identical(error$path, "water.waves.height")
   # 0.142 of 1.56 T^2
@@ -55,31 +55,32 @@ test_that("waves that would break, and a swing that nothing answers to, are refu
   expect_wrong(
     tow("towed_cable", until = 2,
       schedule = tow_schedule(vessel_motion = list(response = data.frame(period = 6)))),
-    "water has none"
+    "has no `water.waves`"
   )
   expect_wrong(tow("towed_cable", until = 2,
     schedule = tow_schedule(vessel_motion = list(record = data.frame(time = 1:3)))),
-    "begin at time 0")
+    "start at time 0")
 })
 
-test_that("a gear settles in the mean of its waves, and says so", {
+test_that("settle() uses the mean of the waves and reports it", {
   still <- settle(buoy(water = list(free_surface = TRUE)))
   mean <- settle(buoy(water = long_waves()))
   expect_identical(mean$position, still$position)
-  expect_match(state_conditions(mean), "in the mean of regular waves of 0.8 m and 7 s")
+  expect_match(state_conditions(mean), "mean over regular waves of 0.8 m and 7 s")
 })
 
-test_that("a buoy on its line rides on long waves", {
+test_that("buoy on its line follows long waves", {
   found <- tow(buoy(water = long_waves()), until = 33, every = 0.25)
   late <- found$time >= 12
-  node <- found$lattice$points[["at_buoy"]]
+  node <- found$mesh$points[["at_buoy"]]
   z <- found$position[3, node, late]
-  # The buoy's own swing takes 1.5 s, so it follows; the line's weight is 3 % of its buoyancy.
+  # The natural period of the buoy is 1.5 s, so it follows; the line's weight is 3 % of its
+  # buoyancy.
   expect_equal(diff(range(z)), 0.8, tolerance = 0.06)
   expect_equal(diff(range(found$conditions$elevation[late])), 0.8, tolerance = 0.01)
   expect_lt(abs(utils::tail(found$conditions$energy_imbalance, 1L)),
     0.02 * utils::tail(found$conditions$energy_put_through, 1L) + 1)
-  # as the vessel's, which is at the origin
+  # equals the vessel's elevation, at the origin
   expect_equal(found$conditions$elevation[late], 0.4 * cos(2 * pi * found$time[late] / 7),
     tolerance = 1e-9)
   expect_match(state_conditions(state_at(found, 20)), "in regular waves")
@@ -94,35 +95,35 @@ swinging <- function() {
   )
 }
 
-test_that("a vessel's response moves its towing points with the water", {
+test_that("vessel response moves the towing points with the waves", {
   answers <- data.frame(period = c(5, 9), heave = 1, pitch = c(0.02, 0.04), pitch_lag = pi / 2)
   found <- tow(swinging(), until = 20, every = 0.5,
     schedule = tow_schedule(vessel_motion = list(response = answers, at = c(1, 0, 0))))
   late <- found$time > 6
-  block <- found$position[, found$lattice$points[["block"]], late]
+  block <- found$position[, found$mesh$points[["block"]], late]
   elevation <- found$conditions$elevation[late]
-  # The vessel runs with the waves and is met by them later.
+  # The vessel moves with the waves, so their encounter period is longer.
   angle <- 2 * pi / 7 - (2 * pi / 7)^2 / gear_gravity * 1
   expect_equal(elevation, 0.4 * cos(angle * found$time[late]), tolerance = 1e-9)
-  # between the periods: 0.03 rad per metre, a quarter period late; the bow goes up, the stern down
+  # between the periods: 0.03 rad per metre, a quarter period late; the bow rises, the stern falls
   pitch <- 0.03 * 0.4 * cos(angle * found$time[late] - pi / 2)
   expect_equal(block[3, ], elevation + 3 * cos(pitch) - 5 * sin(pitch), tolerance = 1e-9)
 })
 
-test_that("a record moves the towing points, rising from nothing", {
+test_that("motion record moves the towing points and rises from zero", {
   time <- seq(0, 40, by = 0.05)
   record <- data.frame(time = time, sway = 0.5 * sin(time), yaw = 0.1)
   found <- tow(swinging(), until = 16, every = 4,
     schedule = tow_schedule(vessel_motion = list(record = record, rising = 8)))
-  block <- found$position[, found$lattice$points[["block"]], ]
+  block <- found$position[, found$mesh$points[["block"]], ]
   expect_equal(block[, 1], c(6, 2, 3), tolerance = 1e-12)
-  # bow to starboard: what is aft goes to port
+  # bow to starboard: points aft move to port
   at <- function(t) 2 * cos(0.1) - 6 * sin(0.1) + 0.5 * sin(t)
   # cubics through points 0.05 s apart: h^3 / 15 of the third derivative
   expect_equal(block[2, 4:5], at(found$time[4:5]), tolerance = 1e-4)
 })
 
-test_that("a tow in waves that goes on gives the same bytes", {
+test_that("tow() in waves continues with identical bytes", {
   answers <- data.frame(period = 7, heave = 0.8, roll = 0.05, roll_lag = 1)
   motion <- list(response = answers)
   whole <- tow(swinging(), until = 12, every = 3, schedule = tow_schedule(vessel_motion = motion))
@@ -136,9 +137,9 @@ test_that("a tow in waves that goes on gives the same bytes", {
   expect_identical(tow(read_result(file), until = 12)$position, whole$position)
 })
 
-test_that("waves pull at a cage the more the higher they are, and the more in a current", {
-  # Published tests of cages in regular waves: pull grows with height, by more than in proportion
-  # where drag counts, and with a current (Lader and Fredheim 2006; Zhao et al. 2007).
+test_that("wave force on a cage grows with height and current", {
+  # Published tests of cages in regular waves: the force grows with height, more than proportionally
+  # where drag dominates, and with a current (Lader and Fredheim 2006; Zhao et al. 2007).
   pull <- function(height, current) {
     cage <- update(read_gear("model_cage"),
       water.current = list(speed = current, toward = "0 deg"),
@@ -151,7 +152,7 @@ test_that("waves pull at a cage the more the higher they are, and the more in a 
   }
   low <- pull("60 mm", "0 m/s")
   high <- pull("120 mm", "0 m/s")
-  # drag alone would make it 4, inertia alone 2
+  # drag alone would give 4, inertia alone 2
   ratio <- high[["swing"]] / low[["swing"]]
   expect_gt(ratio, 2)
   expect_lt(ratio, 4.5)

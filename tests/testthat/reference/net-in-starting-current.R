@@ -1,6 +1,6 @@
-# Makes net-in-starting-current.csv: the net of plans/net_in_starting_current.yaml marched by Runge
-# and Kutta's method of fourth order in steps surely short enough to be stable, which shares no line
-# with the implicit schemes. To be run in this folder; takes some CPU minutes.
+# Makes net-in-starting-current.csv: time integration of the net of
+# plans/net_in_starting_current.yaml. The fourth-order Runge-Kutta method with stable steps shares
+# no line with the implicit schemes. Run it in this folder; it takes some CPU minutes.
 library(codend)
 source("../helper-started-net.R")
 

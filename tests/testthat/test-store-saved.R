@@ -1,18 +1,18 @@
-# What a kept file holds is plain data, and damage is told before any of it is used.
+# A saved file contains plain data, and damage is reported before any of it is used.
 
-test_that("a tree of lists and vectors comes back to the last bit", {
+test_that("saved tree of lists and vectors is restored to the last bit", {
   tree <- list(
     a = c(1 / 3, NA, NaN, Inf, -0), b = c(x = 1L, y = NA), c = list(TRUE, NULL, c(NA, "\u00e5\n")),
     d = matrix(1:6, 2L, dimnames = list(NULL, c("p", "q", "r"))), e = list(), f = character(),
     g = data.frame(n = 1:3, t = c("a", "b", "c")), h = setNames(list(), character()),
-    i = structure(list(nodes = 3L), class = "codend_lattice"), j = numeric(),
+    i = structure(list(nodes = 3L), class = "codend_mesh"), j = numeric(),
     k = setNames(1:3, c("a", NA, ""))
   )
   flat <- flatten_tree(tree)
   expect_identical(build_tree(flat$form, flat$numbers, flat$integers, stop), tree)
   expect_error(build_tree(flat$form, flat$numbers[-1], flat$integers, stop), "too short")
   expect_error(build_tree(flat$form, c(flat$numbers, 1), flat$integers, stop), "too long")
-  # neither functions nor other classes, calls or environments come out of a file
+  # a file cannot restore functions, other classes, calls or environments
   expect_s3_class(build_tree(flatten_tree(list(mean))$form, numeric(), integer(), stop)[[1]],
     "codend_lost_function")
   for (tree in list(quote(a + b), globalenv(), structure(1, class = "formula"), 1i)) {
@@ -25,7 +25,7 @@ test_that("a tree of lists and vectors comes back to the last bit", {
   expect_error(build_tree('{"kind":"double","length":1e12}', 1, integer(), stop), "too short")
 })
 
-# A copy of a file with some of its bytes changed by a function of these.
+# A copy of a file with some bytes changed by a function.
 damaged <- function(file, change) {
   bytes <- change(readBin(file, "raw", file.size(file)))
   copy <- tempfile(fileext = ".nc", tmpdir = dirname(file))
@@ -33,7 +33,7 @@ damaged <- function(file, change) {
   copy
 }
 
-test_that("a state's or a tow's file that was cut short or changed is one clear error", {
+test_that("read_result() reports a truncated or changed file in one error", {
   skip_if_not_installed("RNetCDF")
   folder <- test_folder()
   state <- settled("panel_in_current", nodes = 200)
@@ -44,7 +44,7 @@ test_that("a state's or a tow's file that was cut short or changed is one clear 
   )
   for (file in kept) {
     size <- file.size(file)
-    # places all over the file, the header's dense
+    # positions over the whole file, densely in the header
     places <- unique(round(c(seq(1, 2000, by = 83), seq(1, size, length.out = 30))))
     for (place in places) {
       flipped <- damaged(file, function(bytes) {
@@ -63,18 +63,19 @@ test_that("a state's or a tow's file that was cut short or changed is one clear 
   }
 })
 
-test_that("files of an older format, which held objects of R, are refused", {
+test_that("read_result() rejects files of other formats", {
   skip_if_not_installed("RNetCDF")
   file <- file.path(test_folder(), "old.nc")
-  for (what in names(kept_versions)) {
+  for (what in names(saved_format)) {
     write_netcdf(file, function(nc) {
       RNetCDF::att.put.nc(nc, "NC_GLOBAL", paste0("codend_", what), "NC_INT", 2L)
     })
-    expect_error(read_result(file), "format 2.*held objects of R", class = "codend_error_file")
+    expect_error(read_result(file), "has format 2; .*settle its plan again",
+      class = "codend_error_file")
   }
 })
 
-test_that("a forged file with a right checksum holds no place that is not there", {
+test_that("read_result() rejects forged indices with a correct checksum", {
   skip_if_not_installed("RNetCDF")
   table <- list2DF(engine_fields())
   table <- table[!table$among %in% c("numbers", ""), ]
@@ -82,19 +83,19 @@ test_that("a forged file with a right checksum holds no place that is not there"
   forged <- 0
   for (name in c("midwater_trawl", "beam_trawl", "cage", "purse_seine", "t90_codend")) {
     state <- settled(name, nodes = 100)
-    fields <- engine_mesh_fields(state$lattice$mesh)
+    fields <- engine_model_fields(state$mesh$model)
     for (k in seq_len(nrow(table))) {
       path <- c(strsplit(table$kind[k], ".", fixed = TRUE)[[1]], table$name[k])
-      # plates and sliding ropes are a group each
+      # plates and sliding ropes have a subgroup each
       if (path[1] %in% c("plates", "sliding")) path <- append(path, 1L, 1L)
       places <- tryCatch(fields[[path]], error = function(e) NULL)
       if (!length(places)) next
-      # too large and too small in turn, the other way round in the next gear
+      # alternately too large and too small, exchanged for the next gear
       wrong <- c(1000000L, -1L)[(k + nchar(name)) %% 2 + 1]
       bad <- fields
       bad[[path]][length(places)] <- wrong
       expect_error(
-        engine_mesh(bad), class = "codend_error_engine",
+        engine_model(bad), class = "codend_error_engine",
         label = paste(c(name, path, wrong), collapse = " ")
       )
       forged <- forged + 1
@@ -103,36 +104,36 @@ test_that("a forged file with a right checksum holds no place that is not there"
       node <- fields[[kind]]$node
       if (!length(node)) next
       bad <- state
-      bad$mesh$changes <- setNames(list(list(node = replace(node, 1L, 1000000L))), kind)
+      bad$recipe$changes <- setNames(list(list(node = replace(node, 1L, 1000000L))), kind)
       file <- write_result(bad, file.path(folder, "forged.nc"))
       expect_error(
         read_result(file), paste0("damaged.*", kind, ".node"), class = "codend_error_file"
       )
     }
     bad <- state
-    bad$mesh$counts$pieces <- bad$mesh$counts$pieces[-1L]
+    bad$recipe$counts$pieces <- bad$recipe$counts$pieces[-1L]
     expect_error(
       read_result(write_result(bad, file.path(folder, "forged.nc"))), "damaged",
       class = "codend_error_file"
     )
   }
-  # ties, bars, triangles, bodies, sea bed, boards, ropes that slide or bend, and a catch among them
+  # includes ties, bars, triangles, bodies, seabed, boards, sliding or bending ropes, and a catch
   expect_gt(forged, 40)
 })
 
-# Bytes of memory that this process has taken at most, or NA where the system does not tell.
+# Peak memory of this process (bytes), or NA if the system does not report it.
 peak_memory <- function() {
   if (!file.exists("/proc/self/status")) return(NA)
   1024 * as.double(gsub("[^0-9]", "", grep("^VmHWM", readLines("/proc/self/status"), value = TRUE)))
 }
 
-test_that("a forged header with a right checksum is refused before anything is allocated for it", {
+test_that("read_result() rejects a forged header before allocating memory", {
   skip_if_not_installed("RNetCDF")
   file <- write_result(settled("towed_cable"), file.path(test_folder(), "s.nc"))
   bytes <- readBin(file, "raw", file.size(file) - seal_bytes)
   before <- peak_memory()
   refused <- 0
-  # words of the header, counts among them
+  # words of the header, including counts
   for (at in seq(4, 2000, by = 12)) {
     forged <- replace(bytes, at + 1:4, as.raw(c(0x0f, 0xff, 0xff, 0xff)))
     writeBin(forged, file)
@@ -151,25 +152,4 @@ test_that("a forged header with a right checksum is refused before anything is a
   }
   expect_gt(refused, 30)
   if (!is.na(before)) expect_lt(peak_memory() - before, 5e8)
-})
-
-test_that("levels that a file of before keeps in units of measures are read in SI", {
-  si <- gear_si(read_gear("beam_trawl"))
-  level <- function(drag, rope) {
-    list(nodes = 600, values = c(total_drag_kN = drag, rope_on_ground_m = rope))
-  }
-  read <- with_levels_in_si(list(
-    si = si, levels = list(level(20, 3)),
-    compared = list(levels = list(level(10, 4)), values = level(12, 5)$values)
-  ))
-  expect_identical(read$levels, list(level(20000, 3)))
-  expect_identical(read$compared$levels, list(level(10000, 4)))
-  expect_identical(read$compared$values, level(12000, 5)$values)
-  moments <- list(
-    time = 0, nodes = 600, measures = names(level(1, 2)$values), values = cbind(c(20, 3)),
-    last = level(7, 5)$values
-  )
-  read <- with_levels_in_si(list(si = si, compared = moments))$compared
-  expect_identical(read$values, cbind(c(20000, 3)))
-  expect_identical(read$last, level(7000, 5)$values)
 })
