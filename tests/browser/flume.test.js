@@ -1,4 +1,4 @@
-// The flume tank as its users meet it.
+// Tests the flume tank in a browser.
 'use strict';
 const { test, before, after } = require('node:test');
 const assert = require('node:assert/strict');
@@ -27,14 +27,14 @@ const file = (name, content) => {
   fs.writeFileSync(where, content);
   return where;
 };
-// The number of a cell, which may have its error behind it.
+// Returns the number of a table cell, which may contain its error after it.
 const number = (text) => Number(text.split('computed')[0].replace(/[^0-9.\u2212-]/g, '')
   .replace('\u2212', '-'));
 const clean = (page) => {
   assert.deepEqual(page.problems, []);
   assert.deepEqual(page.strange, []);
 };
-// The picture's colours: how many pixels are not background.
+// Returns the image, and the number of pixels that differ from the background.
 const picture = (page) => page.evaluate(() => window.codendTank.viewer().picture().toDataURL());
 const painted = (page, id) => page.evaluate(async (id) => {
   let canvas = document.getElementById(id);
@@ -57,7 +57,7 @@ const changed = (page, name, from) => page.waitForFunction(([name, from]) => {
   return row && row.cells[1].textContent !== from;
 }, [name, from], patience);
 
-test('opens with the settled trawl, drawn, and asks nothing of the network', async () => {
+test('tank shows the settled trawl on opening without network requests', async () => {
   const page = await open(browser, tank.url);
   assert.match(await page.textContent('h1'), /Midwater trawl/);
   const spread = number((await measure(page, 'door spread'))[0]);
@@ -71,7 +71,7 @@ test('opens with the settled trawl, drawn, and asks nothing of the network', asy
   await page.close();
 });
 
-test('a slider moves the net, by mouse and by keyboard, and the change is told', async () => {
+test('tank slider moves the net by mouse and keyboard and announces results', async () => {
   const page = await open(browser, tank.url);
   const height = (await measure(page, 'net mouth height'))[0];
   const slider = control(page, 'towing.speed').locator('[type=range]');
@@ -81,23 +81,23 @@ test('a slider moves the net, by mouse and by keyboard, and the change is told',
   const [now, kept, change] = (await measure(page, 'net mouth height')).map(number);
   // a row's decimals follow its new value
   assert.ok(Math.abs(kept - number(height)) < 0.06);
-  // towed faster, a net closes
+  // a net closes at higher speed
   assert.ok(now < kept - 5);
   assert.ok(Math.abs(change - (now - kept)) < 0.11);
   await page.waitForFunction(() => /^Settled\. door spread/.test(
     document.getElementById('said').textContent), null, patience);
-  // and back to where it was
+  // and back to the initial design
   const low = (await measure(page, 'net mouth height'))[0];
   await page.click('#back');
   await changed(page, 'net mouth height', low);
-  // its error is told from the lattices of the state it came from
+  // its error comes from the meshes of the initial state
   assert.equal(number((await measure(page, 'net mouth height'))[0]), number(height));
   assert.equal(await control(page, 'towing.speed').locator('.number').inputValue(), '4');
   clean(page);
   await page.close();
 });
 
-test('another unit says the same, and a wrong value is told at its field', async () => {
+test('tank converts units and reports a wrong value at its field', async () => {
   const page = await open(browser, tank.url);
   const warp = control(page, 'warps.length');
   await warp.locator('.unit').focus();
@@ -120,7 +120,7 @@ test('another unit says the same, and a wrong value is told at its field', async
   await page.close();
 });
 
-test('a wrong file, garbage and a file of 50 MB are refused and the gear stays', async () => {
+test('tank rejects wrong, unreadable and 50 MB files and keeps the gear', async () => {
   const page = await open(browser, tank.url);
   const error = page.locator('#plan_file_error');
   const refuses = async (name, content, words) => {
@@ -135,9 +135,9 @@ test('a wrong file, garbage and a file of 50 MB are refused and the gear stays',
   await refuses('wrong.yaml', 'codend: 1\nname: Wrong\ntowing: {sped: 4 knot}\n',
     /towing\.sped.*did you mean `speed`/);
   await refuses('garbage.yaml', Buffer.from([0, 255, 1, 254, 0, 7]), /garbage\.yaml.*not UTF-8 text/);
-  await refuses('code.yaml', 'codend: 1\nname: !expr stop("ran")\n', /holds no code/);
+  await refuses('code.yaml', 'codend: 1\nname: !expr stop("ran")\n', /cannot contain code/);
   await refuses('large.yaml', Buffer.alloc(50 * 1024 * 1024, 65), /50\.0 MB.*at most 2 MB/);
-  // nor does the server take what the page would not send
+  // the server rejects them too
   const answer = await page.evaluate(() => new Promise((resolve) => {
     window.Shiny.shinyapp.makeRequest('uploadInit', [[{ name: 'a', size: 5e7, type: '' }]],
       () => resolve('taken'), resolve);
@@ -147,7 +147,7 @@ test('a wrong file, garbage and a file of 50 MB are refused and the gear stays',
   await page.close();
 });
 
-test('a dropped plan takes the place of the gear, with its own controls', async () => {
+test('tank replaces the gear and its controls by a dropped plan', async () => {
   const page = await open(browser, tank.url);
   const gears = path.join(__dirname, '..', '..', 'inst', 'gears');
   const plan = fs.readFileSync(path.join(gears, 'towed_cable.yaml'), 'utf8')
@@ -163,7 +163,7 @@ test('a dropped plan takes the place of the gear, with its own controls', async 
   await page.waitForFunction(() => document.querySelectorAll('#quick [data-control]').length === 1, null,
     patience);
   assert.equal(await page.evaluate(() => window.ran), undefined);
-  // any field of the plan is found by its words
+  // any field of the plan can be searched by its label
   await page.fill('#find_field', 'cable length');
   const length = control(page, 'ropes.cable.length').locator('.number');
   await length.waitFor(patience);
@@ -171,7 +171,7 @@ test('a dropped plan takes the place of the gear, with its own controls', async 
   await length.fill('800');
   await changed(page, 'body depth', depth);
   assert.ok(number((await measure(page, 'body depth'))[0]) < number(depth));
-  // the code on screen holds the plan, which is no file of this machine
+  // the displayed code contains the plan, because the plan is not a local file
   await tab(page, 'R code');
   await page.waitForFunction(() => /Towed cable/.test(document.getElementById('code').textContent),
     null, patience);
@@ -179,7 +179,7 @@ test('a dropped plan takes the place of the gear, with its own controls', async 
   await page.close();
 });
 
-test('a plan typed on the page is settled, a wrong line is found', async () => {
+test('tank settles a plan typed on the page and marks wrong lines', async () => {
   const page = await open(browser, tank.url);
   await tab(page, 'Plan');
   await page.waitForFunction(() => document.getElementById('plan_area').value.length > 100, null,
@@ -202,7 +202,7 @@ test('a plan typed on the page is settled, a wrong line is found', async () => {
   await page.close();
 });
 
-test('what is on screen can be saved', async () => {
+test('tank saves the design, its tables and pictures on screen', async () => {
   const page = await open(browser, tank.url);
   const drag = (await measure(page, 'total drag'))[0];
   await control(page, 'towing.speed').locator('.number').fill('5');
@@ -231,7 +231,7 @@ test('what is on screen can be saved', async () => {
   await page.close();
 });
 
-test('a kept design is drawn over the other and beside it, in a table, and can be compared with', async () => {
+test('tank compares a stored design over, next to and in a table', async () => {
   const page = await open(browser, tank.url);
   const spread = (await measure(page, 'door spread'))[0];
   await control(page, 'otter_boards.area').locator('.number').fill('16');
@@ -245,7 +245,7 @@ test('a kept design is drawn over the other and beside it, in a table, and can b
   await page.waitForFunction(() => /otter_boards\.area/.test(
     document.getElementById('differences').textContent), null, patience);
   await page.click('#keep');
-  // of three designs each has its place; nets meet at their bosom or where they are towed
+  // each of three designs has its position; nets are aligned at the bosom or the towing points
   const names = () => page.locator('.view-label-name').allTextContents();
   await page.waitForFunction(() => document.querySelectorAll('.view-label-name').length === 3, null, patience);
   assert.deepEqual(await names(), ['As opened', 'Design 2', 'Now']);
@@ -266,7 +266,7 @@ test('a kept design is drawn over the other and beside it, in a table, and can b
   await page.close();
 });
 
-test('steps are undone and done again, and the address carries the design and those kept', async () => {
+test('tank undoes and redoes steps and stores all designs in the address', async () => {
   const page = await open(browser, tank.url);
   const shown = (value) => page.waitForFunction((value) => document.querySelector(
     '#quick [data-paths="towing.speed"] .number').value === value, value, patience);
@@ -298,15 +298,15 @@ test('steps are undone and done again, and the address carries the design and th
   await Promise.all([page.close(), other.close()]);
 });
 
-test('an address that is no design is told, and nothing of it runs', async () => {
+test('tank reports an invalid address and runs nothing from it', async () => {
   const page = await visit(browser, tank.url + '/#d=AAAA');
   await page.waitForSelector('#gallery_refused', { state: 'visible', ...patience });
-  assert.match(await page.textContent('#gallery_refused'), /carries no design/);
+  assert.match(await page.textContent('#gallery_refused'), /does not contain a readable design/);
   clean(page);
   await page.close();
 });
 
-test('begins at a gallery: a shipped gear, a new one from a few numbers, and a way out', async (t) => {
+test('tank starts at a gallery with shipped gears and new ones', async (t) => {
   const empty = await serve();
   t.after(empty.stop);
   const page = await visit(browser, empty.url);
@@ -321,21 +321,21 @@ test('begins at a gallery: a shipped gear, a new one from a few numbers, and a w
   await page.waitForFunction(() => /gillnet/.test(document.querySelector('h1').textContent), null, patience);
   await page.waitForSelector('.measures td', patience);
   await page.click('#gears');
-  await page.fill('.new-numbers[data-kind="bottom_trawl"] [data-ask="head_line"]', 'wide');
+  await page.fill('.new-numbers[data-kind="bottom_trawl"] [data-ask="headline"]', 'wide');
   await page.click('#make_gear');
   await page.waitForSelector('#new_error', { state: 'visible', ...patience });
-  assert.match(await page.textContent('#new_error'), /head_line.*is "wide"/);
-  await page.fill('.new-numbers[data-kind="bottom_trawl"] [data-ask="head_line"]', '22 m');
+  assert.match(await page.textContent('#new_error'), /headline.*is "wide"/);
+  await page.fill('.new-numbers[data-kind="bottom_trawl"] [data-ask="headline"]', '22 m');
   await page.click('#make_gear');
-  await page.waitForFunction(() => /head line 22 m/.test(document.querySelector('h1').textContent), null,
+  await page.waitForFunction(() => /headline 22 m/.test(document.querySelector('h1').textContent), null,
     patience);
-  // a settle that runs says so and can be left
+  // a running solve is displayed and can be cancelled
   const before = await page.evaluate(() => window.codendTank.point(0));
   await page.evaluate(() => Shiny.setInputValue('plan_text', { number: window.codendTalk.next('settling'),
     asked: document.getElementById('plan_area').value + '\nname: x' }, { priority: 'event' }));
   await page.evaluate(() => { window.codendTalk.ask('shipped', 'cage'); });
   await page.waitForSelector('#cancel', { state: 'visible', ...patience });
-  // what settles may be done before a pointer gets there
+  // the solve may end before a pointer reaches the button
   await page.$eval('#cancel', (button) => button.click());
   await page.waitForFunction(() => !window.codendTalk.waits(), null, patience);
   if (!/cage/i.test(await page.textContent('h1'))) {
@@ -345,7 +345,7 @@ test('begins at a gallery: a shipped gear, a new one from a few numbers, and a w
   await page.close();
 });
 
-test('the drawing is the editor: an unfinished net stays, is marked, and comes to fit', async () => {
+test('drawing edits the net and marks an unfinished net until it fits', async () => {
   const page = await open(browser, tank.url);
   await page.click('#see_drawing');
   const figure = (path) => page.locator(`#drawing [data-path="${path}"]`).filter({ has: page.locator('text') }).first();
@@ -359,7 +359,7 @@ test('the drawing is the editor: an unfinished net stays, is marked, and comes t
   await type('sections.section_1.mesh_size', '30,5 m');
   await changed(page, 'total drag', drag);
   const before = (await measure(page, 'total drag'))[0];
-  // what no mesh can be stays as it was typed, marked in the drawing and the form
+  // an impossible mesh remains as typed, marked in the drawing and the form
   await type('sections.section_1.mesh_size', '-31');
   await page.waitForSelector('#unfinished', { state: 'visible', ...patience });
   await page.waitForSelector('#drawing .wrong', { state: 'attached', ...patience });
@@ -367,7 +367,7 @@ test('the drawing is the editor: an unfinished net stays, is marked, and comes t
   await type('sections.section_1.mesh_size', '31 m');
   await page.waitForSelector('#unfinished', { state: 'hidden', ...patience });
   await changed(page, 'total drag', before);
-  // a copy of a panel comes into sight, its numbers are what was typed at once, and is undone
+  // a copied panel scrolls into view, shows the typed numbers at once, and can be undone
   await page.locator('#drawing [data-component="panel"][data-path="sections.section_1"]').first().dispatchEvent('click');
   await page.click('[data-act="copy"][data-path="sections.section_1"]', patience);
   await page.keyboard.type('another');
@@ -381,12 +381,12 @@ test('the drawing is the editor: an unfinished net stays, is marked, and comes t
   await page.click('#undo');
   await page.click('#undo');
   await page.waitForSelector('#drawing [data-path="sections.another"]', { state: 'detached', ...patience });
-  // zoomed by keys
+  // keys zoom the drawing
   const view = await page.getAttribute('#drawing svg', 'viewBox');
   await page.focus('#drawing');
   await page.keyboard.press('+');
   assert.notEqual(await page.getAttribute('#drawing svg', 'viewBox'), view);
-  // and the whole sheet, of which nothing is cut off
+  // the whole sheet is shown uncropped
   await page.click('#drawing_all');
   const sheet = await page.evaluate(() => {
     const paper = document.querySelector('#drawing svg'), all = paper.getBBox();
@@ -398,10 +398,10 @@ test('the drawing is the editor: an unfinished net stays, is marked, and comes t
   await page.close();
 });
 
-test('a click on the net opens the fields of that part, and a turn of the picture opens none', async () => {
+test('tank opens a part\'s fields on a click, but not on rotation', async () => {
   const page = await open(browser, tank.url);
   await page.waitForFunction(() => !window.codendTank.waits(), null, patience);
-  // places where a panel of a section is, as the picture says it
+  // image positions that show a panel of a section
   const place = await page.evaluate(() => {
     const canvas = document.querySelector('#tank canvas'), box = canvas.getBoundingClientRect();
     const viewer = window.codendTank.viewer(), gear = viewer.gear();
@@ -438,7 +438,7 @@ test('a click on the net opens the fields of that part, and a turn of the pictur
   await page.close();
 });
 
-test('a reload, a link and a second tab open the design, begun from the gallery and a plan', async (t) => {
+test('tank restores the design after a reload and from links', async (t) => {
   for (const plans of [[], ['towed_cable']]) {
     const own = await serve(...plans);
     t.after(own.stop);
@@ -458,7 +458,7 @@ test('a reload, a link and a second tab open the design, begun from the gallery 
     const other = await visit(browser, link);
     await shows(other);
     await other.close();
-    // an unfinished one too
+    // an unfinished design too
     await speed.fill('-3');
     await page.waitForSelector('#unfinished', { state: 'visible', ...patience });
     await answered(page);
@@ -471,7 +471,7 @@ test('a reload, a link and a second tab open the design, begun from the gallery 
   }
 });
 
-test('every field is in the form: found, added, taken out', async () => {
+test('form finds, adds and removes every field of the plan', async () => {
   const page = await open(browser, tank.url);
   await page.click('.group > summary:has-text("Boards and beams")');
   await page.click('.part > summary:has-text("Otter boards")');
@@ -492,7 +492,7 @@ test('every field is in the form: found, added, taken out', async () => {
   await page.close();
 });
 
-test('beside the measures stands what more of a field would do', async () => {
+test('tank lists the effect of more of a field next to measures', async () => {
   const page = await open(browser, tank.url);
   await page.click('#more_of > summary');
   await page.waitForSelector('#more_does td', patience);
@@ -501,11 +501,11 @@ test('beside the measures stands what more of a field would do', async () => {
   const told = async (name) => number(await page.locator('#more_does tr', {
     has: page.locator('th', { hasText: new RegExp(`^${name} \\(`) }) }).locator('td').textContent());
   const ten = await told('net mouth height');
-  // more floats lift the head line, twice as many twice as far
+  // more floats lift the headline; twice the number has twice the effect
   assert.ok(ten > 0);
   await page.fill('#more_amount', '20');
   assert.ok(Math.abs(await told('net mouth height') - 2 * ten) < 0.011);
-  // a design that moves has slopes of its own
+  // a changed design has new sensitivities
   await control(page, 'towing.speed').locator('.number').fill('5');
   await page.waitForFunction(() => !document.querySelector('#more_does td'), null, patience);
   await page.waitForSelector('#more_does td', patience);
@@ -520,7 +520,7 @@ test('beside the measures stands what more of a field would do', async () => {
   await page.close();
 });
 
-test('measures are drawn against a field, with the value under the pointer, and saved', async () => {
+test('tank plots measures against a field with values under the pointer', async () => {
   const page = await open(browser, tank.url);
   await tab(page, 'Vary');
   assert.equal(await page.inputValue('#vary_from'), '2 knot');
@@ -547,7 +547,7 @@ test('measures are drawn against a field, with the value under the pointer, and 
   await page.close();
 });
 
-test('the design on screen is towed, played and saved, and a wrong tow is told', async () => {
+test('tank tows, plays and saves the design and rejects wrong input', async () => {
   const page = await open(browser, tank.url);
   await tab(page, 'Tow');
   await page.fill('#tow_speed', 'fast');
@@ -563,7 +563,7 @@ test('the design on screen is towed, played and saved, and a wrong tow is told',
   }
   const shown = () => page.evaluate(() => window.codendTow.viewer().picture().toDataURL());
   const start = await shown();
-  // the slider of time plays it, and the graphs follow
+  // the time slider plays the tow, and the graphs follow
   const spread = await page.textContent('.graph .now');
   await page.locator('.tow-view [aria-label="Time"]').focus();
   await page.keyboard.press('End');
@@ -575,7 +575,7 @@ test('the design on screen is towed, played and saved, and a wrong tow is told',
     page.waitForEvent('download', { timeout: 120000 }), page.click('#save_tow_measures')
   ]);
   assert.match(fs.readFileSync(await download.path(), 'utf8'), /^"time_s","measure","value","unit"/);
-  // another one takes its place
+  // another tow replaces it
   await page.fill('#tow_until', '30 s');
   await page.click('#tow_start');
   await page.waitForFunction(() => document.querySelector('.tow-view [aria-label="Time"]').max === '30',
@@ -585,7 +585,7 @@ test('the design on screen is towed, played and saved, and a wrong tow is told',
   await page.close();
 });
 
-test('at phone width a gear from far down the gallery opens at the top of the page', async (t) => {
+test('gallery opens a gear at the top of the page on phones', async (t) => {
   const empty = await serve();
   t.after(empty.stop);
   const page = await visit(browser, empty.url, { width: 390, height: 844 });
@@ -603,7 +603,7 @@ test('at phone width a gear from far down the gallery opens at the top of the pa
   await page.close();
 });
 
-test('at phone width nothing is wider than the screen, and every field has a name', async () => {
+test('tank fits the width of a phone and labels every field', async () => {
   const page = await open(browser, tank.url, { width: 390, height: 844 });
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   assert.ok(wide <= 0, `${wide} pixels too wide`);
@@ -612,14 +612,14 @@ test('at phone width nothing is wider than the screen, and every field has a nam
     !(e.labels && e.labels.length) && !e.getAttribute('aria-label') && !e.textContent.trim() &&
     e.offsetParent).map((e) => e.outerHTML.slice(0, 120)));
   assert.deepEqual(nameless, []);
-  // the picture stays in sight beside the controls
+  // the picture remains visible next to the controls
   await control(page, 'canvas.area').locator('[type=range]').scrollIntoViewIfNeeded();
   assert.ok((await page.locator('#tank').boundingBox()).y > -1);
   clean(page);
   await page.close();
 });
 
-test('axe-core finds nothing: the gallery, the tank, its tabs, an unfinished drawing, a phone', async () => {
+test('tank, gallery and drawing pass the checks of axe-core', async () => {
   const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
   const finds = async (page, state) => {
     await complete(page);
@@ -638,7 +638,7 @@ test('axe-core finds nothing: the gallery, the tank, its tabs, an unfinished dra
     await page.click('#gears');
     await finds(page, `gallery at ${size.width}`);
     await page.click('#gears');
-    // what may be picked from the catalogue, and what does not fit
+    // catalogue entries, and an invalid value
     await page.evaluate(() => window.codendForm.open('otter_boards'));
     await page.locator('.pick').first().click();
     await control(page, 'towing.speed').locator('.number').fill('-3');
@@ -650,7 +650,7 @@ test('axe-core finds nothing: the gallery, the tank, its tabs, an unfinished dra
   }
 });
 
-test('the page speaks the language of its address or browser, with no word left out, and finds others\'', async () => {
+test('tank uses the language of the address or browser throughout', async () => {
   const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
   const context = await browser.newContext({ locale: 'nb-NO', viewport: { width: 390, height: 844 },
     reducedMotion: 'reduce' });
@@ -665,14 +665,14 @@ test('the page speaks the language of its address or browser, with no word left 
 
   const page = await open(browser, `${tank.url}/?lang=fr`);
   assert.match((await page.textContent('.measures tbody th')), /\u00e9cartement des panneaux \(m\)/);
-  // the picture's buttons and legend too, and what the tank warns of
+  // also buttons, the legend of the picture, and warnings
   const around = await page.locator('#tank .view-bar, #tank .view-legend, #tank .view-scale').allTextContents();
   assert.match(around.join(' '), /Tout l'engin.*Enregistrer.*Tension des cordages.*courant/);
   assert.doesNotMatch(around.join(' '), /Whole gear|Astern|Save|Tension of|slack|flow|squares/);
   await control(page, 'towing.speed').locator('.number').fill('9');
   await page.locator('#noted', { hasText: 'n\u0153uds ; usuel : ' }).waitFor(patience);
   for (const [typed, found] of [['panneau', 'otter_boards'], ['tr\u00e5ld\u00f8r', 'otter_boards'],
-    ['corde de dos', 'head_line'], ['fune', 'warps'], ['wires', 'warps']]) {
+    ['corde de dos', 'headline'], ['fune', 'warps'], ['wires', 'warps']]) {
     await page.fill('#find_field', typed);
     await page.waitForSelector(`#found_fields [data-paths^="${found}"]`, patience);
   }
@@ -683,7 +683,7 @@ test('the page speaks the language of its address or browser, with no word left 
     const wrong = await page.evaluate(() => window.axe.run({ preload: false }));
     assert.deepEqual(wrong.violations.map((one) => `${name}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`), []);
   }
-  // another language, of the same design
+  // another language, same design
   await control(page, 'towing.speed').locator('.number').fill('3,5');
   await page.waitForFunction(() => /3.5 knot/.test(document.getElementById('gear_conditions').textContent),
     null, patience);
@@ -698,7 +698,7 @@ test('the page speaks the language of its address or browser, with no word left 
   await page.close();
 });
 
-test('a row of one\'s own and a shared design: picked, put, opened on a phone, guarded by a word', async () => {
+test('tank stores user-defined rows and shares designs protected by a password', async () => {
   const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
   const page = await open(browser, tank.url);
   const pick = async (at) => {
@@ -740,7 +740,7 @@ test('a row of one\'s own and a shared design: picked, put, opened on a phone, g
   await finds(page, 'shared');
   if (process.env.PICTURES) await page.locator('#shared').screenshot({ path: path.join(process.env.PICTURES, 'shared.png') });
 
-  // another opens a copy, and cannot change it
+  // another user opens a copy and cannot change the original
   const phone = await open(browser, tank.url, { width: 390, height: 844 });
   await phone.click('#gears');
   await phone.locator('#gallery .shared-list').getByRole('button', { name: /Heavy boards/ }).click();
@@ -749,7 +749,7 @@ test('a row of one\'s own and a shared design: picked, put, opened on a phone, g
   await tab(phone, 'Designs');
   await share(phone, 'Anna', 'short ship', '../../Heavy boards');
   await phone.waitForSelector('#shared_error:not([hidden])', patience);
-  assert.match(await phone.textContent('#shared_error'), /not the word/);
+  assert.match(await phone.textContent('#shared_error'), /password of .* is wrong/);
   await phone.evaluate(axe);
   await finds(phone, 'shared on a phone');
   assert.ok(await phone.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
@@ -767,7 +767,7 @@ test('a row of one\'s own and a shared design: picked, put, opened on a phone, g
   await phone.close();
 });
 
-test('two browsers have a gear each, and one that leaves in mid-solve harms nobody', async () => {
+test('tank serves browsers separately and survives a disconnect during a solve', async () => {
   const [one, other] = await Promise.all([open(browser, tank.url), open(browser, tank.url)]);
   const drag = (await measure(one, 'total drag'))[0];
   const leaver = await open(browser, tank.url);

@@ -1,5 +1,6 @@
-// Writes pictures of the shipped gears from their pages of view_3d(), without buttons: gallery/*.webp for
-// README and inst/app/gears/*.jpg, the cards of the tank's gallery. node gallery.js [gear...]
+// Writes pictures of the shipped gears from their view_3d() pages, without buttons: gallery/*.webp
+// for README and inst/app/gears/*.jpg for the cards of the tank's gallery. node gallery.js
+// [gear...]
 'use strict';
 const fs = require('node:fs');
 const os = require('node:os');
@@ -8,11 +9,12 @@ const { execFileSync } = require('node:child_process');
 const { launch } = require('./tank');
 
 const root = path.join(__dirname, '..', '..');
-// Pixels of the page, then of the picture and what it is drawn in to be scaled down.
+// Pixels of the page, then of the image and of the canvas that is scaled down.
 const cards = { folder: path.join(root, 'inst', 'app', 'gears'), wide: 800, tall: 500, made: 400, drawn: 1600 };
 const large = { folder: path.join(root, 'gallery'), wide: 900, tall: 600, made: 1600, drawn: 3200 };
 const linked = fs.readFileSync(path.join(root, 'README.md'), 'utf8').match(/(?<=gallery\/)\w+(?=\.webp)/g);
-// Where the eye is when not at its first place: angles (radians), ratio of distances, range that is seen.
+// Camera positions that differ from the default: angles (radians), ratio of distances, visible
+// range.
 const views = {
   midwater_trawl: { turn: -2.35, rise: 0.25, focus: 'boards' },
   poly_noreastern_trawl: { turn: -2.3, rise: 0.3 },

@@ -1,4 +1,5 @@
-// The tank's pictures, gallery/tank/*.webp: node pictures.js [name...]. Run after the page has changed.
+// Writes the tank's pictures, gallery/tank/*.webp: node pictures.js [name...]. Run it after page
+// changes.
 'use strict';
 const fs = require('node:fs');
 const os = require('node:os');
@@ -29,7 +30,7 @@ async function set(page, field, value) {
   await still(page);
 }
 
-// What is done before each picture; what it gives back is taken in place of the page.
+// Actions before each picture; a returned element replaces the page in the picture.
 const scenes = {
   gallery: (page) => page.waitForLoadState('networkidle'),
   async unfinished(page) {
@@ -91,7 +92,7 @@ const scenes = {
   cage: (page) => gear(page, 'cage')
 };
 
-// PNG as WebP, which the browser writes.
+// Converts PNG to WebP in the browser.
 const webp = (page, png) => page.evaluate(async (bytes) => {
   const picture = await createImageBitmap(await (await fetch('data:image/png;base64,' + bytes)).blob());
   const copy = new OffscreenCanvas(picture.width, picture.height);

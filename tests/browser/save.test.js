@@ -1,4 +1,4 @@
-// Pictures and videos that pages save, opened again: PNG by its header, WebM by its EBML elements.
+// Reopens pictures and videos that pages save: PNG by its header, WebM by its EBML elements.
 'use strict';
 const test = require('node:test');
 const assert = require('node:assert/strict');
@@ -40,7 +40,7 @@ const saved = async (page, button) => {
   return { name: file.suggestedFilename(), bytes: fs.readFileSync(await file.path()) };
 };
 
-// Elements of EBML (RFC 8794): calls found(id, bytes) for all, and enters those that hold others.
+// Reads EBML elements (RFC 8794): calls found(id, bytes) for each and enters container elements.
 function elements(bytes, found, at = 0, end = bytes.length) {
   const holders = new Set([0x18538067, 0x1F43B675, 0x1654AE6B, 0xAE, 0xE0, 0xA0, 0x1A45DFA3]);
   const number = (keep) => {
@@ -58,7 +58,7 @@ function elements(bytes, found, at = 0, end = bytes.length) {
   while (at < end) {
     const id = number(true), size = Math.min(number(false), end - at);
     found(id, bytes.subarray(at, at + size));
-    // one of unknown size ends where all ends
+    // an element of unknown size ends at the end of its parent
     if (holders.has(id)) elements(bytes, found, at, at + size);
     at += size;
   }
@@ -74,7 +74,7 @@ function film(bytes) {
   return told;
 }
 
-test('a picture has 3,840 pixels along its longer side, and its legend where that is wanted', async () => {
+test('picture has 3,840 pixels along its longer side and optionally a legend', async () => {
   const page = await open('poly_noreastern_trawl', { width: 1200, height: 800 });
   await page.click('text="Save"');
   const worded = await saved(page, 'text="Picture (PNG)"');
@@ -84,7 +84,7 @@ test('a picture has 3,840 pixels along its longer side, and its legend where tha
   await page.uncheck('text="with title and legend"');
   const bare = await saved(page, 'text="Picture (PNG)"');
   assert.equal(bare.bytes.readUInt32BE(16), 3840);
-  // where the title stands there is white with words, or water
+  // the title's corner is white with letters, or water
   const corner = (bytes) => page.evaluate(async (text) => {
     const picture = await createImageBitmap(await (await fetch('data:image/png;base64,' + text)).blob());
     const copy = new OffscreenCanvas(600, 100);
@@ -108,7 +108,7 @@ test('a picture has 3,840 pixels along its longer side, and its legend where tha
   await page.close();
 });
 
-test('a turn becomes a video, and the eye is where it was', async () => {
+test('turn saves a video and restores the camera', async () => {
   const page = await open('poly_noreastern_trawl', { width: 640, height: 400 });
   const before = await page.evaluate(() => document.querySelector('.codend-view').codendViewer.picture().toDataURL());
   const text = await page.evaluate(async () => {
@@ -127,7 +127,7 @@ test('a turn becomes a video, and the eye is where it was', async () => {
   await page.close();
 });
 
-test('a tow becomes a video', async () => {
+test('tow saves a video of the whole tow', async () => {
   const page = await open('towed_cable', { width: 390, height: 844 });
   await page.click('text="Save"');
   const made = await saved(page, 'text="Video of the tow (WebM)"');
@@ -136,13 +136,13 @@ test('a tow becomes a video', async () => {
   assert.equal(told.kind, 'webm');
   assert.equal(told.height, 1920);
   assert.ok(told.frames >= 5, JSON.stringify(told));
-  // it ends at the tow's last moment
+  // it ends at the last time step
   assert.equal(await page.inputValue('.view-time input'), '10');
   assert.deepEqual(page.problems, []);
   await page.close();
 });
 
-test('what saves can be read by all', async () => {
+test('save panel passes axe-core and contrast checks on both screens', async () => {
   for (const size of [{ width: 1200, height: 800 }, { width: 390, height: 844 }]) {
     const page = await open('poly_noreastern_trawl', size);
     await page.click('text="Save"');

@@ -6,14 +6,14 @@ const path = require('node:path');
 
 const command = process.env.CODEND || path.join(__dirname, '..', '..', 'exec', 'codend');
 
-// Calls back once a server answers. Shiny prints its address before it listens.
+// Calls back as soon as a server answers. Shiny prints its address before it listens.
 function answering(url, then) {
   const { hostname, port } = new URL(url);
   const socket = net.connect(port, hostname, () => { socket.destroy(); then(); });
   socket.on('error', () => setTimeout(answering, 20, url, then));
 }
 
-// Resolves to { url, log (all that the process has said), pid, stop } once the page is served.
+// Resolves to { url, log (output of the process so far), pid, stop } when the page is served.
 function serve(...arguments_) {
   const child = spawn(command, ['flume', ...arguments_], { stdio: ['ignore', 'pipe', 'pipe'] });
   const tank = { log: '', pid: child.pid, stop: () => child.kill('SIGTERM') };

@@ -1,10 +1,10 @@
-// The gear of a page that share() wrote, settled in node as the page's worker settles it.
+// Settles the gear of a page from share() in node, as the page's worker does.
 'use strict';
 const fs = require('fs'), zlib = require('zlib');
 
 const letters = Array.from({ length: 94 }, (_, k) => String.fromCharCode(33 + k)).filter((c) => !'"<\\'.includes(c));
 
-// Every 13 bits, lowest first, as two of 91 letters.
+// Decodes 13 bits, lowest first, from two of 91 letters.
 function bytes([count, text]) {
   const out = Buffer.alloc(count);
   for (let at = 0, k = 0, held = 0, bits = 0; at < count; k += 2) {
@@ -14,7 +14,7 @@ function bytes([count, text]) {
   return zlib.inflateSync(out);
 }
 
-// {model, page, move(values): whether it came there}
+// Returns {model, page, move(values): TRUE if the solve converged}.
 exports.opened = async function (file) {
   const html = fs.readFileSync(file, 'utf8');
   const packed = JSON.parse(html.split('id="packed">')[1].split('</script>')[0]);

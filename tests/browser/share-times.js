@@ -1,8 +1,9 @@
-// How long a shared page takes in headless Chromium: its first picture and first answer, moves of 5 % of
-// a slider's range, jumps from end to end, and the longest time in which the page answers nothing.
+// Times a shared page in headless Chromium: first picture, first result, moves of 5 % of a slider's
+// range, jumps from end to end, and the longest time without response.
+//
 //   node share-times.js RATE PAGE.html...
-// The page's own thread is slowed RATE times by the browser; its worker is not, so that times of the
-// worker (all but the picture and the stall) are told as measured and times RATE.
+// The browser slows the page's own thread RATE times, but not its worker. So times of the worker
+// (all except the picture and the stall) are reported as measured and times RATE.
 'use strict';
 const path = require('path');
 const { launch } = require('./tank');
@@ -61,7 +62,7 @@ async function timed(browser, file) {
 
 (async () => {
   const browser = await launch();
-  await timed(browser, files[0]); // the browser itself begins
+  await timed(browser, files[0]); // the browser starts
   console.log('ms: page | picture | first answer | move median, worst | jump median, worst | stall | stuck');
   for (const file of files) {
     const of = await timed(browser, file);

@@ -1,14 +1,14 @@
-# Pages that share() writes, and R's results for the same moves, for share.test.js:
+# Writes pages of share(), and R's results for the same moves, for share.test.js:
 #   Rscript share.R FOLDER GEAR=MOVES...
-# Writes FOLDER/GEAR.html and FOLDER/GEAR.json: for the shared state and for every move the sliders'
-# values, R's measures, the residual as a fraction of the largest tension, and the points (m) and
-# tensions (N) that a picture shows.
+# Writes FOLDER/GEAR.html and FOLDER/GEAR.json. The JSON has an entry for the shared state and for
+# every move. An entry has slider values, R's measures, the residual as a fraction of the largest
+# tension, and the drawn points (m) and tensions (N).
 library(codend)
 ns <- asNamespace("codend")
 arguments <- commandArgs(TRUE)
 folder <- arguments[1]
 moves <- strsplit(arguments[-1], "=")
-# balances closer than the comparison; stiff gears come as close as rounding lets them
+# The residual must be smaller than the tolerance of the comparison; rounding limits stiff gears.
 assignInNamespace("settle_tolerance", 1e-11, "codend")
 # the sliders of the page that share() wrote last
 slider_series <- ns$slider_series
@@ -24,7 +24,7 @@ result <- function(state, values) {
       u = I(as.vector(shape$u)), v = I(as.vector(shape$v)))
   )
 }
-# of a gear, or of a codend whose catch is given by its volume, up to more than it holds
+# Returns a gear; the codend's catch is given by a volume beyond its capacity.
 plan_of <- function(name) {
   if (name != "t90_codend_by_volume") return(read_gear(name))
   update(read_gear("t90_codend"), catch.blocked_meshes = NULL, catch.volume = "1.3 m3")
@@ -55,7 +55,7 @@ for (asked in moves) {
       moved <- replace(values, at, if (field$whole) round(to) else signif(to, 6))
       after <- tryCatch(
         suppressWarnings(settle(ns$set_free(gear, fields, moved), from = state)),
-        codend_error_plan = function(e) NULL # anchors farther apart than lines reach
+        codend_error_plan = function(e) NULL # anchors farther apart than the lines reach
       )
       if (!is.null(after)) break
     }

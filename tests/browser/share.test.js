@@ -1,6 +1,7 @@
-// Pages of share() of every shipped gear in headless Chromium without a network: measures and drawn
-// tensions are R's, at first and after the same moves; a hostile name runs nothing, memory stays flat, and
-// axe-core finds nothing. GEARS=a,b: these gears only; MOVES=: moves of each gear.
+// Opens pages of share() for every shipped gear in headless Chromium without a network. Measures
+// and drawn tensions must equal R's, initially and after the same moves. A hostile name must not
+// run, memory must not grow, and axe-core must pass. GEARS=a,b: only these gears; MOVES=: moves of
+// each gear.
 'use strict';
 const test = require('node:test'), assert = require('node:assert');
 const fs = require('fs'), os = require('os'), path = require('path');
@@ -44,7 +45,7 @@ async function moved(page, values) {
   await page.evaluate((to) => window.codendMove(to), values);
   await page.waitForFunction(() => window.codendSettled, null, { timeout: 120000 });
 }
-// The shape that a page shows: sliders' values, measures, and what its viewer draws.
+// Returns the displayed shape: slider values, measures and the viewer's data.
 const shown = (page) => page.evaluate(() => {
   const { told, ropes } = document.getElementById('tank').codendViewer.gear();
   const drawn = {};
@@ -52,11 +53,11 @@ const shown = (page) => page.evaluate(() => {
   return { ...window.codendShown, drawn, lines: ropes.part.length };
 });
 
-// What turns on whether a twine is just slack, and what is counted by cells of a picture.
+// Measures that jump when a twine becomes slack, and measures that count pixels.
 const ordered = /slack_netting/, counted = /blockage/;
 
 for (const gear of gears) {
-  test(`${gear}: a page shows R's measures and tensions, at first and after ${moves[gear]} moves`, async () => {
+  test(`${gear} page shows R's measures and tensions after ${moves[gear]} moves`, async () => {
     assert.ok(fs.statSync(path.join(folder, gear + '.html')).size < 1e6);
     const page = await opened(gear);
     const sizes = await page.evaluate(() => window.codendSizes);
@@ -69,7 +70,7 @@ for (const gear of gears) {
       for (const [name, values] of Object.entries(move.drawn)) {
         const largest = values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
         assert.strictEqual(found.drawn[name].length, values.length, name);
-        // single floats, and R's null is a page's NaN
+        // single-precision floats; null in R is NaN in the page
         const off = values.map((value, at) => value === null ? Number(!isNaN(found.drawn[name][at])) * largest :
           Math.abs(found.drawn[name][at] - value)).reduce((most, value) => Math.max(most, value), 0);
         assert.ok(off <= 1e-5 * largest, `${name}: off by ${off} of ${largest}`);
@@ -77,9 +78,10 @@ for (const gear of gears) {
       for (const [name, value] of Object.entries(move.measures)) {
         if (ordered.test(name)) continue;
         const off = Math.abs(found.measures[name] / sizes[name] - value);
-        // where rounding of stiff parts leaves more than 1e-11 of the largest tension, measures follow it
+        // If rounding in stiff parts leaves more than 1e-11 of the largest tension, measures
+        // deviate too.
         const close = move.residual <= 1e-11 && !counted.test(name);
-        // what is small is held to shares of its unit, or of a tenth of it
+        // small values are compared with 1 or 0.1 of their unit
         const share = off / Math.max(Math.abs(value), close ? 1 : 0.1);
         assert.ok(share < (counted.test(name) ? 1e-2 : close ? 1e-8 : 1e-6), `${name}: ${found.measures[name] / sizes[name]}, not ${value}`);
         if (!counted.test(name)) worst = Math.max(worst, share);
@@ -92,7 +94,7 @@ for (const gear of gears) {
   });
 }
 
-// One slider at a time, 8 % of its range this way or that.
+// Moves one slider at a time by 8 % of its range in either direction.
 function random_moves(fields, values, count) {
   let seed = 38;
   const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
@@ -106,7 +108,7 @@ function random_moves(fields, values, count) {
 }
 
 for (const gear of thorough) {
-  test(`${gear}: none of 1000 moves fails, and memory stays flat`, async () => {
+  test(`${gear} model solves 1000 moves with constant memory`, async () => {
     const of = await share.opened(path.join(folder, gear + '.html'));
     let early = 0;
     random_moves(of.page.fields, of.model.values(), 1000).forEach((values, k) => {
@@ -148,7 +150,7 @@ if (gears.includes('towed_cable')) test('a name that is a script runs nothing', 
   await page.close();
 });
 
-test('moves that are overtaken are dropped, and what is told last holds', async () => {
+test('shared page drops overtaken moves and shows the last one\'s result', async () => {
   const page = await opened(gears[0]);
   const found = await page.evaluate(async () => {
     const inputs = Array.from(document.querySelectorAll('#sliders input'));
@@ -169,7 +171,7 @@ test('moves that are overtaken are dropped, and what is told last holds', async 
 
 for (const gear of thorough) {
   for (const size of [{ width: 1400, height: 900 }, { width: 390, height: 844 }]) {
-    test(`${gear}: axe-core finds nothing at ${size.width} pixels`, async () => {
+    test(`${gear} page passes axe-core at ${size.width} pixels`, async () => {
       const page = await opened(gear, size);
       await page.evaluate(() => document.querySelectorAll('details').forEach((d) => { d.open = true; }));
       await page.evaluate(fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8'));

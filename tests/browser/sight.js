@@ -1,9 +1,9 @@
-// What can be read and seen on a page, by its real styles: contrast as WCAG 2.2 defines it.
+// Checks the legibility of a page from its computed styles: contrast as WCAG 2.2 defines it.
 'use strict';
 
-// Runs in a page: what stands out less than it must, as texts. Words 4.5 to 1; lines of figures and
-// the edges of what can be filled in or pressed 3 to 1. What is disabled is not asked. Where words
-// stand over a picture or a gradient, the worst of its colours counts.
+// Runs in a page. Returns the items with too little contrast, as strings. Text needs 4.5 to 1;
+// lines of plots and edges of inputs and buttons need 3 to 1. Disabled items are skipped. Over a
+// picture or a gradient, the worst colour counts.
 function faint() {
   const parse = (text) => {
     const found = /^rgba?\(([^)]*)\)$/.exec(text);
@@ -23,7 +23,7 @@ function faint() {
   const shown = (e) => e.checkVisibility({ opacityProperty: true, visibilityProperty: true }) &&
     e.getBoundingClientRect().width > 1 && e.getBoundingClientRect().height > 1;
   const asleep = (e) => e.closest(':disabled, [aria-disabled="true"], .disabled');
-  // The colours that may lie behind an element.
+  // The possible colours behind an element.
   const behind = (element) => {
     const layers = [];
     let grounds = null;
@@ -36,7 +36,7 @@ function faint() {
       else if (colour && colour.alpha > 0) layers.push(colour);
     }
     grounds = grounds || [[255, 255, 255]];
-    // over the picture lies anything, dark gear too
+    // anything may lie over the picture, also dark gear
     if (element.closest('.codend-view') && layers.length) grounds = grounds.concat([[40, 40, 60], [198, 83, 0]]);
     return grounds.map((ground) => layers.reduceRight((below, layer) => over(layer, below), ground));
   };
@@ -73,7 +73,7 @@ function faint() {
   document.querySelectorAll('button, .btn').forEach((e) => {
     if (!shown(e) || asleep(e)) return;
     const style = getComputedStyle(e), ground = behind(e.parentElement);
-    // words alone are enough of a button
+    // the label alone is enough for a button
     if (style.borderTopWidth === '0px' || parse(style.borderTopColor).alpha === 0) return;
     tell(e, 'edge', Math.max(worst(parse(style.borderTopColor), ground), worst(parse(style.backgroundColor), ground)), 3);
   });

@@ -1,5 +1,4 @@
-// Whether what the pages show can be seen: the gear beside words and buttons, and contrast. Run by
-// `make browser-test`.
+// Checks visibility: the gear next to labels and buttons, and contrast. Run by `make browser-test`.
 'use strict';
 const { test, before, after } = require('node:test');
 const assert = require('node:assert/strict');
@@ -24,7 +23,8 @@ after(async () => {
   fs.rmSync(folder, { recursive: true, force: true });
 });
 
-// What is looked at in an element's viewer, and the words and buttons over it, in pixels of it.
+// Returns the drawn extent in an element's viewer and the overlays over it, in pixels of the
+// element.
 const looked = (page, host) => page.evaluate((host) => {
   const element = document.querySelector(host), frame = element.getBoundingClientRect();
   const over = [...element.querySelectorAll('.view-title, .view-bar, .view-legend, .view-scale, .view-time')]
@@ -40,7 +40,7 @@ const in_sight = ({ reach, width, height, over }, told) => {
     assert.ok(reach[2] <= left || reach[0] >= right || reach[3] <= top || reach[1] >= bottom,
       `${told}: ${reach} under ${name} ${[left, top, right, bottom]}`);
   }
-  // and no smaller than it must be
+  // and large enough
   assert.ok((reach[2] - reach[0]) > 0.5 * width || (reach[3] - reach[1]) > 0.4 * height,
     `${told}: ${reach} in ${width} x ${height}`);
 };
@@ -59,7 +59,7 @@ const begin = async (page, gear) => {
 
 // A beam trawl has its shoes ahead of its net, a purse seine is tall, a trawl long.
 for (const gear of ['beam_trawl', 'purse_seine', 'poly_noreastern_trawl']) {
-  test(`${gear} is in sight beside words and buttons, in the tank and on pages`, async () => {
+  test(`${gear} is visible next to labels and buttons in tank and pages`, async () => {
     const report = path.join(folder, `${gear}.html`);
     execFileSync(command, ['report', gear, '--out', report], { stdio: 'ignore' });
     for (const size of sizes) {
@@ -75,7 +75,7 @@ for (const gear of ['beam_trawl', 'purse_seine', 'poly_noreastern_trawl']) {
   });
 }
 
-test('words have a contrast of 4.5, lines and edges of 3, on every page of the tank and the report', async () => {
+test('tank and report show text at contrast 4.5 and lines at 3', async () => {
   const report = path.join(folder, 'report.html');
   execFileSync(command, ['report', 'beam_trawl', '--out', report], { stdio: 'ignore' });
   for (const size of sizes) {
@@ -87,7 +87,7 @@ test('words have a contrast of 4.5, lines and edges of 3, on every page of the t
     };
     await page.locator('[data-gear="beam_trawl"]').waitFor(patience);
     await stands_out('gallery', 40);
-    // at phone width the table leaves two columns out
+    // at phone width the table omits two columns
     await begin(page, 'beam_trawl');
     await stands_out('tank', 80);
     for (const name of ['Tensions', 'Drag', 'Slopes', 'Tow', 'Designs', 'Changes', 'Plan', 'R code',
@@ -111,7 +111,7 @@ test('words have a contrast of 4.5, lines and edges of 3, on every page of the t
   }
 });
 
-test('what stands out too little is found', async () => {
+test('contrast check reports each item with too little contrast', async () => {
   const page = await browser.newPage();
   await page.setContent(`<body style="background: #fff">
     <p style="color: #777">grey on white, 4.48</p><p style="color: #767676">a little darker, 4.54</p>

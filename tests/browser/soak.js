@@ -1,9 +1,11 @@
-// A long run of the flume tank as a server: node --experimental-websocket soak.js [minutes] [users].
-// Every user has a gear of its own name, moves its towing speed about once a second, leaves now and
-// then and comes again, and one of them asks for what takes too long. No answer may be another user's,
-// none may fail, no process may outlive its page, and the memory of the server may not grow. Needs no
-// browser: it speaks Shiny's protocol. Prints how long answers took and the memory by minute; ends with
-// status 1 when anything went wrong.
+// Runs the flume tank as a server for long: node --experimental-websocket soak.js [minutes]
+// [users].
+//
+// Every user has a gear with a unique name, moves its towing speed about once a second, and leaves
+// and returns now and then. One user requests a solve that takes too long. Each answer must belong
+// to its user, no answer may fail, no process may outlive its page, and the server's memory may not
+// grow. The test uses Shiny's protocol without a browser. It prints response times and the memory
+// by minute, and ends with status 1 on failure.
 'use strict';
 const fs = require('node:fs');
 const { serve } = require('./serve');
@@ -15,7 +17,8 @@ const wrong = [];
 const times = [];
 const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
-// MB that a process holds and its children's ids (Linux); NaN and none elsewhere.
+// Returns the memory (MB) of a process, and the ids of its children (Linux); NaN and none
+// elsewhere.
 function memory(pid) {
   try {
     const status = fs.readFileSync(`/proc/${pid}/status`, 'utf8');
@@ -32,7 +35,7 @@ function children(pid) {
   }
 }
 
-// One user until the end; visits: how often it comes.
+// Simulates one user until the end; visits: how often the user comes.
 async function use(url, name, end) {
   let number = 0;
   for (let visit = 1; Date.now() < end; visit++) {
@@ -72,7 +75,7 @@ async function use(url, name, end) {
   }
 }
 
-// Asks for a net that takes longer than a page may wait.
+// Requests a net that takes longer than a page may wait.
 async function trouble(url, end) {
   while (Date.now() < end) {
     const tank = page(url);
@@ -111,7 +114,7 @@ let tank;
   await sleep(5e3);
   const left = children(tank.pid).length;
   if (left) wrong.push(`${left} processes outlive their pages`);
-  // once all have come and gone; a leak of each answer or visit goes on
+  // after all users have visited; a leak per answer or visit would continue
   const settled = resident.slice(Math.floor(resident.length / 2));
   if (settled.length > 1 && settled[settled.length - 1] > 1.15 * settled[0]) {
     wrong.push(`the server grew from ${settled[0].toFixed(0)} to ${settled[settled.length - 1].toFixed(0)} MB`);

@@ -1,8 +1,8 @@
-// A page of codend's flume tank without a browser: it speaks Shiny's protocol. Node.js 20 takes
-// --experimental-websocket for it.
+// A page of codend's flume tank without a browser: it uses Shiny's protocol. Node.js 20 needs
+// --experimental-websocket.
 'use strict';
 
-// What a message brings, by type. A binary one has its type before its bytes; of those the tank sends
+// Returns the content of a message by type. A binary message has its type before its bytes; only
 // the header is read (R/flume-picture.R).
 function messages(data) {
   if (typeof data === 'string') return data[0] === '{' ? JSON.parse(data).custom || {} : {};
@@ -12,8 +12,8 @@ function messages(data) {
   return { [text(1, size)]: JSON.parse(text(5 + size, header)) };
 }
 
-// A page without a browser: wait(type, test) resolves to the next message of a type, or null after a
-// minute. shown: the outputs that are seen.
+// A page without a browser. wait(type, test) resolves to the next message of a type, or null after
+// a minute. shown: the visible outputs.
 function page(url, shown = ['measures', 'tensions', 'drag', 'designs', 'code']) {
   const socket = new WebSocket(url.replace('http', 'ws') + '/websocket/');
   socket.binaryType = 'arraybuffer';

@@ -1,5 +1,5 @@
-// A headless Chromium for codend's flume tank.
-// CHROMIUM: path of the browser [/usr/bin/chromium]; for the rest see serve.js.
+// Opens a headless Chromium for codend's flume tank. CHROMIUM: path of the browser
+// [/usr/bin/chromium]; see serve.js for other variables.
 'use strict';
 const { chromium } = require('playwright-core');
 const { serve } = require('./serve');
@@ -10,9 +10,9 @@ const launch = (...flags) => chromium.launch({
     '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...flags]
 });
 
-// A page; what goes wrong in it is kept in `problems`, requests to anything but its server in
-// `strange`. Chromium draws WebGL on the processor, which takes less time at half the resolution.
-// Colours do not fade, so that no test measures a contrast halfway.
+// Opens a page. `problems` collects its errors, `strange` its requests to other servers. Chromium
+// renders WebGL in software, which is faster at half the resolution. Reduced motion stops colour
+// transitions, so that no test measures a contrast halfway.
 async function visit(browser, url, size = { width: 1440, height: 900 }) {
   const page = await browser.newPage({ viewport: size, deviceScaleFactor: 0.5, reducedMotion: 'reduce' });
   const own = new URL(url).origin;
@@ -35,7 +35,7 @@ async function visit(browser, url, size = { width: 1440, height: 900 }) {
   return page;
 }
 
-// Opens the page of a tank that begins with a gear.
+// Opens the page of a tank that starts with a gear.
 async function open(browser, url, size) {
   const page = await visit(browser, url, size);
   await page.waitForSelector('[data-control]', { timeout: 60000 });
@@ -45,10 +45,10 @@ async function open(browser, url, size) {
   return page;
 }
 
-// The control of a field: the one before the form, where it is there too.
+// Returns the control of a field; the quick control if the form has one too.
 const control = (page, fieldPath) => page.locator(`.control[data-paths~="${fieldPath}"]`).first();
 
-// A measure's row as texts, once it is there: [now, kept, change, %].
+// Returns a measure's row as strings, as soon as it is there: [now, kept, change, %].
 async function measure(page, name) {
   const row = page.locator('.measures tbody tr', {
     has: page.locator('th', { hasText: new RegExp(`^${name} \\(`) })
@@ -57,17 +57,17 @@ async function measure(page, name) {
     null, { timeout: 60000 });
 }
 
-// Resolves once a page has its answers and its address carries the design.
+// Resolves when a page has its answers and its address stores the design.
 const answered = (page) => page.waitForFunction(() => window.codendForm.still() &&
   !window.codendTalk.waits() && !window.codendDesigns.waits(), null, { timeout: 60000 });
 
-// Opens a tab by its name in English, until its content is complete.
+// Opens a tab by its English name and waits for its content.
 async function tab(page, name) {
   await page.click(`#shown [data-value="${name}"]`);
   await complete(page);
 }
 
-// Resolves once the open tab has all its outputs and nothing in the page fades or moves.
+// Resolves when the open tab has all its outputs and no transition runs.
 const complete = (page) => page.waitForFunction(() => {
   const waits = [...document.querySelectorAll('#shown ~ .tab-content > .active .shiny-bound-output')]
     .some((output) => output.offsetParent &&

@@ -1,11 +1,13 @@
-// Many users at once: node --experimental-websocket users.js [users] [seconds] [messages a second of one
-// more, who floods: in bursts of 600 from a new page each where it is cut]. One has a page in
-// Chromium, the others speak to the tank without a browser, as soak.js does: two cores that paint ten
-// browsers in software would tell of nothing else. Each draws one slider along for a quarter of a
-// second, about once a second, and has one question under way at a time, as the page has. Prints how
-// long answers took from the place of the slider that they show: to the message that has the shape and,
-// in Chromium, to the picture, once all of it is painted; and the CPU time of the R processes. Ends
-// with status 1 when anything went wrong.
+// Simulates many users: node --experimental-websocket users.js [users] [seconds] [messages a second
+// of one more user]. The latter floods the server in bursts of 600, each from a new page.
+//
+// One user has a page in Chromium. The others use the tank without a browser, as in soak.js,
+// because two cores that render ten browsers would measure only the rendering. Each user drags one
+// slider for a quarter of a second, about once a second, with one pending request at a time, as the
+// page has.
+//
+// Prints response times: from the slider position to the message with the shape, and, in Chromium,
+// to the finished picture. Prints the CPU time of the R processes. Ends with status 1 on failure.
 'use strict';
 const fs = require('node:fs');
 const { serve, launch, open } = require('./tank');
@@ -17,7 +19,7 @@ const flood = Number(process.argv[4] || 0);
 const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 const wrong = [];
 
-// CPU seconds of a process (Linux), or NaN, and those of the processes that it has or had.
+// CPU seconds of a process (Linux), or NaN, and of its present and past children.
 function cpu(pid) {
   try {
     const fields = fs.readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ')[1].split(' ').map(Number);
@@ -29,8 +31,8 @@ function cpu(pid) {
   }
 }
 
-// In the page: draws sliders until the time is over; [ms to the message, ms to the picture] of each
-// answer.
+// Runs in the page: drags sliders for some seconds. Returns [ms to the message, ms to the picture]
+// of each answer.
 async function draw(seconds) {
   const times = [], asked = {};
   const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
@@ -75,7 +77,7 @@ async function draw(seconds) {
   return { times };
 }
 
-// A page without a browser whose first design has been settled, so that its process is there.
+// Opens a page without a browser and settles a first design, which starts its process.
 async function come(url) {
   const tank = scripted(url, ['measures']), opened = tank.wait(['flume_picture']);
   await tank.open();
@@ -86,7 +88,7 @@ async function come(url) {
   return tank;
 }
 
-// Draws the towing speed along until the time is over; ms to each message.
+// Drags the towing speed for some seconds. Returns the ms to each message.
 async function speak(tank, name, seconds) {
   const times = [];
   const end = Date.now() + 1000 * seconds;
@@ -115,8 +117,7 @@ async function speak(tank, name, seconds) {
   return times;
 }
 
-// Sends so many designs a second, at once where they are more than a page may send, until the time is
-// over.
+// Sends `rate` designs per second for some seconds; in bursts if a page may not send as many.
 async function pour(url, rate, seconds) {
   const end = Date.now() + 1000 * seconds;
   let sent = 0;

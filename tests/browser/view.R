@@ -1,6 +1,7 @@
-# Pages of view_3d() for save.test.js and gallery.js:
+# Writes pages of view_3d() for save.test.js and gallery.js.
+#
 #   Rscript view.R FOLDER NODES GEAR...   a page of each settled gear (NODES 0: see gallery.R)
-#   Rscript view.R FOLDER tow GEAR        one of a tow of ten seconds
+#   Rscript view.R FOLDER tow GEAR        a page of a tow of ten seconds
 library(codend)
 here <- dirname(sub("^--file=", "", grep("^--file=", commandArgs(), value = TRUE)))
 source(file.path(here, "gallery.R"))
