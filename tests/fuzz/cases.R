@@ -1,4 +1,4 @@
-# One case: what is tried, and what counts as found.
+# One case: an attempt, and the criteria of a finding.
 
 # Stops the case as a finding.
 found <- function(what, ...) {
@@ -6,8 +6,8 @@ found <- function(what, ...) {
   stop(structure(condition, class = c("fuzz_found", "error", "condition")))
 }
 
-# The result of an expression, or NULL where codend refuses it as it should. Anything else that it
-# does is found: an error without a class, a foreign warning, a message with NaN.
+# Returns the result of an expression, or NULL if codend rejects it properly. Anything else is a
+# finding: an error without a class, a foreign warning, a message with NaN.
 judged <- function(expression) {
   refused <- function(e) {
     if (length(class(e)) < 4L) found("no class of its own: ", class(e)[1L])
@@ -33,7 +33,7 @@ judged <- function(expression) {
   )
 }
 
-# A gear that was taken must be written and read again the same, whatever the order of its fields.
+# Checks that an accepted gear is identical after writing and reading, in any order of its fields.
 check_taken <- function(gear) {
   text <- judged(format(gear))
   file <- tempfile(fileext = ".yaml")
@@ -69,7 +69,7 @@ check_settled <- function(gear, nodes) {
   TRUE
 }
 
-# The kinds of case with their shares; each gives what it came to: "refused", "taken" or "settled".
+# The kinds of case with their frequencies; each run returns "refused", "taken" or "settled".
 kinds <- list(
   plan_changed = list(share = 5, run = function() try_plan(changed_plan())),
   plan_made = list(share = 5, run = function() try_plan(made_plan())),
@@ -93,7 +93,7 @@ kinds <- list(
     model <- one_of(kept()$models)
     fields <- model$fields
     for (k in seq_len(1L + stats::rpois(1L, 0.5))) fields <- changed_model(fields)
-    mesh <- judged(codend:::engine_mesh(fields))
+    mesh <- judged(codend:::engine_model(fields))
     if (is.null(mesh)) return("refused")
     evaluated <- judged(codend:::engine_evaluate(mesh, model$start, 0 * model$start))
     if (is.null(evaluated)) return("refused")
@@ -106,8 +106,8 @@ kinds <- list(
   message = list(share = 2, run = function() try_messages())
 )
 
-# A changed copy of one of these files. use: what is done with what was read, so that a forged index
-# would reach the engine.
+# Tries a changed copy of a file. use: function applied to the result of reading, so
+# that a forged index would reach the engine.
 try_kept <- function(files, use) {
   file <- changed_kept(one_of(files), chance(0.7))
   on.exit(unlink(file))
@@ -124,10 +124,10 @@ try_plan <- function(tree) {
   if (chance(settle_share) && check_settled(gear, one_of(c(30, 60, 150)))) "settled" else "taken"
 }
 
-# Shares of plans that are settled.
+# Fraction of plans that are settled.
 settle_share <- 0.3
 
-# The files are made once in a process, not by chance.
+# The files are written once per process, without random numbers.
 kept <- local({
   made <- NULL
   function() {
@@ -160,7 +160,8 @@ try_messages <- function() {
   tank <- tank()
   memory <- new.env()
   went_well <- function(problem) {
-    if (!is.null(problem) && grepl("codend failed at this", problem$message)) found(problem$message)
+    internal <- !is.null(problem) && grepl("Internal error of codend", problem$message)
+    if (internal) found(problem$message)
     is.null(problem)
   }
   ask <- function(kind, said) {

@@ -32,7 +32,7 @@ write_bytes <- function(bytes, extension) {
 
 changed_plan_file <- function() write_bytes(changed_bytes(one_of(plan_bytes)), ".yaml")
 
-# Files of a state and of a tow that every kind of element is in.
+# Files of a state and of a tow that contain every kind of element.
 kept_files <- function() {
   folder <- tempfile()
   dir.create(folder)
@@ -48,7 +48,7 @@ kept_files <- function() {
   list(state = lapply(states, read), tow = list(read(tow)), models = engine_models())
 }
 
-# Damaged, and where sealed is TRUE with the checksum put right again, as a forger would.
+# Returns a damaged file; if `sealed` is TRUE, with a corrected checksum, as a forger would write.
 changed_kept <- function(bytes, sealed) {
   if (!sealed) return(write_bytes(changed_bytes(bytes), ".nc"))
   bytes <- bytes[seq_len(length(bytes) - codend:::seal_bytes)]
@@ -58,7 +58,7 @@ changed_kept <- function(bytes, sealed) {
   file
 }
 
-# Whole numbers at a place become others: most of a file's bytes are numbers of 8 or 4 bytes.
+# Replaces integers at random positions: most bytes of a file belong to numbers of 8 or 4 bytes.
 changed_numbers <- function(bytes) {
   for (k in seq_len(1L + stats::rpois(1L, 2))) {
     at <- 4L * (sample.int(length(bytes) %/% 4L, 1L) - 1L)
@@ -73,16 +73,16 @@ changed_numbers <- function(bytes) {
 
 # ---- models of the engine ------------------------------------------------------------------------
 
-# Models as the engine reads them, of all kinds of element, each with its crude start.
+# Models as the engine reads them, of all kinds of element, each with its crude initial layout.
 engine_models <- function() {
   plans <- c("midwater_trawl", "beam_trawl", "cage", "purse_seine", "towed_cable", "t90_codend")
   lapply(plans, function(plan) {
-    lattice <- codend:::build_lattice(codend:::gear_si(read_gear(plan)), 60)
-    list(fields = codend:::engine_mesh_fields(lattice$mesh), start = as.double(lattice$start))
+    mesh <- codend:::build_mesh(codend:::gear_si(read_gear(plan)), 60)
+    list(fields = codend:::engine_model_fields(mesh$model), start = as.double(mesh$start))
   })
 }
 
-# One array or group of a model, somewhere in it, becomes another.
+# Replaces a random array or group of a model.
 changed_model <- function(group) {
   k <- sample.int(length(group), 1L)
   inner <- group[[k]]

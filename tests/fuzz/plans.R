@@ -1,4 +1,4 @@
-# Plans that nobody would write: made up from the schema, and shipped ones changed at random.
+# Unusual plans: generated from the schema, or shipped plans with random changes.
 
 shipped <- lapply(codend:::shipped_plans(), codend:::read_plan)
 
@@ -27,7 +27,7 @@ any_value <- function() {
   switch(sample.int(3L, 1L), one_of(odd_numbers), one_of(odd_texts), one_of(odd_values))
 }
 
-# A quantity as text, a usual one or one over many powers of ten.
+# A quantity as a string: usually a common value, else one over many powers of ten.
 quantity <- function(node) {
   dimension <- node[["x-dimension"]]
   units <- codend:::plan_units[[dimension]]
@@ -47,7 +47,7 @@ number <- function(node) {
 
 # ---- from the schema -----------------------------------------------------------------------------
 
-# What shipped plans hold, by the name of the field, so that made-up plans are not all refused.
+# Values of shipped plans by field name, so that generated plans are not all rejected.
 pool <- local({
   values <- list()
   walk <- function(tree) {
@@ -98,7 +98,7 @@ made_map <- function(node, depth) {
 
 made_plan <- function() {
   kind <- one_of(codend:::plan_kinds)
-  # the sections of a shipped plan of that kind, some made anew, or all made up
+  # the sections of a shipped plan of the same kind, some generated, or all generated
   like <- Filter(function(plan) identical(codend:::first_of(plan$kind, "assembly"), kind), shipped)
   plan <- if (chance(0.3) || !length(like)) make_up(codend:::kind_node(kind)) else {
     plan <- one_of(like)
@@ -117,7 +117,7 @@ made_plan <- function() {
 
 # ---- changes -------------------------------------------------------------------------------------
 
-# Changes one place of a tree, somewhere below.
+# Changes one random node of a tree.
 change <- function(tree) {
   if (!is.list(tree) || !length(tree) || chance(0.12)) return(changed_here(tree))
   k <- sample.int(length(tree), 1L)

@@ -1,12 +1,13 @@
-# Tries codend with plans, files, models and messages that nobody would write, and fails where one
-# does more than be refused: an error outside codend_error, a warning of R, NaN in a result or a
-# message, a plan that is written as another, 20 CPU seconds without an answer, more than 2 GB, a
-# crash.
-#   Rscript tests/fuzz/run.R SECONDS [SEED [COUNT]]   cases from number SEED to the end of the time,
+# Tries codend with unusual plans, files, models and messages. A case is a finding unless codend
+# accepts it or rejects it with a codend_error. Findings are: another error, a warning of R, or
+# NaN in a result or a message. A plan that changes when written, 20 CPU seconds without an answer,
+# more than 2 GB and a crash are findings too.
+#
+#   Rscript tests/fuzz/run.R SECONDS [SEED [COUNT]]   cases from number SEED until the time is over,
 #                                                     or COUNT cases
-#   Rscript tests/fuzz/run.R --case N         one case, in this process, as it was
-# Every case is made from its own number, so that it comes again on every machine. What is found is
-# told once for each way in which it shows.
+#   Rscript tests/fuzz/run.R --case N                 one case, in this process, as it was
+#
+# The number of a case defines it on every machine. Equal findings are reported once.
 
 library(codend)
 given <- commandArgs(TRUE)
@@ -18,7 +19,7 @@ most_seconds <- 20
 most_bytes <- 2e9
 shares <- vapply(kinds, `[[`, 0, "share")
 
-# list(kind, came_to, found = NULL or text) of a case.
+# Returns list(kind, came_to, found = NULL or string) of a case.
 run_case <- function(number) {
   set.seed(number, "Mersenne-Twister", "Inversion", "Rejection")
   kind <- sample(names(kinds), 1L, prob = shares)
@@ -36,7 +37,7 @@ if (given[1L] == "--case") {
   quit(status = !is.null(found$found))
 }
 
-# A process for some hundred cases: it tells what it is about before and what came of it after.
+# Starts a process for some hundred cases; it logs each case before the run and its result after it.
 batch <- function(numbers, log) {
   note <- function(...) cat(paste(..., sep = "\t"), "\n", sep = "", file = log, append = TRUE)
   parallel::mcparallel({
@@ -52,7 +53,7 @@ batch <- function(numbers, log) {
   }, mc.set.seed = FALSE)
 }
 
-# Bytes that this process took at most; 0 where the system does not tell.
+# Peak memory (bytes) of this process; 0 if the system does not report it.
 most_memory <- function() {
   status <- "/proc/self/status"
   if (!file.exists(status)) return(0)
@@ -80,7 +81,7 @@ while (first_case <= last_case && proc.time()[["elapsed"]] < until) {
     lines <- readLines(log, warn = FALSE)
     about <- utils::tail(lines, 1L)
     if (!identical(about, last[1L])) last <- c(about, now)
-    # what no limit of R's ends; the machine may be busy
+    # R's time limit does not stop every case; the machine may be busy
     hangs <- now - as.double(last[2L]) > 10 * most_seconds
     if (!is.null(done) || hangs || now > until) break
   }
@@ -103,7 +104,7 @@ results <- as.data.frame(do.call(rbind, results))
 names(results) <- c("case", "kind", "came_to", "found")
 print(table(results$kind, results$came_to))
 bad <- results[results$came_to == "found", ]
-# one of each way: numbers and quoted words differ
+# one example per kind: numbers and quoted strings differ
 way <- gsub("[0-9.]+", "#", gsub("`[^`]*`|\"[^\"]*\"|\u201c[^\u201d]*\u201d", "`#`", bad$found))
 first <- !duplicated(way)
 for (k in which(first)) {

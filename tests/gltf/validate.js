@@ -1,4 +1,4 @@
-// Prints what the glTF validator says of a file, as JSON: its counts and messages of issues.
+// Prints the result of the glTF validator for a file, as JSON: counts and messages of issues.
 const validator = require("gltf-validator");
 const { readFileSync } = require("node:fs");
 

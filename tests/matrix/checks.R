@@ -11,7 +11,7 @@ check_printed <- function(x) {
   check_words(text, "the text")
 }
 
-# tolerance: as a fraction of the largest expected number, or of 1 if all are smaller.
+# tolerance: relative to the largest expected number, or to 1 if all are smaller.
 check_near <- function(result, expected, tolerance, what) {
   scale <- if (is.numeric(expected)) max(abs(expected), 1, na.rm = TRUE)
   same <- all.equal(as.vector(result), as.vector(expected), tolerance = tolerance, scale = scale)
@@ -57,7 +57,7 @@ gear_checks <- list(
   },
   "findings" = function(gear, folder) {
     result <- findings(gear)
-    if (nrow(result)) stop_check("a shipped plan has the finding: %s", result$words[1L])
+    if (nrow(result)) stop_check("a shipped plan has the finding: %s", result$message[1L])
   },
   "write_gear" = function(gear, folder) {
     readers <- list(plan.yaml = yaml::read_yaml, plan.json = jsonlite::read_json)
@@ -73,7 +73,7 @@ gear_checks <- list(
 
 # ---- states --------------------------------------------------------------------------------------
 
-engine_of <- function(state) state$lattice$mesh
+engine_of <- function(state) state$mesh$model
 
 netting_of <- function(state) if (length(engine_of(state)$cells$rest)) "cells" else "bars"
 
@@ -91,7 +91,7 @@ state_checks <- list(
     external <- rowSums(matrix(engine$load, 3L)) +
       rowSums(vapply(state$forces, rowSums, numeric(3)))
     missed <- max(abs(rowSums(state$force[, held, drop = FALSE]) - external + rowSums(free)))
-    # the rounding error of these sums is far below 1e-12 of the tension per node
+    # the rounding error of the sums is far below 1e-12 of the tension per node
     if (!(missed <= 1e-12 * tension * engine$nodes)) {
       stop_check("reactions differ from external forces by %g N", missed)
     }
@@ -120,7 +120,7 @@ state_checks <- list(
   "findings" = function(state, folder) {
     result <- findings(state)
     check_table(result, nrow(result), "findings", c("value", "field"))
-    check_words(paste(result$words, result$advice, result$shown), "a finding")
+    check_words(paste(result$message, result$advice, result$label), "a finding")
   },
   "tables" = function(state, folder) {
     engine <- engine_of(state)
@@ -163,7 +163,7 @@ state_checks <- list(
     fields <- length(unique(result$field))
     check_table(result, length(measures(state)) * fields, "sensitivities",
       c("elasticity", "secant_below", "secant_above", "smooth"))
-    if (all(result$slope == 0)) stop_check("no field changes a measure")
+    if (all(result$derivative == 0)) stop_check("no field changes a measure")
     check_printed(result)
     check_plot(result, folder, "png")
   },
@@ -185,9 +185,9 @@ state_checks <- list(
       write_result(state, file)
       NULL
     }, codend_error_argument = conditionMessage)
-    # MoorDyn has no netting, no rings and no slopes
+    # MoorDyn has no netting, rings or slopes
     if (length(refusal)) {
-      known <- "has no rope that is not laced|slides through rings|slopes"
+      known <- "has no free rope|slides through rings|slopes"
       if (!grepl(known, refusal)) stop_check("refused: %s", refusal)
       return(skip())
     }

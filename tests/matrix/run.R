@@ -1,5 +1,5 @@
-# Calls every function that takes a gear, a state or a tow for every shipped gear, with both kinds
-# of netting, and checks the results: numbers are finite, tables are complete, independent readers
+# Calls every function that accepts a gear, a state or a tow, for every shipped gear and both kinds
+# of netting. Checks the results: numbers are finite, tables are complete, independent readers
 # accept the files, R does not warn. The models have few nodes, so the numbers are coarse.
 #   Rscript tests/matrix/run.R [GEAR...]
 # The last line counts the checks as "N passed, N failed, N skipped".

@@ -1,11 +1,11 @@
-# Settles 100 random gears (bench/forge.R) and compares the number that converge, and the sum of
-# their iterations, with the stored table.
+# Settles 100 random gears (bench/random-gears.R) and compares the number that converge, and the
+# sum of their iterations, with the stored table.
 library(codend)
 source("tools/ratchet.R")
-source("bench/forge.R")
+source("bench/random-gears.R")
 
 settle_gear <- function(number) {
-  gear <- forge_gear(number)
+  gear <- random_gear(number)
   state <- tryCatch(suppressWarnings(settle(gear, nodes = 1000)), codend_error = identity)
   converged <- inherits(state, "codend_state")
   data.frame(gear = number, kind = gear$plan$kind, converged = converged,

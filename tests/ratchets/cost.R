@@ -1,5 +1,6 @@
-# Counts what reference calls cost, without a clock: iterations, matrix factorisations, force
-# evaluations, numbers stored in the matrix factors, and megabytes that R allocates.
+# Counts the cost of reference calls without a clock: iterations, matrix factorisations, force
+# evaluations, numbers stored in the factorisation, and megabytes that R allocates.
+#
 #   Rscript tests/ratchets/cost.R           compares with cost.csv
 #   Rscript tests/ratchets/cost.R --accept  stores the counts
 source("tools/ratchet.R")
@@ -18,11 +19,11 @@ calls <- list(
   trawl_bars = function() settle(trawl, nodes = 1500, netting = "bars"),
   trawl_cells = function() settle(trawl, nodes = 1500, netting = "cells"),
   trawl_10000 = function() settle(trawl, nodes = 10000),
-  # The tangent to a speed 10 % higher turns bars by a third of their length.
+  # The tangent to a speed 10 % higher rotates bars by a third of their length.
   trawl_faster = function() settle(update(trawl, towing.speed = "4.4 knot"), from = coarse),
-  # A longer warp turns four bars of two nodes by more than a tenth.
+  # A longer warp rotates four bars of two nodes by more than a tenth.
   trawl_longer_warp = function() settle(update(trawl, warps.length = "606 m"), from = fine),
-  # Netting of thin twine needed 363 steps when drag was that of a screen at large angles.
+  # Netting of thin twine needed 363 steps with the screen drag model at large angles.
   thin_trawl = function() settle(thin_trawl, nodes = 1500),
   thin_trawl_faster = function() {
     settle(update(thin_trawl, towing.speed = "4.95 knot"), from = thin)
@@ -62,9 +63,9 @@ cost_of <- function(call) {
 }
 
 table <- data.frame(call = names(calls), t(vapply(calls, cost_of, numeric(5L))), row.names = NULL)
-# Netting goes slack and taut on the way to these equilibria, and rounding decides which lines do so
-# first. Without the engine's kernels for AVX2 and AVX-512, these calls take up to 30 % more
-# iterations. The counts of all other calls are then the same.
+# Netting slackens and tightens during these solves, and rounding decides which lines do so first.
+# Without the engine's kernels for AVX2 and AVX-512, these calls take up to 30 % more iterations.
+# The counts of all other calls are then the same.
 sensitive <- c("trawl_10000", "trawl_longer_warp", "thin_trawl_faster", "panel_bars")
 
 # Moves the counts of sensitive calls into columns whose names begin with "about_".
@@ -79,7 +80,7 @@ set_apart <- function(table) {
 
 limits <- list(lower(), lower(relative = 0.35))[rep(1:2, each = 3)]
 names(limits) <- c(counts[1:3], paste0("about_", counts[1:3]))
-# R allocates more or less with another version of R or of a package.
+# Allocation depends on the version of R and of packages.
 ratchet(table, "tests/ratchets/cost.csv", "call", c(limits, list(
   factor_entries = lower(), allocated_mb = lower(relative = 0.05, absolute = 0.1)
 )), set_apart)

@@ -1,5 +1,5 @@
-// The plan's schema by ajv, a standard validator of JSON Schema, over plans read as YAML 1.2, where
-// yes and no are texts.
+// Validates plans against the plan's schema with ajv, a standard validator of JSON Schema. Plans
+// are read as YAML 1.2, in which yes and no are strings.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
@@ -9,13 +9,14 @@ import YAML from "yaml";
 const root = new URL("../../", import.meta.url);
 const text = (path) => readFileSync(new URL(path, root), "utf8");
 
-// strictTypes wants the type of a quantity beside each of its bounds; it is in the definition
+// strictTypes requires the type of a quantity next to each of its bounds; here it is in the
+// definition
 const ajv = new Ajv({ strict: true, strictTypes: false, allowUnionTypes: true, strictRequired: false });
 ajv.addKeyword("x-dimension");
 const valid = ajv.compile(JSON.parse(text("inst/schema/plan.schema.json")));
 
 for (const file of readdirSync(new URL("inst/gears/", root))) {
-  test(`${file} is a plan`, () => {
+  test(`schema accepts ${file}`, () => {
     const plan = YAML.parse(text(`inst/gears/${file}`));
     assert.ok(valid(plan), JSON.stringify(valid.errors));
   });
@@ -24,7 +25,7 @@ for (const file of readdirSync(new URL("inst/gears/", root))) {
 const cases = YAML.parse(text("tests/testthat/right-and-wrong.yaml"));
 for (const verdict of ["right", "wrong"]) {
   for (const [old, replacement] of cases[verdict]) {
-    test(`${JSON.stringify(replacement)} for ${JSON.stringify(old)} is ${verdict}`, () => {
+    test(`schema judges ${JSON.stringify(replacement)} for ${JSON.stringify(old)} as ${verdict}`, () => {
       assert.ok(cases.plan.includes(old));
       const plan = YAML.parse(cases.plan.replaceAll(old, String(replacement)));
       assert.equal(valid(plan), verdict === "right");

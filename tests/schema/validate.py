@@ -1,5 +1,5 @@
-"""The plan's schema by Python's jsonschema, over plans read as YAML 1.1 and as YAML 1.2, where yes
-and no are texts. Takes the packages jsonschema (4.0 or newer) and PyYAML."""
+"""Validates plans against the plan's schema with Python's jsonschema. Plans are read as YAML 1.1 and
+as YAML 1.2, in which yes and no are strings. Requires jsonschema (4.0 or newer) and PyYAML."""
 
 import json
 import pathlib
@@ -13,7 +13,7 @@ root = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Yaml12(yaml.SafeLoader):
-    """Truth values of YAML 1.2: true and false alone."""
+    """YAML 1.2: only true and false are logical values."""
 
 
 Yaml12.yaml_implicit_resolvers = {
@@ -47,7 +47,7 @@ for file in sorted((root / "inst/gears").glob("*.yaml")):
 cases = yaml.safe_load((root / "tests/testthat/right-and-wrong.yaml").read_text("utf-8"))
 for verdict in ("right", "wrong"):
     for old, replacement in cases[verdict]:
-        # PyYAML reads 1e2 as text, as YAML 1.1 has it
+        # PyYAML reads 1e2 as a string, by the rules of YAML 1.1
         if replacement in ("1e2", 100.0):
             continue
         assert old in cases["plan"], old

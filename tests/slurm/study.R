@@ -1,5 +1,7 @@
-# Fifty gears through Slurm, in jobs of the package future.batchtools and in a job array of the
-# command line: with-slurm Rscript study.R. Fails unless both give the bytes of this process alone.
+# Settles fifty gears through Slurm, with future.batchtools jobs and with a job array of the command
+# line:
+#   with-slurm Rscript study.R
+# Fails unless both return the bytes of this process alone.
 library(codend)
 stopifnot(requireNamespace("future.batchtools"))
 
