@@ -1,7 +1,7 @@
-# make bench: everything that is measured, in one run. Argument: the most nodes (1e5).
+# Entry point of `make bench`: runs every measurement. Argument: largest node count (1e5).
 library(codend)
 rooms <- c("release", "cases", "own-process", "sizes", "rivals", "results", "page", "cost-plot")
-for (room in rooms) source(file.path("bench", paste0(room, ".R")))
+for (script in rooms) source(file.path("bench", paste0(script, ".R")))
 
 given <- commandArgs(TRUE)
 most <- if (length(given)) as.numeric(given[1]) else 1e5

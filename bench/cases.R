@@ -1,11 +1,11 @@
-# The gears that are measured, by name: list(label, gear = function() -> a read gear, netting as
-# settle() of each version takes it, flow = the field of the water's speed). Those of `refined` are
-# measured at every size, those of `public` as their plans say.
+# Measured gears by name: list(label, gear = function() that returns a gear, netting = element type
+# of the netting in each version, flow = field of the water's speed). `refined` gears are measured
+# at every size, `public` gears at the size of their plans.
 
-# A gear of the last release, with the drag law that it had by default.
+# Returns a gear of the last release with that release's default drag model.
 released <- function(name) {
   update(read_gear(file.path(release_folder, "inst", "gears", paste0(name, ".yaml"))),
-    netting_drag = "twines")
+    netting_drag = "morison")
 }
 
 bars <- c(release = "bars", now = "bars")
@@ -31,7 +31,7 @@ test_plan <- function(name) {
   read_gear(file.path("tests", "testthat", "plans", paste0(name, ".yaml")))
 }
 
-# n x n knots of square netting, 0.5 m apart, held by the upper edge.
+# Square netting of n x n knots, 0.5 m apart, fixed at the upper edge.
 square_net <- function(n) {
   half <- (n - 1) / 4
   update(test_plan("square_net"),
@@ -53,6 +53,6 @@ public <- c(
 
 known_cases <- c(refined, public)
 
-# Five neighbours of every gear: shares of the water's speed. Where netting goes slack on its way,
-# the number of steps changes by a half with the least change of a gear.
+# Factors of the water speed: five neighbours of every gear. If netting slackens during the solve,
+# the smallest change of a gear can change the number of iterations by half.
 neighbours <- 1 + c(0, 0.001, -0.001, 0.002, -0.002)

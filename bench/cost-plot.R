@@ -1,11 +1,12 @@
-# CPU seconds of a whole settle() against nodes, on logarithmic axes, with the slopes: SVG and PNG.
+# Plots CPU seconds of a whole settle() against nodes on logarithmic axes, with exponents: SVG and
+# PNG.
 
 cost_colours <- c(
   trawl_bars = "#1b6ca8", trawl_cells = "#c8553d", panel_bars = "#3f8f5b",
   panel_cells = "#8a6fb0", own_trawl_bars = "#5f5f5f", own_trawl_cells = "#c79a2e"
 )
 
-# medians, exponents: of summarise_runs() and fit_exponents().
+# medians, exponents: results of summarise_runs() and fit_exponents().
 save_cost_plot <- function(medians, exponents) {
   draw <- function() draw_costs(medians[medians$case %in% names(refined) & medians$settled > 0, ],
     exponents)

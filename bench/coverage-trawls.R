@@ -1,22 +1,22 @@
-# How often 90 % intervals of calibrate() hold the planted values where hauls come from a finer
-# lattice than the fit begins with: hauls of 4,000 nodes, fits that begin with 300. Each repeat
-# draws true values within 15 % of the plan's and two hauls at each of four speeds, with errors as
-# repeated flume tests scatter (spreads and tensions 2 %, heights 4 %), and fits two fields from the
-# plan's values: two intervals.
+# Measures how often 90 % intervals of calibrate() contain the true values if the hauls come from a
+# finer mesh (4,000 nodes) than the first fit (300 nodes).
+#
+# Each repeat draws true values within 15 % of the plan's values and two hauls at each of four
+# speeds. The errors equal the scatter of repeated flume tests: 2 % of spreads and tensions, 4 % of
+# heights. Each fit starts from the plan's values and estimates two fields, hence two intervals.
 #
 #   Rscript bench/coverage-trawls.R [repeats of each gear]
 #
-# Writes bench/results/coverage.md, which has the share that holds by gear and field. Of 200
-# intervals at 90 % the share itself is known to +- 4.2 % (twice the standard deviation of a
-# binomial share).
+# Writes bench/results/coverage.md: coverage by gear and field. With 200 intervals of 90 %, the
+# coverage itself is uncertain by +- 4.2 % (two standard deviations of a binomial fraction).
 library(codend)
 source("bench/results.R")
 
 given <- commandArgs(TRUE)
 repeats <- if (length(given)) as.integer(given[1L]) else 34L
 
-# of: the plan; speeds, knot; change: fields with what they are in the plan, number and unit; match:
-# measures with the standard deviation of their errors, as a share.
+# of: plan; speeds: knot; change: fields with their value in the plan (number, unit); match:
+# measures with the relative standard deviation of their errors.
 cases <- list(
   list(of = "small_midwater_trawl", speeds = c(2, 2.5, 3, 3.5),
     change = list(otter_boards.lift_coefficient = list(1.5, ""), hammers.mass = list(200, "kg")),
@@ -31,8 +31,8 @@ cases <- list(
 
 given_in <- function(value, unit) if (nzchar(unit)) paste(value, unit) else value
 
-# Whether each interval of one repeat holds what was planted: by field; NA where the fit fails, or
-# leaves a field without an interval.
+# Returns one logical per field: TRUE if the interval of this repeat contains the true value. NA if
+# the fit fails or returns no interval for the field.
 one_repeat <- function(case, number) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
   plan <- read_gear(case$of)

@@ -1,12 +1,12 @@
-# How often intervals of calibrate() hold the planted values: 200 repeats of a towed sphere drawn at
-# five speeds, two hauls each, whose pull and depth have normal errors of 0.03 kN and 0.1 m. That of
-# trawls whose hauls come from finer lattices than the fit's is in bench/coverage-trawls.R.
+# Measures how often intervals of calibrate() contain the true values. Each of 200 repeats simulates
+# a towed sphere at five speeds with two hauls each. Pull and depth have normal errors of 0.03 kN
+# and 0.1 m. bench/coverage-trawls.R does the same for trawls whose hauls come from finer meshes.
 #
 #   Rscript bench/coverage.R [repeats]
 #
-# Prints the share of 90 % intervals that hold each value, by the covariance and, in every fifth
-# repeat, by the profile of the likelihood. Of 200 repeats at 90 % the share itself is known to
-# +- 4.2 % (twice the standard deviation of a binomial share).
+# Prints the coverage of 90 % intervals from the covariance and, in every fifth repeat, from the
+# profile likelihood. With 200 repeats the coverage is uncertain by +- 4.2 % (two standard
+# deviations of a binomial fraction).
 library(codend)
 
 given <- commandArgs(TRUE)

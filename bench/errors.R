@@ -1,13 +1,16 @@
-# make errors: whether the errors that are reported of measures hold. Shipped gears, some drawn at
-# random (their speeds too), shipped ones at another speed, and tows are computed with several
-# numbers of nodes and with many more; the difference is taken for the true error. What the finest
-# lattice leaves is in it: 12,000 nodes show two thirds of the error of 1,500 where errors fall with
-# the length of elements. Arguments, by name: gears=20 of random ones, seed=1001 of the first of
-# them, nodes=300,500,1500, finest=12000, speeds=0.7 times that of a shipped gear, tows=1 (0 for
-# none). Writes to bench/results/: errors.csv, a row per measure; errors.md.
+# Entry point of `make errors`: checks the reported errors of measures against true errors.
+#
+# Gears: shipped gears, random gears at random speeds, shipped gears at another speed, and tows.
+# Each is computed with several node counts and with a much finer mesh. The difference counts as the
+# true error. It omits the error of the finest mesh itself. If errors are proportional to the
+# element length, 12,000 nodes reveal two thirds of the error at 1,500.
+#
+# Named arguments: gears=20 (random gears), seed=1001 (of the first), nodes=300,500,1500,
+# finest=12000, speeds=0.7 (factor on a shipped gear's speed), tows=1 (0: none). Writes to
+# bench/results/: errors.csv (a row per measure) and errors.md.
 library(codend)
-for (room in c("sizes", "results", "forge")) {
-  source(file.path("bench", paste0(room, ".R")))
+for (script in c("sizes", "results", "random-gears")) {
+  source(file.path("bench", paste0(script, ".R")))
 }
 
 asked <- list(gears = 20, seed = 1001, nodes = c(300, 500, 1500), finest = 12000, speeds = 0.7,
@@ -25,7 +28,7 @@ settled <- function(gear, nodes) {
   tryCatch(suppressWarnings(settle(gear, nodes)), error = function(e) NULL)
 }
 
-# Measures of a state or of all moments of a tow: measure, value, unit, error, kind.
+# Measures of a state or of all time steps of a tow: measure, value, unit, error, kind.
 measured <- function(found) {
   table <- as.data.frame(found, what = "measures")
   of <- if (inherits(found, "codend_state")) found else state_at(found, found$time[1L])
@@ -35,11 +38,12 @@ measured <- function(found) {
     table$measure <- paste(table$measure, "at", table$time_s, "s")
     table$time_s <- NULL
   }
-  cbind(nodes = found$lattice$nodes, table)
+  cbind(nodes = found$mesh$nodes, table)
 }
 
-# Rows of one gear, or NULL where it does not settle finely. of: function(nodes) that gives a state
-# or a tow, or NULL; finest: numbers of nodes for the truth, the first that settles.
+# Returns the rows of one gear, or NULL if the fine mesh fails to settle. `of` is a function(nodes)
+# that returns a state, a tow or NULL. `finest` lists node counts; the first that settles is the
+# reference.
 compared <- function(name, class, of, nodes = asked$nodes, finest = asked$finest / c(1, 2)) {
   fine <- NULL
   for (most in finest) if (is.null(fine)) fine <- of(most)
@@ -56,10 +60,10 @@ compared <- function(name, class, of, nodes = asked$nodes, finest = asked$finest
     cbind(gear = name, class = class, asked = one, found, fine = fine$value[at],
       fine_nodes = fine$nodes[1L])
   }))
-  # a gear that divides itself has no finer lattice
+  # a gear that defines its own mesh has no finer one
   rows <- rows[rows$fine_nodes > 1.5 * rows$nodes, ]
   rows$true <- abs(rows$value - rows$fine)
-  # what finer lattices do not change at all is exact, not estimated well
+  # a value that finer meshes do not change is exact, so it does not test the estimate
   rows$exact <- rows$true <= 1e-7 * pmax(abs(rows$value), abs(rows$fine))
   rows$within <- rows$true <= 2 * rows$error | rows$exact
   cat(name, sum(rows$within, na.rm = TRUE), "of", nrow(rows), "\n")
@@ -68,7 +72,7 @@ compared <- function(name, class, of, nodes = asked$nodes, finest = asked$finest
 
 of_gear <- function(name, class, gear) compared(name, class, function(nodes) settled(gear, nodes))
 
-# The gear at another speed of the tow or the current; NULL where it has neither.
+# The gear at another speed of the tow or the current; NULL if it has neither.
 at_speed <- function(gear, factor) {
   field <- intersect(c("towing.speed", "water.current.speed"), names(plan_leaves(gear$plan)))[1L]
   if (is.na(field)) return(NULL)
@@ -76,8 +80,8 @@ at_speed <- function(gear, factor) {
   do.call(update, c(list(gear), change))
 }
 
-# Tows of a minute or two: of a trawl that shoots its warps, one that is slowed, and gears that are
-# shot and laid. Steps are the same on all lattices: their own error is not looked at here.
+# Tows of one or two minutes: a trawl that pays out its warps, a trawl that slows down, and gears
+# that are shot. Time steps are the same on all meshes, so their own error is not measured here.
 slowed <- data.frame(time = c(0, 40), value = c("3 knot", "2.5 knot"))
 tows <- list(
   midwater_trawl = list(until = 180, every = 60),
@@ -101,7 +105,7 @@ for (factor in asked$speeds) {
   }))
 }
 for (number in asked$seed - 1 + seq_len(asked$gears)) {
-  gear <- forge_gear(number)
+  gear <- random_gear(number)
   rows <- c(rows, list(of_gear(paste("drawn", number), paste("drawn", gear$plan$kind), gear)))
 }
 if (asked$tows > 0) rows <- c(rows, lapply(names(tows), of_tow))
@@ -125,7 +129,7 @@ by <- function(rows, of) {
   table <- bind_rows(lapply(split(rows, rows[[of]]), function(some) {
     c(stats::setNames(list(as.character(some[[of]][1L])), of), summed(some))
   }))
-  # names as they are
+  # `data.frame()` would change the names
   names(table) <- c(of, names(summed(rows)))
   table
 }

@@ -1,16 +1,15 @@
-# Whether optimise_gear() finds the best of a grid where answers have kinks: ten cases on trawls of
-# three kinds, each against a grid of settled gears, both with 300 nodes and no finer lattice.
-# Writes bench/results/kinks.md.
+# Checks optimise_gear() against the best gear of a grid in ten cases with kinks. The cases are
+# trawls of three kinds, all with 300 nodes and without a finer mesh. Writes bench/results/kinks.md.
 library(codend)
-for (room in c("results", "forge")) source(file.path("bench", paste0(room, ".R")))
+for (script in c("results", "random-gears")) source(file.path("bench", paste0(script, ".R")))
 
 nodes <- 300
 across <- 13  # gears of the grid along each of two fields
 
-# of: the gear; aim: the measure to make large, or small where sign is 1; limit: a condition on a
-# measure, as a share of what the gear has; change: ranges of two fields.
-case <- function(of, aim, limit, share, change, sign = -1) {
-  list(of = of, aim = aim, limit = limit, share = share, change = change, sign = sign)
+# of: gear; aim: objective (maximised, or minimised if sign is 1); limit: measure with a bound,
+# given as a fraction (share) of its present value; change: ranges of two fields.
+case <- function(of, objective, limit, share, change, sign = -1) {
+  list(of = of, objective = objective, limit = limit, share = share, change = change, sign = sign)
 }
 bottom <- "poly_noreastern_trawl"
 middle <- "small_midwater_trawl"
@@ -39,7 +38,7 @@ cases <- list(
     hand_ropes.upper.length = c("69 m", "71 m"), otter_boards.area = c("3 m2", "5 m2")), 1)
 )
 
-# A range in percent of the gear's own value is one of its values.
+# Converts a range in percent to values: percent of the plan's own value.
 own_range <- function(plan, field, range) {
   if (is.numeric(range) || !all(grepl("%$", range))) return(range)
   own <- Reduce(function(x, name) x[[name]], strsplit(field, ".", fixed = TRUE)[[1L]], plan)
@@ -63,22 +62,22 @@ run <- function(k) {
   table <- suppressWarnings(vary(gear, design, nodes = nodes))
   limit <- abs(one$share) * start[[one$limit]]
   kept <- if (one$share > 0) table[[one$limit]] <= limit else table[[one$limit]] >= limit
-  best <- max(-one$sign * table[[one$aim]][which(kept)])
-  aim <- stats::as.formula(paste("~", if (one$sign < 0) "-", one$aim))
+  best <- max(-one$sign * table[[one$objective]][which(kept)])
+  objective <- stats::as.formula(paste("~", if (one$sign < 0) "-", one$objective))
   keep <- stats::as.formula(
     sprintf("~ %s %s %.10g", one$limit, if (one$share > 0) "<=" else ">=", limit))
   found <- suppressWarnings(
-    optimise_gear(gear, aim, keep, change, nodes = nodes, accuracy = NULL))
-  value <- -found$aim$value
+    optimise_gear(gear, objective, keep, change, nodes = nodes, accuracy = NULL))
+  value <- -found$objective$value
   row <- list(
-    gear = one$of, aim = paste(if (one$sign < 0) "large" else "small", one$aim),
+    gear = one$of, objective = paste(if (one$sign < 0) "large" else "small", one$objective),
     limit = sprintf("%s %s %.4g", one$limit, if (one$share > 0) "at most" else "at least", limit),
-    `as it was` = start[[one$aim]], `best of the grid` = -one$sign * best,
+    `as it was` = start[[one$objective]], `best of the grid` = -one$sign * best,
     `optimise_gear()` = -one$sign * value,
     `better than the grid, %` = 100 * (value - best) / abs(best),
-    kinks = nrow(found$kinks), settles = found$settles
+    kinks = nrow(found$kinks), n_solves = found$n_solves
   )
-  cat(k, one$of, names(change), signif(row[["better than the grid, %"]], 3), found$settles, "\n")
+  cat(k, one$of, names(change), signif(row[["better than the grid, %"]], 3), found$n_solves, "\n")
   row
 }
 

@@ -1,8 +1,8 @@
-# make bench-loops: what a change of a settled gear takes. Arguments: the most nodes (1e4), then
-# libraries of earlier versions of codend to compare with, as name=path. Writes loops.csv and
-# loops.md to bench/results/.
+# Entry point of `make bench-loops`: measures the cost of a change to a settled gear. Arguments:
+# largest node count (1e4), then libraries of earlier codend versions as name=path. Writes loops.csv
+# and loops.md to bench/results/.
 library(codend)
-for (room in c("own-process", "results")) source(file.path("bench", paste0(room, ".R")))
+for (script in c("own-process", "results")) source(file.path("bench", paste0(script, ".R")))
 
 given <- commandArgs(TRUE)
 sizes <- c(1500, 1e4)
@@ -21,7 +21,7 @@ for (nodes in sizes) {
 save_table(rows, "loops")
 
 now <- rows[rows$version == "now", ]
-# versions may divide a gear otherwise
+# versions may mesh a gear differently
 key <- function(rows) paste(rows$gear, rows$asked, rows$field, rows$percent)
 columns <- lapply(names(libraries), function(version) {
   of <- rows[rows$version == version, ]

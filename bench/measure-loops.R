@@ -1,5 +1,5 @@
-# One process: what a change of a settled gear takes, from update() to measures(), beside settling
-# anew. Arguments: library that codend is taken from ("" for R's own), nodes, file.
+# One process: times a change of a settled gear, from update() to measures(), and a solve from
+# scratch. Arguments: library of codend ("" for R's own), nodes, file.
 given <- commandArgs(TRUE)
 library(codend, lib.loc = if (nzchar(given[1])) given[1])
 source("bench/own-process.R")
@@ -7,14 +7,14 @@ source("bench/scaled.R")
 nodes <- as.numeric(given[2])
 repeats <- 5
 
-# Change by 1 and by 10 % of fields of shipped gears, as this folder's plans have them, and none.
+# Fields of shipped gears to change by 1 and by 10 %, as in this folder's plans; also no change.
 fields <- list(
   midwater_trawl = c("towing.speed", "warps.length", "otter_boards.mass"),
   cage = "water.current.speed"
 )
 if (nodes > 2000) fields <- fields[1]
 
-# Median of several; of short ones, for which the clock is too coarse, each several times.
+# Median time of several runs. Short runs are repeated because the clock is coarse.
 seconds <- function(work) {
   times <- if (cpu(work()) < 0.1) 5 else 1
   stats::median(replicate(repeats, cpu(for (k in seq_len(times)) work()) / times))

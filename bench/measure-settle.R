@@ -1,8 +1,7 @@
-# One process: settles one neighbour of a case and leaves what that took.
-# Arguments: version, case, nodes (0: as the plan says), neighbour, most CPU seconds of one
-# settle(), file.
-for (room in c("release", "cases", "scaled", "own-process")) {
-  source(file.path("bench", paste0(room, ".R")))
+# One process: settles one neighbour of a case and writes its costs. Arguments: version, case, nodes
+# (0: as in the plan), neighbour, CPU limit of one settle() (s), file.
+for (script in c("release", "cases", "scaled", "own-process")) {
+  source(file.path("bench", paste0(script, ".R")))
 }
 given <- commandArgs(TRUE)
 version <- given[1]
@@ -16,12 +15,12 @@ read <- cpu(gear <- case$gear())
 gear <- scaled(gear, case$flow, neighbours[neighbour])
 before <- memory("VmRSS")
 
-# Reports of the levels that settle() goes through, which a state keeps of the finest alone.
+# Reports of all mesh levels of settle(); the state stores only the finest one.
 levels <- NULL
 inner <- c(release = "settle_level", now = "engine_settle_gear")[[version]]
 settle_inside <- getNamespace("codend")[[inner]]
 utils::assignInNamespace(inner, function(...) {
-  list(...)  # a coarser level of the release hides in an argument
+  list(...)  # a coarser level of the release is inside an argument
   found <- settle_inside(...)
   levels <<- c(levels, if (version == "now") c(found$levels, list(found)) else list(found$report))
   found
@@ -37,36 +36,36 @@ first <- cpu(state <- tryCatch(settle_once(), error = identity))
 peak <- memory("VmHWM")
 
 # CPU seconds by part of one settle(): sums over its levels, from the coarsest to the finest. `rest`
-# is what no level's report names.
+# is the time outside the parts that the reports list.
 costs_of <- function(levels, whole) {
-  parts <- c("lattice", "analysis", "forces", "jacobian", "linear")
+  parts <- c("mesh", "analysis", "forces", "jacobian", "linear")
   known <- vapply(parts, function(part) {
     sum(unlist(lapply(levels, `[[`, paste0("seconds_", part))))
   }, 0)
   c(settle = whole, known, rest = whole - sum(known), coarse = coarse_of(levels))
 }
 
-# Of all levels but the finest.
+# CPU seconds of all levels except the finest.
 coarse_of <- function(levels) {
   seconds <- function(level) sum(unlist(level[startsWith(names(level), "seconds_")]))
   sum(vapply(levels[-length(levels)], seconds, 0))
 }
 
-# Nodes where three bars or more meet; NA of netting in cells.
+# Number of nodes that connect three or more bars; NA for netting in cells.
 knots_of <- function(state) {
   if (case$netting[[version]] != "bars") return(NA)
-  sum(tabulate(state$lattice$mesh$bars$node)[seq_len(ncol(state$position))] >= 3, na.rm = TRUE)
+  sum(tabulate(state$mesh$model$bars$node)[seq_len(ncol(state$position))] >= 3, na.rm = TRUE)
 }
 
 steps_of <- function(levels) sum(vapply(levels, `[[`, 0L, "factorisations"))
 
 if (inherits(state, "codend_state")) {
-  # The first call of a process compiles R code on its way: the next ones tell what a call takes.
+  # The first call of a process also compiles R code, so short runs are timed again.
   costs <- costs_of(levels, first)
   if (first < 2) {
     costs <- NULL
     begun <- proc.time()
-    times <- ceiling(0.05 / cpu(settle_once()))  # for which the clock is too coarse
+    times <- ceiling(0.05 / cpu(settle_once()))  # because the clock is too coarse
     repeat {
       whole <- cpu(for (k in seq_len(times)) settle_once()) / times
       costs <- cbind(costs, costs_of(levels, whole))
@@ -89,9 +88,9 @@ if (inherits(state, "codend_state")) {
     )
   )
   if (given[2] == "warp_200" && neighbour == 1L) {
-    points <- state$lattice$points
+    points <- state$mesh$points
     run <- state$position[, points[["lower_end"]]] - state$position[, points[["upper_end"]]]
-    # the continuum's, as the plan's notes say
+    # continuum solution, from the notes of the plan
     results$error <- sqrt(sum((run[c(1, 3)] - c(799.121, -581.965))^2))
   }
 } else {

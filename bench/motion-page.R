@@ -1,7 +1,7 @@
-# The page for people, bench/results/motion.md. whole_run: CPU s.
+# Writes the page for readers, bench/results/motion.md. whole_run: CPU s.
 
-# This tree over the last release, from runs of both, a row per case and size: medians, and of the
-# ratio of CPU seconds per node also the least and the most of the rounds.
+# Compares this tree with the last release: a row per case and size. Each value is a median; the
+# ratio of CPU seconds per node also has its minimum and maximum over the rounds.
 compare_marches <- function(runs) {
   groups <- unique(runs[c("case", "asked")])
   bind_rows(lapply(seq_len(nrow(groups)), function(k) {
@@ -10,7 +10,7 @@ compare_marches <- function(runs) {
     was <- of[of$version == "release", ]
     ratio <- (now$cpu_per_second / now$nodes) / (was$cpu_per_second / was$nodes)
     list(
-      case = compared_marches[[groups$case[k]]]$label, asked = groups$asked[k],
+      case = compared_motions[[groups$case[k]]]$label, asked = groups$asked[k],
       ratio = stats::median(ratio), least = min(ratio), most = max(ratio),
       nodes_release = was$nodes[1], nodes = now$nodes[1],
       cpu_release = 1000 * stats::median(was$cpu_per_second),

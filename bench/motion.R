@@ -1,34 +1,34 @@
-# make bench-tow: what a second of motion costs by scheme, beside how far from the truth it is.
+# Entry point of `make bench-tow`: measures cost and error of time integration by scheme.
 #
-# Every run starts from one prepared trajectory and times its march alone: no plan is read, no
-# lattice built, no picture drawn. Errors are distances of nodes from their places in a reference of
-# the same lattice, the largest and the root mean square over all nodes and kept times. Some
-# also run in the last release, in turns. Argument: the most nodes (1e4).
+# Every run starts from a prepared trajectory and times only the integration: no plan is read, no
+# mesh built and no plot drawn. Errors are distances of nodes from a reference solution on the same
+# mesh: maximum and root mean square over all nodes and saved times. Some cases also run in the last
+# release, alternately. Argument: largest node count (1e4).
 library(codend)
 rooms <- c("release", "cases", "own-process", "sizes", "results", "motion-start", "motion-page")
-for (room in rooms) source(file.path("bench", paste0(room, ".R")))
+for (script in rooms) source(file.path("bench", paste0(script, ".R")))
 
 given <- commandArgs(TRUE)
 most <- if (length(given)) as.numeric(given[1]) else 1e4
 
-# Runs shorter than this (CPU s) are repeated, and their median counts; longer than that they end.
+# CPU s: shorter runs are repeated and their median counts; longer runs are stopped.
 short_run <- 0.3
 longest_run <- 40
 
-# How a scheme marches: with an accuracy (m), or with steps of one length (s; NULL: nine tenths of
-# the longest that is surely stable). The paper's scheme ends its substitutions at 1e-5 m/s.
+# Method of a scheme: an accuracy (m), or a constant time step (s; NULL: 0.9 of the longest step
+# that is surely stable). The paper's scheme ends its substitutions at 1e-5 m/s.
 how <- function(scheme, accuracy = NULL, step = NULL) {
   method <- codend:::tow_method(scheme, if (is.null(accuracy)) 0.01 else accuracy, step)
   if (scheme == "substitution") method$tolerance <- 1e-5
   method
 }
 
-# One row: list(CPU s per simulated s, errors, energy made or lost over that put through, counts,
-# found = the trajectory). reference: a trajectory, or NULL for the row of the reference itself.
+# Returns one row: list(CPU s per simulated s, errors, relative energy error, counts, found =
+# trajectory). reference: a trajectory, or NULL for the row of the reference itself.
 measure_march <- function(begun, until, every, way, reference = NULL) {
-  march <- function() codend:::march_trajectory(begun, until, every, way$method)
+  march <- function() codend:::integrate_trajectory(begun, until, every, way$method)
   seconds <- cpu(found <- tryCatch(within_time(march()), error = identity))
-  row <- list(nodes = begun$lattice$nodes, scheme = way$method$scheme, setting = way$label)
+  row <- list(nodes = begun$mesh$nodes, scheme = way$method$scheme, setting = way$label)
   if (inherits(found, "error")) return(c(row, remark = conditionMessage(found)))
   if (seconds < short_run) {
     seconds <- stats::median(c(seconds, vapply(1:2, function(k) cpu(march()), 0)))
@@ -47,15 +47,15 @@ measure_march <- function(begun, until, every, way, reference = NULL) {
   c(row, list(largest_error = max(off), mean_error = sqrt(mean(off^2))))
 }
 
-# A value, or an error where it takes more than the CPU seconds of a longest run.
+# Returns a value; throws an error if it takes more than `longest_run` CPU seconds.
 within_time <- function(value) {
   on.exit(setTimeLimit())
   setTimeLimit(cpu = longest_run, transient = TRUE)
   value
 }
 
-# Rows of one case, a list, for many ways to march, then that of the reference. ways: list of
-# list(label, method). reference: such a list, or NULL for rows without errors.
+# Returns a list of rows of one case: one per method, then the reference. ways: list of list(label,
+# method). reference: such a list, or NULL for rows without errors.
 measure_case <- function(case, begun, until, every, ways, reference) {
   if (is.null(reference)) {
     rows <- lapply(ways, function(way) measure_march(begun, until, every, way))
@@ -88,8 +88,8 @@ dir.create(results_folder, showWarnings = FALSE)
 implicit <- c("bdf2", "generalised_alpha", "backward_euler")
 rows <- list()
 for (nodes in c(1500, 1e4)[c(1500, 1e4) <= most]) {
-  # 4 s in which the vessel gains a fifth of its speed: fast enough for every scheme to be held to
-  # it. Explicit schemes march its first part, for their cost.
+  # The vessel gains 20 % of its speed in 4 s: fast enough to test every scheme. Explicit schemes
+  # integrate only the first part because they are slow.
   fine <- nodes > 5000
   begun <- sped_up_trawl(nodes)
   rows <- c(rows, measure_case(
@@ -103,7 +103,7 @@ for (nodes in c(1500, 1e4)[c(1500, 1e4) <= most]) {
     lapply(c("symplectic_euler", "substitution"), longest_sure),
     if (fine) by_accuracy("generalised_alpha", 1e-5)[[1L]] else longest_sure("rk4")
   ))
-  # two minutes of the shipped turn: what a tow costs; of the finer one for that alone
+  # two minutes of the shipped turn: cost of a tow; the finer one measures only cost
   rows <- c(rows, measure_case(
     "trawl in a turn", turning_trawl(nodes), 120, 20,
     by_accuracy(if (fine) "bdf2" else implicit[1:2], c(0.1, 0.01)[if (fine) 2L else 1:2]),
@@ -114,13 +114,13 @@ rows <- c(rows, measure_case(
   "A: warp, 200 segments", warp_from_rest(), 2170, 10,
   by_accuracy(implicit[1:2], c(0.1, 0.01, 1e-3)), by_accuracy("bdf2", 1e-4)[[1L]]
 ))
-# while it rings, let go unstretched: what steps of one length resolve
+# released unstretched and still ringing: errors of constant time steps
 rows <- c(rows, measure_case(
   "A: warp, 200 segments, its first 20 s", warp_from_rest(), 20, 1,
   by_accuracy(implicit[1:2], c(0.1, 0.01, 1e-3)),
   list(label = "steps of 1 ms", method = how("bdf2", step = 1e-3))
 ))
-# as long as other programs were run to rest
+# as long as other programs needed to reach steady state
 for (n in c(20, 40, 80)[c(20, 40, 80)^2 <= most]) {
   rows <- c(rows, measure_case(
     sprintf("B: square net, n = %d", n), net_from_rest(n), c("20" = 69, "40" = 169, "80" = 365)[[
@@ -139,15 +139,15 @@ for (nodes in c(1300, 1e4)[c(1300, 1e4) <= most]) {
 motion <- bind_rows(rows)
 save_table(motion, "motion")
 
-# This tree next to the last release, every case three times in turns.
+# This tree next to the last release: every case three times, alternately.
 build_release()
-marched <- bind_rows(unlist(lapply(names(compared_marches), function(name) {
-  case <- compared_marches[[name]]
+marched <- bind_rows(unlist(lapply(names(compared_motions), function(name) {
+  case <- compared_motions[[name]]
   runs <- expand.grid(version = names(versions), round = 1:3,
     asked = case$sizes[case$sizes <= most], stringsAsFactors = FALSE)
   lapply(seq_len(nrow(runs)), function(k) {
     asked <- format(runs$asked[k], scientific = FALSE)
-    found <- in_own_process("measure-march.R", runs$version[k], name, asked)
+    found <- in_own_process("measure-integration.R", runs$version[k], name, asked)
     c(list(case = name, version = runs$version[k], asked = runs$asked[k]),
       found[lengths(found) > 0L])
   })

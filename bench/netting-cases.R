@@ -1,4 +1,4 @@
-# Netting whose right answer is known: mesh by mesh, or in closed form. Twine of real stiffness.
+# Netting with a known solution: mesh by mesh, or analytical. Twine has realistic stiffness.
 
 as_gear <- codend:::as_gear
 
@@ -83,7 +83,7 @@ sheet_case <- function(stiffness, netting, columns = NULL) {
   ))
 }
 
-# A closed tube of 48 by 72 diamonds of 0.1 m as `strips` panels, each a column, full of catch.
+# A closed tube of 48 by 72 diamonds of 0.1 m, full of catch, as `strips` panels of one column each.
 tube_case <- function(stiffness, strips) {
   around <- 48
   radius <- tube_radius(around)
@@ -113,11 +113,11 @@ tube_case <- function(stiffness, strips) {
   ))
 }
 
-# Netting under a pressure p on its wall and on the end that closes it has tan(phi)^2 = 2 and
-# r = N m sin(phi) / (2 pi), m the mesh size.
+# Netting under a pressure p on its wall and on its closed end has tan(phi)^2 = 2 and r = N m
+# sin(phi) / (2 pi), with mesh size m.
 tube_radius <- function(around, size = 0.1) around * size * sqrt(2 / 3) / (2 * pi)
 
-# Its bar tensions are p r a / sqrt(2), a and r of the stretched bar.
+# Bar tensions are p r a / sqrt(2), with a and r of the stretched bar.
 tube_tension <- function(stiffness, around = 48, size = 0.1, speed = 1.5) {
   still <- 0.5 * 1.4 * 1025 * speed^2 * tube_radius(around, size) * size / 2 / sqrt(2)
   tension <- still

@@ -1,8 +1,8 @@
-# make netting: how far netting's answer depends on the lattice, to bench/results/netting.md.
-# Arguments: which of the sections below to run anew; none runs all, `page` none. What is not run
-# anew is taken from bench/results/netting.csv, which has a row per measure of a run.
+# Entry point of `make netting`: measures how the netting's results depend on the mesh; writes
+# bench/results/netting.md. Arguments: the sections below to run. Default: all; `page`: none. Other
+# sections keep their rows of bench/results/netting.csv (one row per measure of a run).
 library(codend)
-for (room in c("results", "netting-cases")) source(file.path("bench", paste0(room, ".R")))
+for (script in c("results", "netting-cases")) source(file.path("bench", paste0(script, ".R")))
 
 given <- commandArgs(TRUE)
 sections <- c("known", "spread", "nettings", "cost")
@@ -13,7 +13,7 @@ given <- if (length(given)) intersect(given, sections) else sections
 
 main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "total_drag")
 
-# A row per measure of one settled lattice, NULL where it does not settle.
+# Returns a row per measure of one settled mesh, or NULL if it fails to settle.
 run <- function(section, name, gear, netting = NULL, nodes, ..., of = NULL, more = NULL) {
   state <- tryCatch(suppressWarnings(settle(gear, nodes = nodes, netting = netting)),
     codend_error = function(e) {
@@ -26,16 +26,16 @@ run <- function(section, name, gear, netting = NULL, nodes, ..., of = NULL, more
   keep <- if (is.null(of)) kind %in% main_kinds else names(found) %in% of
   value <- c(unclass(found)[keep], if (!is.null(more)) more(state))
   cat(sprintf("%s %s %s %d nodes, %.2f CPU s\n", section, name, paste(netting, ""),
-    state$lattice$nodes, state$report$cpu_seconds))
+    state$mesh$nodes, state$report$cpu_seconds))
   data.frame(
     section = section, case = name, netting = paste0(netting, ""), asked = nodes,
-    nodes = state$lattice$nodes, measure = names(value),
+    nodes = state$mesh$nodes, measure = names(value),
     kind = c(unname(kind[keep]), rep("", length(value) - sum(keep))), value = as.double(value),
     steps = state$report$iterations, cpu_seconds = state$report$cpu_seconds, ..., row.names = NULL
   )
 }
 
-# ---- what is known mesh by mesh ------------------------------------------------------------------
+# ---- solutions known mesh by mesh ----------------------------------------------------------------
 
 stiffnesses <- c(1000, 3000, 1e4, 2e5)
 known_nodes <- c(300, 1000, 5000)
@@ -86,9 +86,9 @@ run_known <- function() {
   do.call(rbind, rows)
 }
 
-# Off from what is known, in %, and the order: the slope of the logarithm of the error by that of
-# the length of elements, from the coarsest lattice to the finest, where the finest is off by more
-# than what is known is sure of, 0.2 %.
+# Deviation from the known solution, in %, and the order of convergence. The order is the exponent
+# of the error in the element length, from the coarsest to the finest mesh. It is computed only if
+# the finest deviation exceeds the uncertainty of the known solution, 0.2 %.
 known_table <- function(rows) {
   asked <- c(known_nodes, c(216, 864, 3456))
   of_case <- function(some) {
@@ -100,7 +100,7 @@ known_table <- function(rows) {
       stats::setNames(fine$value, fine$measure)
     }
     some <- some[some$netting != "mesh by mesh" & some$measure %in% names(right), ]
-    # shares are told as they are
+    # percentages are compared by their difference
     share <- grepl("percent", some$measure)
     some$off <- ifelse(share, some$value - right[some$measure],
       100 * (some$value / right[some$measure] - 1))
@@ -134,16 +134,16 @@ run_spread <- function() {
   }), recursive = FALSE))
 }
 
-# Largest less smallest over the mean, in %, the worst measure of each kind.
+# (Maximum - minimum) / mean, in %, of the worst measure of each kind.
 spread_table <- function(rows) {
   each <- bind_rows(lapply(split(rows, list(rows$case, rows$measure), drop = TRUE), function(one) {
     list(
       gear = one$case[1], measure = one$measure[1], height = one$kind[1] == "height",
-      spread = 100 * diff(range(one$value)) / abs(mean(one$value)), lattices = nrow(one),
+      spread = 100 * diff(range(one$value)) / abs(mean(one$value)), meshes = nrow(one),
       made = length(unique(one$nodes))
     )
   }))
-  # of what is 0 there is no share
+  # a mean of 0 gives no ratio
   each <- each[is.finite(each$spread), ]
   worst <- function(some) {
     if (!nrow(some)) return(list(value = NA_real_, measure = NA_character_))
@@ -158,7 +158,7 @@ spread_table <- function(rows) {
       other = other$value, other_of = other$measure
     )
   }))
-  stats::setNames(table, c("gear", "lattices that differ", "heights, %", "worst height",
+  stats::setNames(table, c("gear", "meshes that differ", "heights, %", "worst height",
     "others, %", "worst other"))
 }
 
@@ -167,14 +167,14 @@ spread_table <- function(rows) {
 both <- c("midwater_trawl", "midwater_trawl, straight bars", "poly_noreastern_trawl", "pair_trawl",
   "cage", "t90_codend")
 
-# A gear whose plan leaves open how its panels are divided.
+# The gear without the mesh sizes that its panels specify.
 undivided_gear <- function(gear) {
   plan <- unclass(gear$plan)
   for (panel in names(plan$panels)) plan$panels[[panel]][c("columns", "rows")] <- NULL
   as_gear(plan)
 }
 
-# The midwater trawl with every mesh bar one straight line, as cells have them.
+# The midwater trawl with one straight line per mesh bar, as cells have them.
 straight_barred_gear <- function(gear) {
   plan <- unclass(gear$plan)
   plan$wings$bar_segments <- 1
@@ -204,7 +204,7 @@ nettings_table <- function(rows) {
     c("gear", "measure", "bars", "cells", "bars less cells, %"))
 }
 
-# ---- what it costs -------------------------------------------------------------------------------
+# ---- cost ----------------------------------------------------------------------------------------
 
 # Before cells (commit 91c6abf), at about 1,500 nodes: steps and CPU seconds, the median of three.
 cost_before <- data.frame(
@@ -226,7 +226,7 @@ run_cost <- function() {
       seconds <- stats::median(vapply(states, function(s) s$report$cpu_seconds, 0))
       state <- states[[1]]
       data.frame(
-        section = "cost", case = name, netting = "", asked = nodes, nodes = state$lattice$nodes,
+        section = "cost", case = name, netting = "", asked = nodes, nodes = state$mesh$nodes,
         measure = "main_error_percent", kind = "",
         value = 100 * codend:::main_error(measures(state)), steps = state$report$iterations,
         cpu_seconds = seconds
@@ -268,16 +268,16 @@ page <- function(section, make) {
     "[netting-by-hand.md](netting-by-hand.md).")
 }
 save_page(c(
-  "# Netting and its lattice", "", paste("Written by `make netting`.", measured_with()), "",
+  "# Netting and its mesh", "", paste("Written by `make netting`.", measured_with()), "",
   "## Against netting mesh by mesh, and a tube in closed form", "",
   "Off in %, of slack netting and of the tube's scatter in points of %. Asked: 2 % at 1,000 and",
   "1 % at 5,000 nodes, order 1.5, scatter under 2 %. The order is told where the finest is off by",
   "over 0.2 %. The tube's columns are of 217, 865 and 3,457 nodes.",
   "", page("known", known_table), "",
-  "## Lattices of 1,000 to 3,000 nodes", "",
-  "Largest less smallest of nine lattices, in % of the mean: the worst height and the worst other",
+  "## Meshes of 1,000 to 3,000 nodes", "",
+  "Largest less smallest of nine meshes, in % of the mean: the worst height and the worst other",
   "main measure. Asked: 2 % for heights, 1 % for others. The purse seine at rest hangs in folds,",
-  "which no lattice settles: its drag is what the folds of one lattice make it.", "",
+  "which no mesh settles: its drag is what the folds of one mesh make it.", "",
   page("spread", spread_table), "",
   "## Bars against cells at 10,000 nodes", "",
   "Asked: 1 %. Bars of the midwater trawl are those of its real meshes, of up to 16 m, which bow",

@@ -1,7 +1,8 @@
-# What runs in an R process of its own, so that its memory is its own and a crash is one row.
+# Runs a script in a separate R process, so that memory is counted per run and a crash costs one
+# row.
 
-# Memory (MB) of this process: `VmHWM`, its peak so far, or `VmRSS`, that of now. NA where the
-# system does not tell.
+# Memory (MB) of this process: `VmHWM` (peak so far) or `VmRSS` (now). NA if the system does not
+# report it.
 memory <- function(kind) {
   file <- "/proc/self/status"
   if (!file.exists(file)) return(NA_real_)
@@ -9,15 +10,15 @@ memory <- function(kind) {
   if (length(line) == 1L) as.numeric(gsub("[^0-9]", "", line)) / 1024 else NA_real_
 }
 
-# CPU seconds of all threads of this process that an expression takes.
+# CPU seconds that an expression takes in all threads of this process.
 cpu <- function(expression) {
   start <- proc.time()
   force(expression)
   sum((proc.time() - start)[c("user.self", "sys.self")])
 }
 
-# Runs bench/<script> with arguments; it leaves its results in the file named by its last one.
-# Returns that list, or list(outcome = why there is none).
+# Runs bench/<script> with arguments; the script writes its results to the file named last. Returns
+# that list, or list(outcome = reason of failure).
 in_own_process <- function(script, ...) {
   file <- tempfile(fileext = ".json")
   on.exit(unlink(file))
@@ -28,7 +29,7 @@ in_own_process <- function(script, ...) {
   jsonlite::read_json(file, simplifyVector = TRUE)
 }
 
-# Leaves results (a list of single values) where in_own_process() looks for them.
+# Writes results (a list of single values) for in_own_process().
 leave_results <- function(results, file) {
   jsonlite::write_json(results, file, auto_unbox = TRUE, digits = NA, na = "null")
 }

@@ -1,4 +1,4 @@
-# The page for people, bench/results/results.md, from the tables.
+# Writes the page for readers, bench/results/results.md, from the tables.
 
 label_of <- function(case) {
   vapply(case, function(name) known_cases[[name]]$label, "", USE.NAMES = FALSE)
@@ -62,7 +62,7 @@ size_table <- function(medians) {
 part_table <- function(medians) {
   data.frame(
     gear = label_of(medians$case), nodes = medians$nodes,
-    medians[c("lattice", "analysis", "forces", "jacobian", "linear", "rest", "coarse")],
+    medians[c("mesh", "analysis", "forces", "jacobian", "linear", "rest", "coarse")],
     `reading the plan` = medians$read, summary = medians$summary, picture = medians$picture,
     `first call` = medians$first, check.names = FALSE
   )[medians$settled > 0, ]

@@ -1,12 +1,12 @@
-# The last release of codend, built from its commit, to run next to this tree.
+# Builds the last release of codend from its commit, to run next to this tree.
 last_release <- c(version = "0.1.0", commit = "f0c6b56")
-# Its sources, of which no file is in the repository, with its library in `library`.
+# Its sources, which are not tracked by git, with its library in `library`.
 release_folder <- file.path("bench", "release", last_release[["version"]])
 
-# Versions that runs are made with: R libraries, "" for R's own.
+# R libraries of the versions to run; "" for R's own.
 versions <- c(release = file.path(release_folder, "library"), now = "")
 
-# Builds the last release where it is not built yet.
+# Builds the last release unless it exists.
 build_release <- function() {
   library <- versions[["release"]]
   if (dir.exists(file.path(library, "codend"))) return(invisible())
@@ -30,7 +30,7 @@ build_release <- function() {
     paste0("--library=", library), release_folder)
 }
 
-# What only its pictures need is no longer installed with codend.
+# Removes packages that only the release's plots need; codend no longer installs them.
 drop_absent_packages <- function(file) {
   description <- read.dcf(file, keep.white = "Imports")
   wanted <- trimws(strsplit(description[, "Imports"], ",")[[1]])

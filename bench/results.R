@@ -1,5 +1,4 @@
-# Results as files: tables for programs (CSV) and one page for people (markdown), whole or not at
-# all.
+# Writes results atomically: tables for programs (CSV) and one page for readers (markdown).
 
 results_folder <- file.path("bench", "results")
 
@@ -15,7 +14,7 @@ save_page <- function(lines, name) {
   })
 }
 
-# A data frame as lines of a markdown table, its names as the heads.
+# Returns a data frame as lines of a markdown table with its names as column heads.
 markdown_table <- function(table) {
   row <- function(cells) paste0("| ", paste(cells, collapse = " | "), " |")
   is_number <- vapply(table, is.numeric, NA)
@@ -27,7 +26,7 @@ markdown_table <- function(table) {
   c(row(names(table)), row(ifelse(is_number, "---:", "---")), body)
 }
 
-# Three digits, without an exponent where people read it easily without.
+# Three digits, without an exponent for readable sizes.
 plain_number <- function(x) {
   if (is.na(x)) return("")
   if (x != 0 && abs(x) < 1e-4) return(format(x, digits = 2))
@@ -37,7 +36,7 @@ plain_number <- function(x) {
 
 plain_numbers <- function(x) vapply(x, plain_number, "")
 
-# The terms under which figures were taken, in one line.
+# Returns the versions and machine of a measurement in one line.
 measured_with <- function() {
   sprintf(
     "codend %s, %s, %d cores seen, %s.", utils::packageVersion("codend"), R.version.string,
@@ -45,7 +44,7 @@ measured_with <- function() {
   )
 }
 
-# One data frame of lists of single values that need not have the same names.
+# Returns one data frame from lists of single values that may have different names.
 bind_rows <- function(rows) {
   columns <- unique(unlist(lapply(rows, names)))
   as.data.frame(

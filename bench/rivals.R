@@ -1,23 +1,27 @@
-# settle() beside other ways to the same steady state, at equal error on one small net.
+# Compares settle() with other methods for the same steady state, at equal error on one small net.
 #
-# Square netting of 16 x 16 knots, 240 of them free (plan square_net), from settle()'s own crude
-# start at rest. The answer is settle()'s at a tolerance of 1e-12, and the error of a state the
-# longest distance of a knot from its place in it. Marches end at the same simulated time: the first
-# whole second at which symplectic Euler's error is at most `asked_error`. All follow the engine's
-# forces and masses; what is written in R reaches them through engine_evaluate(), whose cost is
-# mostly R's, so every row also has what its evaluations alone would cost inside the engine.
+# The net is square netting of 16 x 16 knots, 240 free (plan square_net). All methods start at rest
+# from settle()'s crude layout. The reference is settle() with a tolerance of 1e-12. The error of a
+# state is the largest distance of a knot from the reference. Time integrations end at the same
+# simulated time: the first whole second with an error of symplectic Euler of at most `asked_error`.
+#
+# All use the engine's forces and masses. Methods in R call engine_evaluate(), which costs mostly R
+# time. So every row also lists the cost of its evaluations inside the engine.
 
 asked_error <- 0.01  # m
-rival_limit <- 120   # CPU seconds; beyond, a march's cost is extrapolated from how far it got
+rival_limit <- 120   # CPU seconds; beyond this limit the cost is extrapolated from the time reached
 
-# The net as a system of equations: list(mesh, start = 3n, answer = 3n, free = places of the free
-# coordinates in them, error = function(3n), evaluations = function() -> calls of rate and force so
-# far, reset = function(), force = function(free coordinates) -> net forces there,
-# rate = function(t, (free coordinates, their velocities)) -> their rates).
+# Returns the net as a system of equations, a list.
+#
+#   mesh, start (3n), answer (3n), free: indices of the free coordinates
+#   error: function(3n)
+#   evaluations: function() -> calls of rate and force since reset()
+#   force: function(free coordinates) -> net forces there
+#   rate: function(t, (free coordinates, their velocities)) -> their time derivatives
 rival_problem <- function() {
-  lattice <- codend:::build_lattice(codend:::gear_si(square_net(16)))
-  mesh <- lattice$mesh
-  start <- as.double(lattice$start)
+  mesh <- codend:::build_mesh(codend:::gear_si(square_net(16)))
+  mesh <- mesh$model
+  start <- as.double(mesh$start)
   free <- which(rep(!mesh$held, each = 3L))
   known <- codend:::engine_settle(
     mesh, start, "crude", numeric(), integer(), 1e-12, 3200L, function(iteration, residual) NULL
@@ -44,7 +48,7 @@ rival_problem <- function() {
     reset = function() evaluations <<- reached <<- 0,
     force = function(x) evaluate(x, 0 * x)$force[free],
     rate = function(t, y, parameters = NULL) {
-      reached <<- t + 0  # a copy: deSolve goes on writing into its t
+      reached <<- t + 0  # a copy: deSolve overwrites its t
       v <- y[-half]
       found <- evaluate(y[half], v)
       list(c(v, accelerations(found, free)))
@@ -52,7 +56,7 @@ rival_problem <- function() {
   )
 }
 
-# M^-1 F of the free nodes, by Cramer's rule on all blocks at once.
+# M^-1 F of the free nodes, by Cramer's rule on all blocks together.
 accelerations <- function(found, free) {
   nodes <- (free[seq(1L, length(free), 3L)] + 2L) / 3L
   m <- matrix(found$mass, 9L)[, nodes]
@@ -94,12 +98,12 @@ settle_row <- function(problem) {
   state <- settle(gear)
   list(
     method = "settle()", cpu = stats::median(replicate(9, cpu(settle(gear)))),
-    error = problem$error(as.vector(state$position)), note = "the whole call, lattice included"
+    error = problem$error(as.vector(state$position)), note = "the whole call, mesh included"
   )
 }
 
-# 0.5 ms is two thirds of 2 / omega of the net's stiffest motion, knots against each other along
-# bars of 12 kN / 0.5 m with 7 g at either end. Here the bars' damping is the water's alone.
+# 0.5 ms is two thirds of 2 / omega of the net's stiffest motion: knots against each other along
+# bars of 12 kN / 0.5 m with 7 g at either end. Bars are damped by the water alone here.
 explicit_step <- 5e-4
 
 march_symplectic_euler <- function(problem) {
@@ -125,12 +129,12 @@ march_symplectic_euler <- function(problem) {
   )
 }
 
-# The paper's scheme in the engine, with the step of a halving series that is cheapest over the
-# first second.
+# The paper's scheme in the engine. Its step is halved in series; the cheapest over the first second
+# counts.
 march_paper <- function(problem, simulated) {
   march <- function(step, seconds) {
     steps <- as.integer(ceiling(seconds / step))
-    codend:::engine_march(problem$mesh, problem$start, numeric(length(problem$start)),
+    codend:::engine_integrate(problem$mesh, problem$start, numeric(length(problem$start)),
       seconds / steps, steps, 1e-5, 200L)
   }
   steps <- 1.6e-3 / 2^(0:4)
@@ -152,7 +156,7 @@ solve_by_desolve <- function(problem, simulated, name, method) {
   problem$reset()
   y <- c(problem$start[problem$free], numeric(length(problem$free)))
   position <- problem$start
-  # tolerances a tenth of the error asked for, in m and m/s
+  # tolerances are a tenth of the allowed error, in m and m/s
   tolerances <- list(rtol = asked_error / 10, atol = asked_error / 10)
   integrate <- function() {
     setTimeLimit(cpu = rival_limit, transient = TRUE)

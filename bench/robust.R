@@ -1,9 +1,9 @@
-# make robust: whether settle() finds the balance of what it is given. Argument: how many variations
-# (500). Writes to bench/results/: robust.csv, a row per run; robust.md; and in robust-failed/ the
+# Entry point of `make robust`: counts how often settle() converges. Argument: number of variations
+# (500). Writes to bench/results/: robust.csv (a row per run), robust.md, and in robust-failed/ the
 # plan of each gear that did not settle.
 library(codend)
-for (room in c("own-process", "results", "variations")) {
-  source(file.path("bench", paste0(room, ".R")))
+for (script in c("own-process", "results", "variations")) {
+  source(file.path("bench", paste0(script, ".R")))
 }
 
 nodes <- 1500
@@ -14,7 +14,7 @@ failed_folder <- file.path(results_folder, "robust-failed")
 unlink(failed_folder, recursive = TRUE)
 dir.create(failed_folder, recursive = TRUE)
 
-# One run as a row, its state in `state` where it settled.
+# Returns one run as a row, with its state in `state` if it settled.
 try_settling <- function(name, gear, netting) {
   settle_once <- function() {
     setTimeLimit(cpu = limit, transient = TRUE)
@@ -47,18 +47,18 @@ for (netting in c("bars", "cells")) {
   rows <- c(rows, list(found$row))
 }
 
-# Tangled starts: every node of the crude layout 10 m (standard deviation) off in each direction,
-# and no coarser levels, which would leave little of a tangle.
+# Tangled starts: every node of the crude layout is displaced by 10 m (standard deviation) in each
+# direction. Coarser levels are omitted because they would remove most of the tangle.
 trawl <- read_gear("midwater_trawl")
 si <- codend:::gear_si(trawl)
-crude <- codend:::build_lattice(si, nodes, "bars")
+crude <- codend:::build_mesh(si, nodes, "bars")
 settle_numbers <- codend:::settle_numbers
 answer <- as.vector(settle(trawl, nodes, "bars")$position)
 for (number in seq_len(min(30L, count))) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion")
   tangle <- crude$start + stats::rnorm(length(crude$start), sd = 10)
   utils::assignInNamespace("settle_numbers", function(si, nodes, netting, ...) {
-    settle_numbers(si, nodes, netting, list(lattice = crude, position = tangle), FALSE)
+    settle_numbers(si, nodes, netting, list(mesh = crude, position = tangle), FALSE)
   }, "codend")
   found <- try_settling(paste("tangle", number), trawl, "bars")
   if (!is.null(found$state)) {

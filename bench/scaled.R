@@ -1,4 +1,4 @@
-# The gear with a field of its plan times a factor, in the unit that the plan gives it.
+# The gear with a field of its plan times a factor, in the plan's unit.
 scaled <- function(gear, field, factor) {
   value <- Reduce(`[[`, strsplit(field, ".", fixed = TRUE)[[1]], gear$plan)
   text <- paste(as.numeric(sub(" .*", "", value)) * factor, sub("^[^ ]* ", "", value))

@@ -1,19 +1,19 @@
-# The cases at every size, beside the last release, and what their medians grow as.
+# Runs the cases at every size next to the last release and fits growth exponents to the medians.
 
-# Nodes asked for, and the CPU seconds (of one settle()) after which a run counts as failed: some
-# twenty times what each size should take; and of how many neighbours.
+# Requested node counts; CPU limit of one settle() (s), about twenty times the expected cost; number
+# of neighbours per size.
 sizes <- data.frame(
   nodes = c(1500, 1e4, 1e5, 1e6), limit = c(20, 60, 600, 3600), runs = c(5, 5, 2, 1)
 )
 
-# Fitted over these sizes, both included.
+# Exponents are fitted over these sizes, both included.
 fitted_nodes <- c(1000, 150000)
 
-cost_columns <- c("settle", "lattice", "analysis", "forces", "jacobian", "linear", "rest", "coarse")
+cost_columns <- c("settle", "mesh", "analysis", "forces", "jacobian", "linear", "rest", "coarse")
 
-# Runs one case in every version in turns, neighbour after neighbour: a data frame, a row per run. A
-# run that fails at a size of a minute and more ends the case, so that a bench of what does not work
-# yet ends.
+# Runs one case in every version, neighbour after neighbour. Returns a data frame: a row per run. A
+# failed run with a limit of a minute or more ends the case, so that a broken version still
+# finishes.
 run_case <- function(name, nodes, limit, count = length(neighbours)) {
   rows <- list()
   case <- known_cases[[name]]
@@ -35,9 +35,9 @@ run_case <- function(name, nodes, limit, count = length(neighbours)) {
   bind_rows(rows)
 }
 
-# The public cases and the refined ones up to `most` nodes, a row per run, in the order of sizes. A
-# case that does not settle at one size is not tried at the next. keep: called with the rows so far
-# after each case, since the last ones take hours.
+# Runs the public cases and the refined ones up to `most` nodes, in the order of sizes. Returns a
+# row per run. A case that fails at one size is skipped at the next. keep: called with the rows so
+# far after each case, since the last cases take hours.
 run_all <- function(most, keep) {
   rows <- NULL
   add <- function(found) {
@@ -55,18 +55,18 @@ run_all <- function(most, keep) {
   bind_rows(rows)
 }
 
-# Stops where a size that was asked for is not the size that came, within a fifth.
+# Stops if the node count differs from the requested size by more than 20 %.
 check_sizes <- function(runs) {
   off <- runs[runs$version == "now" & runs$asked > 0 & !is.na(runs$nodes) &
     abs(runs$nodes / runs$asked - 1) > 0.2, ]
   if (nrow(off)) {
-    stop("asked for other sizes than came: ", paste(sprintf("%s %s for %s", off$case,
+    stop("node counts differ from the requested sizes: ", paste(sprintf("%s %s for %s", off$case,
       plain_numbers(off$nodes), plain_numbers(off$asked)), collapse = ", "))
   }
 }
 
-# This tree next to the last release, a row per case and size: CPU seconds per node over those of
-# the release, the median of neighbours that both settled, and the least and the most of them.
+# Compares this tree with the last release: a row per case and size. The ratio of CPU seconds per
+# node has its median, minimum and maximum over the neighbours that both versions settled.
 compare_versions <- function(runs) {
   key <- paste(runs$case, runs$asked, runs$neighbour)
   settled <- runs$outcome == "settled"
@@ -96,7 +96,7 @@ compare_versions <- function(runs) {
   }))
 }
 
-# A row per case and size of this tree: how many of the runs settled, and medians over those.
+# Returns a row per case and size of this tree: number of settled runs, and their medians.
 summarise_runs <- function(runs) {
   runs <- runs[runs$version == "now", ]
   groups <- split(runs, list(factor(runs$case, unique(runs$case)), runs$asked), drop = TRUE)
@@ -116,7 +116,7 @@ summarise_runs <- function(runs) {
 
 least <- function(x) if (length(x)) min(x) else NA_real_
 
-# Exponents of medians against nodes, a row per case; NA where fewer than two sizes settled.
+# Exponents of medians against nodes, a row per case; NA if fewer than two sizes settled.
 fit_exponents <- function(medians) {
   cases <- intersect(names(refined), medians$case)
   rows <- lapply(cases, function(case) {

@@ -1,5 +1,5 @@
-# What each way to run a study costs beside the settling itself, and how long 10,000 designs of the
-# midwater trawl would take: 200 of them, and 50 of a cable through each way.
+# Measures the overhead of each study backend and extrapolates to 10,000 designs of the midwater
+# trawl. Runs 200 trawls, and 50 cables through each backend.
 #   Rscript bench/studies.R [DESIGNS]
 library(codend)
 count <- as.integer(c(commandArgs(TRUE), "200")[1])

@@ -1,10 +1,9 @@
-# Random variations of the shipped trawl: what designers change, further than they would, and what
-# goes wrong at sea.
+# Random variations of the shipped trawl: design changes beyond the usual range, and damage at sea.
 
-# Variation number `number`, the same on every machine: list(gear, netting). All of speed (x 0.3 to
-# 2), warps (x 0.5 to 2), area of the boards (x 0.5 to 2), mass of boards and of hammers (x 0.5 to
-# 2), twine (x 0.7 to 1.5) and hanging ratios of the lines around the net (x 0.9 to 1.1) change; in
-# one of four a rope is 5 % shorter, in one of eight a board is lost.
+# Returns variation number `number`, the same on every machine: list(gear, netting). Random factors
+# change speed (0.3 to 2) and twine (0.7 to 1.5). Others change warps,
+# board area, board mass and hammer mass (0.5 to 2), and hanging ratios of the lines (0.9 to 1.1).
+# In 25 % a rope is 5 % shorter; in 12.5 % a board is lost.
 vary_trawl <- function(number, trawl = assembly(read_gear("midwater_trawl"))) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
   factor_between <- function(low, high) exp(stats::runif(1, log(low), log(high)))
@@ -49,7 +48,7 @@ times <- function(value, factor) {
   paste0(signif(as.numeric(number) * factor, 6), substring(value, nchar(number) + 1L))
 }
 
-# The trawl with ropes of EA 1e8 N, all of them.
+# The trawl with all ropes of EA 1e8 N.
 stiffen_ropes <- function(trawl = assembly(read_gear("midwater_trawl"))) {
   ropes <- names(trawl$plan$ropes)
   do.call(update, c(list(trawl), stats::setNames(

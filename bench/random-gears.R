@@ -1,27 +1,26 @@
-# Gears drawn at random: what new_plan() makes over the whole range of its numbers, and variations
-# of each as designers and the sea make them. A number is the seed of one gear, the same on every
-# machine.
+# Random gears: results of new_plan() over the whole range of its numbers, with random changes of
+# design and sea. The number of a gear is its seed and gives the same gear on every machine.
 
-# How often each kind is drawn.
-forge_kinds <- c(
+# Relative frequency of each kind.
+random_kinds <- c(
   bottom_trawl = 4, midwater_trawl = 5, pair_trawl = 2, beam_trawl = 1, cage = 2, gillnet = 2,
   longline = 1, purse_seine = 1, stow_net = 1, dip_net = 1, demersal_seine = 1
 )
-# Laws of netting's drag that go with any netting.
-forge_laws <- c("twines", "blended", "loland", "aarsnes", "kristiansen_faltinsen")
+# Drag models that suit any netting.
+random_drag_models <- c("morison", "blended", "loland", "aarsnes", "kristiansen_faltinsen")
 
-# Gear number `number`. kind, law: that kind or law of netting's drag alone (a longline has none);
-# NULL: any kind, and the kind's own law. changed: whether the plan is varied besides. What the
-# plan's checks refuse is drawn again.
-forge_gear <- function(number, kind = NULL, law = NULL, changed = TRUE) {
+# Returns gear number `number`. `kind` and `law` restrict the draw to a kind or a drag model
+# (longlines have no drag model). By default the kind is random and has its default drag model.
+# `changed` also varies the plan. A plan that its checks reject is drawn again.
+random_gear <- function(number, kind = NULL, law = NULL, changed = TRUE) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
-  any_kind <- sample(names(forge_kinds), 1L, prob = forge_kinds)
+  any_kind <- sample(names(random_kinds), 1L, prob = random_kinds)
   if (is.null(kind)) kind <- any_kind
   for (attempt in 1:50) {
     gear <- tryCatch(
       suppressWarnings({
-        gear <- do.call(codend::new_plan, c(list(kind), forge_sizes(kind)))
-        if (changed) gear <- do.call(update, c(list(gear), forge_changes(kind, gear$plan)))
+        gear <- do.call(codend::new_plan, c(list(kind), random_sizes(kind)))
+        if (changed) gear <- do.call(update, c(list(gear), random_changes(kind, gear$plan)))
         if (!is.null(law) && kind != "longline") gear <- update(gear, netting_drag = law)
         gear
       }),
@@ -32,32 +31,32 @@ forge_gear <- function(number, kind = NULL, law = NULL, changed = TRUE) {
   stop("no gear of number ", number)
 }
 
-# A number of even chance by its logarithm, as text with its unit.
+# A log-uniform random number as a string with its unit.
 drawn <- function(low, high, unit = "") {
   trimws(paste(signif(exp(stats::runif(1, log(low), log(high))), 4), unit))
 }
 
-# What new_plan() is asked for.
-forge_sizes <- function(kind) {
+# Random arguments of new_plan().
+random_sizes <- function(kind) {
   switch(kind,
     bottom_trawl = list(
-      head_line = drawn(8, 80, "m"), mesh_size = drawn(60, 200, "mm"),
+      headline = drawn(8, 80, "m"), mesh_size = drawn(60, 200, "mm"),
       codend_mesh_size = drawn(40, 58, "mm"), speed = drawn(2, 4.5, "knot"),
       depth = drawn(30, 400, "m")
     ),
     midwater_trawl = {
-      head_line <- exp(stats::runif(1, log(15), log(250)))
+      headline <- exp(stats::runif(1, log(15), log(250)))
       list(
-        head_line = paste(signif(head_line, 4), "m"),
-        mesh_size = drawn(max(0.4, head_line / 60), min(64, head_line / 4), "m"),
+        headline = paste(signif(headline, 4), "m"),
+        mesh_size = drawn(max(0.4, headline / 60), min(64, headline / 4), "m"),
         speed = drawn(2.8, 5, "knot"), depth = drawn(60, 300, "m")
       )
     },
     pair_trawl = list(
-      head_line = drawn(10, 60, "m"), speed = drawn(1.5, 4, "knot"), depth = drawn(30, 90, "m")
+      headline = drawn(10, 60, "m"), speed = drawn(1.5, 4, "knot"), depth = drawn(30, 90, "m")
     ),
     demersal_seine = list(
-      head_line = drawn(20, 60, "m"), rope = drawn(1000, 3000, "m"), speed = drawn(1, 3, "knot"),
+      headline = drawn(20, 60, "m"), rope = drawn(1000, 3000, "m"), speed = drawn(1, 3, "knot"),
       depth = drawn(20, 160, "m")
     ),
     beam_trawl = list(beam = drawn(2, 12, "m"), speed = drawn(2, 6, "knot")),
@@ -76,9 +75,9 @@ forge_sizes <- function(kind) {
   )
 }
 
-# Changes of a plan's fields, by their paths, which are found by what they are of: each group of
-# them in half of the gears, by one factor.
-forge_changes <- function(kind, plan) {
+# Random changes of plan fields, selected by patterns of their paths. Each group of fields changes
+# in half of the gears, all by one factor.
+random_changes <- function(kind, plan) {
   fields <- plan_leaves(plan)
   changes <- list()
   scale <- function(pattern, low, high, chance = 0.5) {
@@ -89,12 +88,12 @@ forge_changes <- function(kind, plan) {
       changes[[path]] <<- scaled_value(value, factor)
     }
   }
-  # Boards as rigid bodies on a warp keep their speed: below a third of it they fall over, and a
-  # gear that falls over has no balance to find.
+  # Boards as rigid bodies on a warp keep their speed. At less than 1/3 of the speed they fall over,
+  # and the gear has no equilibrium.
   free <- kind %in% c("bottom_trawl", "midwater_trawl") && stats::runif(1) < 0.15
   scale("(towing|current)[.]speed$", 0.3, 2, chance = if (free) 0 else 0.5)
   scale("twine[.]diameter$", 0.7, 1.5)
-  scale("^(head_line|footrope|side_lines)[.](length|hanging_ratio)$", 0.93, 1.05)
+  scale("^(headline|footrope|side_lines)[.](length|hanging_ratio)$", 0.93, 1.05)
   scale("^belly_lines[.]hanging_ratio$", 0.93, 1.05)
   scale("^(hammers|weights|shoes|centre_weight|hooks)[.]mass$", 0.5, 2)
   scale("^ground_gear[.]mass_in_water$", 0.5, 2)
@@ -104,7 +103,7 @@ forge_changes <- function(kind, plan) {
   scale("^otter_boards[.]mass$", 0.7, 1.5)
 
   materials <- c("PA", "PE", "PP", "PES", "HMPE", "steel_wire", "combination_rope")
-  of <- "^(head_line|footrope|side_lines|belly_lines|bridles.*|hand_ropes.*|sweeps)[.]material$"
+  of <- "^(headline|footrope|side_lines|belly_lines|bridles.*|hand_ropes.*|sweeps)[.]material$"
   for (path in grep(of, names(fields), value = TRUE)) {
     if (stats::runif(1) < 0.2) changes[[path]] <- sample(materials, 1L)
   }
@@ -127,7 +126,7 @@ forge_changes <- function(kind, plan) {
   changes
 }
 
-# The boards of a plan as rigid bodies, alike in area and mass.
+# The boards of a plan as rigid bodies with the same area and mass.
 free_boards <- function(boards) {
   area <- as.numeric(sub(" .*", "", boards$area))
   span <- sqrt(1.6 * area)
@@ -145,7 +144,7 @@ free_boards <- function(boards) {
   )
 }
 
-# All texts and numbers of a plan by their paths.
+# All strings and numbers of a plan by their paths.
 plan_leaves <- function(plan, above = character()) {
   out <- list()
   for (name in names(plan)) {
@@ -159,7 +158,7 @@ plan_leaves <- function(plan, above = character()) {
   out
 }
 
-# A plan's value, as "12 m2" or a number, times a factor; a whole number stays one.
+# A plan's value, as "12 m2" or a number, times a factor; integers remain integers.
 scaled_value <- function(value, factor) {
   if (is.integer(value)) return(max(1L, as.integer(round(value * factor))))
   if (is.numeric(value)) return(signif(value * factor, 6))

@@ -1,10 +1,10 @@
-# make forge: how many gears that are drawn at random settle. Arguments, by name: count=300,
-# seed=1 of the first, nodes=1500, netting=, law=, kind= (each empty: the gear's own).
-# Writes to bench/results/: forge.csv, a row per gear; forge.md; and in forge-failed/ the plan of
-# each gear that did not settle.
+# Entry point of `make random-gears`: counts how many random gears settle. Named arguments:
+# count=300, seed=1 (of the first), nodes=1500, netting=, law=, kind= (each empty: the default of
+# the gear). Writes to bench/results/: random-gears.csv (a row per gear), random-gears.md, and in
+# random-gears-failed/ the plan of each gear that did not settle.
 library(codend)
-for (room in c("forge", "own-process", "sizes", "results")) {
-  source(file.path("bench", paste0(room, ".R")))
+for (script in c("random-gears", "own-process", "sizes", "results")) {
+  source(file.path("bench", paste0(script, ".R")))
 }
 
 asked <- list(count = "300", seed = "1", nodes = "1500", netting = "", law = "", kind = "")
@@ -13,12 +13,12 @@ for (one in strsplit(commandArgs(TRUE), "=", fixed = TRUE)) {
   asked[[one[1L]]] <- c(one, "")[2L]
 }
 given <- function(name) if (nzchar(asked[[name]])) asked[[name]]
-failed_folder <- file.path(results_folder, "forge-failed")
+failed_folder <- file.path(results_folder, "random-gears-failed")
 unlink(failed_folder, recursive = TRUE)
 dir.create(failed_folder, recursive = TRUE)
 
 of_number <- function(number) {
-  gear <- forge_gear(number, given("kind"), given("law"))
+  gear <- random_gear(number, given("kind"), given("law"))
   seconds <- cpu(found <- tryCatch(
     suppressWarnings(settle(gear, as.numeric(asked$nodes), given("netting"))), error = identity
   ))
@@ -34,7 +34,7 @@ of_number <- function(number) {
 }
 
 rows <- bind_rows(lapply(as.numeric(asked$seed) - 1 + seq_len(as.integer(asked$count)), of_number))
-save_table(rows, "forge")
+save_table(rows, "random-gears")
 of_kind <- function(name, rows) {
   steps <- rows$steps[rows$settled]
   part <- function(share) if (length(steps)) stats::quantile(steps, share, names = FALSE) else NA
@@ -53,7 +53,8 @@ names(counts) <- names(of_kind("all", rows))
 failed <- rows[!rows$settled, ]
 save_page(c(
   "# Whether gears drawn at random settle", "",
-  sprintf("Written by `make forge`; [what is drawn](../README.md). Seeds from %s, %s nodes%s. %s",
+  sprintf(
+    "Written by `make random-gears`; [random gears](../README.md). Seeds from %s, %s nodes%s. %s",
     asked$seed, asked$nodes,
     paste0(c("", given("netting"), given("law"), given("kind")), collapse = ", "),
     measured_with()), "",
@@ -61,5 +62,5 @@ save_page(c(
   if (nrow(failed)) {
     c("What did not settle:", "", sprintf("- %s, %s: %s", failed$gear, failed$name, failed$said))
   }
-), "forge")
-cat(readLines(file.path(results_folder, "forge.md")), sep = "\n")
+), "random-gears")
+cat(readLines(file.path(results_folder, "random-gears.md")), sep = "\n")
