@@ -1,8 +1,9 @@
-# make validate: computes every case of manifest.yaml beside what was measured or is known exactly,
-# and writes the page book.md with its pictures and misfits.csv. Fails where a case is not as the
-# manifest says (held, missed or tuned). README.md tells how to add a case.
+# Entry point of `make validate`: computes every case of manifest.yaml and compares it with
+# measurements or exact solutions. Writes the page book.md with its pictures and misfits.csv. Fails
+# if a case contradicts the manifest (held, missed or tuned). README.md explains how to add a case.
+#
 #   Rscript validation/book.R              all cases
-#   Rscript validation/book.R ID [ID ...]  those alone, printed and not written
+#   Rscript validation/book.R ID [ID ...]  these cases only, printed and not written
 #   Rscript validation/book.R page         the page again from misfits.csv
 suppressPackageStartupMessages(library(codend))
 
@@ -10,7 +11,7 @@ room <- new.env(parent = asNamespace("codend"))
 for (file in c("validation/manifest.R", "validation/judge.R", "validation/page.R",
   list.files("validation/cases", "\\.R$", full.names = TRUE))) sys.source(file, room)
 
-# Rows of one case: what was measured and computed, with the seconds of processor time it took.
+# Rows of one case: measured and computed values, and CPU seconds.
 run_case <- function(case) {
   before <- sum(proc.time()[1:2])
   rows <- suppressWarnings(room[[room$runner(case$id)]]())
@@ -24,7 +25,7 @@ if (again) wanted <- character()
 manifest <- room$read_manifest("validation/manifest.yaml")
 unknown <- setdiff(wanted, names(manifest))
 if (length(unknown)) stop("no such case: ", paste(unknown, collapse = ", "))
-# cases know nothing of each other
+# cases are independent
 workers <- min(2L, parallel::detectCores())
 chosen <- if (length(wanted)) manifest[wanted] else manifest
 rows <- if (again) {
@@ -47,7 +48,7 @@ if (length(wanted)) {
 }
 wrong <- judged[judged$found != judged$status, ]
 if (nrow(wrong)) {
-  cat(sprintf("%s, %s: the manifest says %s, found %s\n", wrong$case, wrong$quantity, wrong$status,
+  cat(sprintf("%s, %s: manifest has %s, result is %s\n", wrong$case, wrong$quantity, wrong$status,
     wrong$found), sep = "")
   quit(status = 1)
 }

@@ -1,26 +1,31 @@
-# Conditions the multipliers of components of force on what was measured, all settled gears of the
-# book and the 83-112 trawl's hauls together, and checks the intervals of uncertainty() on gears
-# that were left out.
-#   Rscript validation/condition.R          computes all anew (some ten minutes of processor time)
-#   Rscript validation/condition.R --fit    takes the slopes of the last run (in a temporary file)
+# Fits the multipliers of force components to measurements: all settled gears of the book and the
+# 83-112 trawl's hauls together. Checks the intervals of uncertainty() on gears that were left out.
+#
+#   Rscript validation/condition.R          computes everything (about ten minutes of CPU time)
+#   Rscript validation/condition.R --fit    uses the derivatives of the last run (temporary file)
+#
 # Writes inst/extdata/uncertainty_multipliers.csv, inst/extdata/uncertainty_residuals.csv,
 # validation/conditioning.csv, conditioning.md and figures/conditioning.png.
 #
-# Sensitivities as shares are taken at the middle of each series of hauls or tests and serve all of
-# it.
+# Relative sensitivities are computed at the middle of each series of hauls or tests and apply to
+# the whole series.
 #
-# Of every value y = ln(measured / computed), with sensitivities s to one standard uncertainty of
-# each source, y = s_m t + s_p p + s_c c + l + g + e:
-#   t  multipliers of laws of force, the same in all gears
-#   b  multipliers of what belongs to a gear or a ground, of each ship or tank its own: boards of
+# Model of every value y = ln(measured / computed), with sensitivities s to one standard uncertainty
+# of each source: y = s_m t + s_p p + s_c c + l + g + e.
+#
+# The sources are:
+#
+#   t  multipliers of force models, the same in all gears
+#   b  multipliers specific to a gear or a ground, separate for each ship or tank: boards of
 #      another make have other coefficients
-#   p  in what the net of a ship or tank differs from its plan: nets of one plan are not alike
-#   c  what is not known of the conditions of a ship or tank
-#   l  the lattice's error of this value, and its scatter in measurements
-#   g  what no parameter covers and is the same in all values of a kind of a ship or tank
-#   e  the same, and what varies between tests, of this value
-# t, b, p and c are normal with the standard uncertainties of the tables; the sizes of g and e by
-# kind are those that make the values most probable, with a wide prior.
+#   p  differences of the net of a ship or tank from its plan: nets of one plan differ
+#   c  unknown conditions of a ship or tank
+#   l  mesh error of this value, and its scatter in measurements
+#   g  model error, the same in all values of a kind of a ship or tank
+#   e  model error and variation between tests, of this value
+#
+# t, b, p and c are normal with the standard uncertainties of the tables. The sizes of g and e by
+# kind maximise the probability of the values, with a wide prior.
 
 suppressPackageStartupMessages(library(codend))
 room <- new.env(parent = asNamespace("codend"))
@@ -31,23 +36,23 @@ attach(room, name = "cases of the book")
 
 slopes_file <- file.path(dirname(tempdir()), "codend-conditioning.rds")
 
-# ---- what was measured ---------------------------------------------------------------------------
+# ---- measurements --------------------------------------------------------------------------------
 
-# A value: measured, the measure it is compared with and its factor, whether an input was chosen by
-# it, and its scatter: the standard deviation, as a share, of what would be measured again.
+# A value: measured, the compared measure and its factor, TRUE if it was used to tune an input, and
+# its scatter (relative standard deviation of repeated measurements).
 value_of <- function(name, measure, measured, factor = 1, tuned = FALSE, scatter = 0) {
   data.frame(quantity = name, measure = measure, measured = measured, factor = factor,
     tuned = tuned, scatter = scatter)
 }
 
-# Scatter of tests of one rig about a power law of speed (16 series, 46 degrees of freedom), of wing
-# heights and angles between trials 52 and 55, which are alike; and of hauls of one ship and year
-# with as much warp at a depth (20 groups, 1,140 hauls).
+# Scatter of tests of one rig about a power law of speed (16 series, 46 degrees of freedom). Wing
+# heights and angles: between trials 52 and 55, which are identical. Hauls: one ship and year with
+# equal warp at a depth (20 groups, 1,140 hauls).
 flume_scatter <- c(spread = 0.004, opening = 0.043, tension = 0.016, wing_height = 0.14,
   angle = 0.004)
 haul_scatter <- c(door_spread = 0.081, wing_spread = 0.058, opening = 0.125)
 
-# States along conditions with their values; at: as settled_along(), values: of a row.
+# States along conditions with their values. at: as in settled_along(); values: function of a row.
 states_along <- function(net, group, gear, at, values, series = paste(group, names(at)[1])) {
   state <- NULL
   lapply(seq_along(at[[1]]), function(k) {
@@ -123,7 +128,7 @@ midwater_values <- function() {
   )
 }
 
-# In the flume the wing spread is what is set: of all else slopes are taken at that spread.
+# In the flume the wing spread is set; derivatives of other measures are at constant spread.
 flume_values <- function() {
   tests <- flume_tests()
   tests <- tests[tests$trial != 52, ]
@@ -161,14 +166,14 @@ flume_values <- function() {
   }), recursive = FALSE)
 }
 
-# ---- slopes --------------------------------------------------------------------------------------
+# ---- derivatives ---------------------------------------------------------------------------------
 
-# Contributions of one standard uncertainty of each source to the measures of a state, as shares of
-# them: list(by, sources).
+# Relative contributions of one standard uncertainty of each source to the measures of a state:
+# list(by, sources).
 share_slopes <- function(one) {
   state <- one$state
   sources <- codend:::uncertainty_sources(state$gear)
-  # as they are before anything is learnt
+  # before conditioning on measurements
   table <- codend:::uncertainty_table()
   for (k in seq_along(sources)) {
     name <- sources[[k]]$multiplier
@@ -193,7 +198,7 @@ share_slopes <- function(one) {
   list(by = by / ifelse(m == 0, 1, m), sources = sources)
 }
 
-# The values of a state, with the slopes that were found at the middle of its series.
+# The values of a state, with the derivatives from the middle of its series.
 row_slopes <- function(one, slopes) {
   state <- one$state
   sources <- slopes$sources
@@ -201,7 +206,7 @@ row_slopes <- function(one, slopes) {
   values <- one$values[is.finite(one$values$measured), ]
   at <- match(values$measure, names(m))
   computed <- as.numeric(m)[at]
-  # the flume's bridle tensions, tonnes, are those at the towing points
+  # the flume's bridle tensions, tonnes, apply at the towing points
   tension <- is.na(values$factor)
   if (any(tension)) {
     pull <- summary(state)$reactions
@@ -214,7 +219,7 @@ row_slopes <- function(one, slopes) {
       values[c("quantity", "tuned", "scatter")],
       kind = codend:::uncertainty_kind(m)[at], measured = values$measured, computed = computed,
       y = log(values$measured / computed),
-      lattice = attr(m, "error")[at] / abs(computed), row.names = NULL),
+      mesh = attr(m, "error")[at] / abs(computed), row.names = NULL),
     slopes = slopes$by[at, , drop = FALSE],
     source = vapply(sources, `[[`, "", "name"), group = vapply(sources, `[[`, "", "group"),
     multiplier = multiplier
@@ -242,18 +247,18 @@ all_slopes <- function() {
 
 kinds <- c("spread", "height", "force", "angle")
 
-# Multipliers of what belongs to a gear or a ground, and what is no factor.
+# Multipliers specific to a gear or a ground, and `screen_friction`, which is not a factor.
 own_multipliers <- c("board_lift", "board_drag", "ground_friction", "ground_gear_weight",
   "screen_friction")
 
-# Rows one below the other, with the covariance that each sort of source gives.
+# All rows together, with the covariance of each type of source.
 stacked <- function(rows) {
   values <- do.call(rbind, lapply(rows, `[[`, "values"))
   multipliers <- setdiff(names(codend:::force_multipliers), own_multipliers)
   t <- do.call(rbind, lapply(rows, function(one) {
     one$slopes[, match(multipliers, one$multiplier), drop = FALSE]
   }))
-  # of each ship or tank its own
+  # separate for each ship or tank
   columns <- function(keep) {
     all <- unique(unlist(lapply(rows, function(one) {
       paste(one$values$group[1], one$source[keep(one)])
@@ -281,12 +286,12 @@ covariance_of <- function(data, of) {
   k <- match(v$kind, kinds)
   g <- exp(of)[seq_along(kinds)][k]
   e <- exp(of)[length(kinds) + seq_along(kinds)][k]
-  alone <- v$lattice^2 + v$scatter^2 + e^2
+  alone <- v$mesh^2 + v$scatter^2 + e^2
   tcrossprod(data$t) + tcrossprod(data$b) + tcrossprod(data$p) + tcrossprod(data$c) + diag(alone) +
     same(paste(v$group, v$kind)) * outer(g, g)
 }
 
-# Standard deviations of g and e that are thought possible: half normal with this.
+# Half-normal prior of the standard deviations of g and e.
 residual_prior <- 0.1
 
 fit_conditioned <- function(data, begun = rep(log(0.05), 2 * length(kinds))) {
@@ -312,10 +317,10 @@ some_of <- function(data, keep) {
     lapply(data[c("t", "b", "p", "c")], function(part) part[keep, , drop = FALSE]))
 }
 
-# The prior of residuals is worth so many ships and tanks.
+# The prior of residuals counts as this number of ships and tanks.
 least_freedom <- 4
 
-# Residuals of a fit by kind, with the degrees of freedom that ships and tanks give them.
+# Residuals of a fit by kind, with degrees of freedom by the number of ships and tanks.
 residual_table <- function(data, fit) {
   v <- data$values
   groups <- vapply(kinds, function(kind) length(unique(v$group[v$kind == kind])), 0L)
@@ -324,18 +329,17 @@ residual_table <- function(data, fit) {
     freedom = pmax(least_freedom, groups - 1), values = values, groups = groups, row.names = NULL)
 }
 
-# Standard uncertainties of values, as shares, and how far the interval reaches, as budget_of() has
-# them.
+# Relative standard uncertainties of values, and the half width of the interval, as in budget_of().
 interval_of <- function(data, fit, residuals, level = 0.9) {
   at <- match(data$values$kind, residuals$kind)
   model <- residuals$sd[at]
   u <- sqrt(rowSums((data$t %*% fit$covariance) * data$t) + drop(data$t %*% fit$mean)^2 +
-    rowSums(data$b^2) + rowSums(data$p^2) + rowSums(data$c^2) + data$values$lattice^2 + model^2)
+    rowSums(data$b^2) + rowSums(data$p^2) + rowSums(data$c^2) + data$values$mesh^2 + model^2)
   list(u = u, reach = stats::qt((1 + level) / 2, residuals$freedom[at] * (u / model)^4))
 }
 
-# Every ship and tank left out in turn: of its values whether what was measured, with its scatter,
-# is within the interval. `drawn`: whether no such quantity chose an input of the net.
+# Cross-validation: leaves out every ship and tank once. TRUE for values within the interval,
+# including their scatter. `drawn`: TRUE if no such quantity was used to tune an input of the net.
 left_out <- function(data) {
   untuned <- !data$values$tuned
   of_net <- paste(data$values$net, data$values$quantity)
@@ -344,7 +348,7 @@ left_out <- function(data) {
     rest <- some_of(data, which(data$values$group != group & untuned))
     fit <- fit_conditioned(rest)
     residuals <- residual_table(rest, fit)
-    # what only this group has is as uncertain as the prior of residuals
+    # sources of this group alone have the uncertainty of the prior of residuals
     lost <- residuals$values == 0
     residuals$sd[lost] <- residual_prior
     one <- some_of(data, out)
@@ -393,8 +397,8 @@ md_table <- function(columns) {
 
 percent <- function(x, digits = 0) formatC(100 * x, format = "f", digits = digits)
 
-# Ships and tanks that a kind needs to be judged: with one of fewer left out, one or none is left,
-# which says nothing of how far ships and tanks differ.
+# Minimum number of ships and tanks to judge a kind. With fewer, leaving one out leaves at most one,
+# which does not show their differences.
 least_judged <- 3L
 
 coverage_by <- function(out, by) {

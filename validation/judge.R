@@ -1,12 +1,11 @@
-# Rows of cases held against the bands of the manifest.
+# Compares rows of cases with the bands of the manifest.
 
-# rows: of all cases, as compared() and trend() give them.
-# A quantity is held where the mean size of its misfits is within its band, a trend where all its
-# signs are right. Tuned rows count only where there are no others: the quantity then is `tuned`.
-# Returns a row per quantity and per trend of every case and what was varied (by),
-# misfits in percent of what was measured.
+# rows: of all cases, from compared() and trend(). A quantity is `held` if the mean absolute misfit
+# is within its band, a trend if all its signs are right. Tuned rows count only if there are no
+# others: the quantity is then `tuned`. Returns a row per quantity and per trend of every case and
+# varied value (by), with misfits in percent of the measured value.
 judge <- function(rows, manifest) {
-  # what is varied is the first word of a trend's place
+  # the first word of a trend's label is the varied value
   varied <- ifelse(rows$kind == "trend", sub(" .*", "", rows$at), "")
   key <- paste(rows$case, rows$kind, rows$quantity, varied, sep = "\r")
   by <- split(rows, factor(key, unique(key)))
@@ -14,7 +13,7 @@ judge <- function(rows, manifest) {
     case <- manifest[[of$case[1]]]
     trend <- of$kind[1] == "trend"
     claim <- (if (trend) case$trends else case$quantities)[[of$quantity[1]]]
-    if (is.null(claim)) stop("manifest, case ", case$id, ": nothing is said of ", of$quantity[1])
+    if (is.null(claim)) stop("manifest, case ", case$id, ": it has no entry for ", of$quantity[1])
     counted <- of[!of$tuned, ]
     shown <- if (nrow(counted)) counted else of
     misfit <- 100 * (shown$computed / shown$measured - 1)
@@ -36,7 +35,7 @@ judge <- function(rows, manifest) {
   })))
 }
 
-# The figures that the book is asked for: of trawls against measured trawls, nothing tuned.
+# Overall misfit of the book: trawls against measured trawls, without tuned values.
 trawl_misfit <- function(judged) {
   of <- judged[judged$group %in% c("flume", "hauls") & judged$kind == "quantity" &
     judged$found != "tuned", ]

@@ -1,10 +1,10 @@
-# The manifest: what is compared with what, and what is claimed of it.
+# The manifest: compared cases and the claims about them.
 
 # A case's function in validation/cases.
 runner <- function(id) paste0("case_", gsub("-", "_", id))
 
-# The cases of a manifest by id, each with its quantities and trends as lists; an error names the
-# case and field that is wrong.
+# Returns the cases of a manifest by id, each with its quantities and trends as lists. An error
+# names the wrong case and field.
 read_manifest <- function(file) {
   cases <- yaml::read_yaml(file)$cases
   names(cases) <- vapply(cases, function(case) case$id, "")
@@ -29,7 +29,7 @@ check_case <- function(case) {
     check_claim(of, name, c("unit", "band", "status", "why"), wrong)
     if (!is.numeric(of$band) || of$band <= 0) wrong(name, " has no `band` in percent")
     if (!is.character(of$unit)) wrong(name, " has no `unit`")
-    if (of$status == "tuned" && is.null(case$tuned)) wrong("`tuned` does not say what on what")
+    if (of$status == "tuned" && is.null(case$tuned)) wrong("`tuned` must name an input and data")
   }
   for (name in names(case$trends)) {
     check_claim(case$trends[[name]], name, c("status", "why"), wrong)
@@ -37,7 +37,7 @@ check_case <- function(case) {
   invisible(case)
 }
 
-# status: held, missed, or tuned, which does not count; why: what a miss comes from, one sentence.
+# status: held, missed, or tuned, which does not count; why: cause of a miss, one sentence.
 check_claim <- function(of, name, fields, wrong) {
   unknown <- setdiff(names(of), fields)
   if (length(unknown)) wrong(name, ": `", unknown[1], "` is no field")
@@ -57,25 +57,25 @@ case_groups <- c(
   other = "Cages, seines, longlines and published figures of whole gears"
 )
 
-# The functions and tables of a test file, without its tests: their plans and closed forms are told
-# there once.
+# Evaluates the functions and tables of a test file, without its tests, to reuse plans and
+# analytical solutions.
 use_tests <- function(name, into = parent.frame()) {
   for (said in parse(file.path("tests/testthat", paste0(name, ".R")), keep.source = FALSE)) {
     if (is.call(said) && identical(said[[1]], as.name("<-"))) eval(said, into)
   }
 }
 test_path <- function(...) file.path("tests/testthat", ...)
-use_tests("helper-lattice")
+use_tests("helper-mesh")
 use_tests("helper-bag")
 
-# Rows of a case. A row that a value of the gear was tuned on says so, and does not count.
+# Rows of a case. Rows that were used to tune a value of the gear are marked and do not count.
 compared <- function(quantity, at, measured, computed, tuned = FALSE) {
   data.frame(kind = "quantity", quantity = quantity, at = at, measured = measured,
     computed = computed, tuned = tuned)
 }
 
-# How a quantity goes with what was varied: the slope of log(y) by log(x), or of y by x where
-# `power` is FALSE.
+# Dependence of a quantity on the varied value: slope of log(y) by log(x), or of y by x if `power`
+# is FALSE.
 trend <- function(quantity, at, x, measured, computed, power = TRUE) {
   keep <- is.finite(measured) & is.finite(computed)
   slope <- function(y) {

@@ -1,5 +1,5 @@
-# What an opening at sea depends on, and how near any model can come: writes openings.md.
-# A part of make validate.
+# Measures the sensitivity of net openings at sea and the limit of any model: writes openings.md. A
+# part of `make validate`.
 suppressPackageStartupMessages(library(codend))
 room <- new.env(parent = asNamespace("codend"))
 for (file in c("manifest.R", "page.R", "cases/flume.R", "cases/hauls.R")) {
@@ -7,7 +7,7 @@ for (file in c("manifest.R", "page.R", "cases/flume.R", "cases/hauls.R")) {
 }
 attach(room, name = "cases of the book")
 
-# ---- measurements beside each other --------------------------------------------------------------
+# ---- comparison of measurements ------------------------------------------------------------------
 
 # Two runs of one rig in the flume, days apart: tests of the 83-112 before and after the others.
 repeats <- function() {
@@ -21,7 +21,8 @@ repeats <- function() {
   )
 }
 
-# Head lines in the flume and at sea at the same width between the upper wing ends, near 3 knot.
+# Headline heights in the flume and at sea at the same width between the upper wing ends, near 3
+# knot.
 flume_and_sea <- function() {
   do.call(rbind, lapply(c(PNE = "poly_noreastern", `83-112` = "eastern"), function(net) {
     tests <- flume_tests(net)
@@ -38,9 +39,10 @@ flume_and_sea <- function() {
   }))
 }
 
-# ---- what moves an opening -----------------------------------------------------------------------
+# ---- sensitivity of an opening -------------------------------------------------------------------
 
-# Opening, width between the upper wing ends (m), the middle bridle's part of the bridles' tension.
+# Opening, width between the upper wing ends (m), and the middle bridle's fraction of the bridles'
+# tension.
 shape_of <- function(gear, ...) {
   m <- codend:::plain_measures(measures(settle(update(gear, ...), nodes = 1500)))
   pull <- m[c("bridle_upper_tension_kN", "bridle_middle_tension_kN", "bridle_lower_tension_kN")]
@@ -58,14 +60,14 @@ survey_rigs <- function() {
     `middle bridle 0.25 m shorter` = list(bridles.middle.length = "54.65 m"),
     `middle bridle 0.5 m shorter` = list(bridles.middle.length = "54.4 m"),
     `a fifth less buoyancy` = list(floats.buoyancy = "8.16 kgf"),
-    `netting by the law of twines` = list(netting_drag = "twines")
+    `netting by the law of twines` = list(netting_drag = "morison")
   )
   gear <- read_gear("poly_noreastern_trawl")
   t(vapply(rigs, function(changes) do.call(shape_of, c(list(gear), changes)), numeric(3)))
 }
 
-# The opening of Scotia III's GOV at the middle of her hauls with its kite and without, and what the
-# hauls have.
+# The opening of Scotia III's GOV at the middle of her hauls with its kite and without, and the
+# measured values.
 kite_shares <- function() {
   hauls <- hauls_by_warp("SCO3", 60)
   hauls <- hauls[ceiling(nrow(hauls) / 2), ]
@@ -90,7 +92,7 @@ kite <- kite_shares()
 number <- function(x, digits = 2) formatC(x, digits, format = "f")
 room$write_lines("validation/openings.md", c(
   "# Openings: how near any model can come", "",
-  paste("The height of a head line is the softest measure of a trawl. This page, which",
+  paste("The height of a headline is the softest measure of a trawl. This page, which",
     "`make validate` computes, sets measurements of it beside each other, and says what moves",
     "codend's."), "",
   "## The flume beside itself", "",
@@ -100,7 +102,7 @@ room$write_lines("validation/openings.md", c(
     again$speed_knot, number(again$first_m), number(again$again_m),
     number(100 * (again$again_m / again$first_m - 1), 0))),
   "## The flume beside the sea", "",
-  paste("Head lines of the flume at 3 knot, and of means of hundreds of hauls at the same width",
+  paste("Headlines of the flume at 3 knot, and of means of hundreds of hauls at the same width",
     "between the upper wing ends. No model with one set of numbers is right in both: the mean of",
     "the two is as far off each as half the last column."), "",
   table_lines(c("net", "width, m", "flume, m", "hauls, m", "hauls over flume, %"), cbind(

@@ -1,4 +1,4 @@
-# The page of the book: tables and pictures of misfits by case and by quantity.
+# Writes the page of the book: tables and pictures of misfits by case and by quantity.
 
 found_colours <- c(held = "#0072B2", missed = "#D55E00", tuned = "#999999")
 found_marks <- c(held = 16, missed = 17, tuned = 1)
@@ -66,7 +66,7 @@ page_lines <- function(judged, manifest) {
       "[misfits.csv](misfits.csv)."), "",
     paste("-", page_summary(judged)), "",
     paste("A quantity is **held** where the mean size of its misfits is within its band:",
-      "the tolerance of what was measured, or what the division of the lattice leaves of a closed",
+      "the tolerance of what was measured, or what the division of the mesh leaves of a closed",
       "form. Misfits are in percent of what was measured. Nothing is tuned to a haul, a speed or a",
       "ship."), "",
     "![Misfit by case](figures/misfit-by-case.png)", "",
@@ -85,7 +85,7 @@ page_lines <- function(judged, manifest) {
         "| case | quantity | values | mean misfit % | mean size % | largest % | band % | |",
         "|---|---|--:|--:|--:|--:|--:|---|",
         sprintf("| %s | %s | %d | %s | %s | %s | %s | %s |",
-          title_of(of$case, manifest), in_words(of$quantity), of$values,
+          title_of(of$case, manifest), with_spaces(of$quantity), of$values,
           percent(of$bias), percent(of$misfit), percent(of$largest), percent(of$band),
           ifelse(of$found == "missed", "**missed**", of$found)),
         "")
@@ -97,13 +97,14 @@ page_lines <- function(judged, manifest) {
     "",
     "| case | quantity | by | series | measured | codend | |", "|---|---|---|--:|--:|--:|---|",
     sprintf("| %s | %s | %s | %d | %.2f | %.2f | %s |", title_of(trends$case, manifest),
-      in_words(trends$quantity), in_words(trends$by), trends$values, trends$measured,
-      trends$computed,
+      with_spaces(trends$quantity), with_spaces(trends$by), trends$values,
+      trends$measured, trends$computed,
       ifelse(trends$found == "missed", "**missed**", trends$found)), "",
     "## Why what is missed is missed", "",
     "| case | quantity | why |", "|---|---|---|",
     sprintf("| %s | %s | %s |", title_of(missed$case, manifest),
-      paste0(in_words(missed$quantity), ifelse(missed$kind == "trend", ", trend", "")), missed$why),
+      paste0(with_spaces(missed$quantity), ifelse(missed$kind == "trend", ", trend", "")),
+      missed$why),
     "",
     "## What is tuned on what", "",
     vapply(tuned, function(case) sprintf("- **%s.** %s", case$title, case$tuned), ""), "",
@@ -116,12 +117,12 @@ page_lines <- function(judged, manifest) {
 }
 
 title_of <- function(ids, manifest) vapply(manifest[ids], function(case) case$title, "")
-in_words <- function(name) gsub("_", " ", name)
+with_spaces <- function(name) gsub("_", " ", name)
 percent <- function(x) {
   ifelse(abs(x) >= 0.095, sprintf("%.1f", x), formatC(x, 1, format = "g"))
 }
 
-# Mean misfit of every quantity by case, its band as a bar about zero.
+# Mean misfit of every quantity by case, with its allowed range as a bar about zero.
 draw_misfits <- function(judged, manifest) {
   n <- nrow(judged)
   old <- graphics::par(mar = c(4, 23, 2.5, 1), las = 1, cex = 0.75)
@@ -137,7 +138,7 @@ draw_misfits <- function(judged, manifest) {
     col = found_colours[judged$found], cex = 1.3)
   first <- !duplicated(judged$case)
   graphics::abline(h = which(first)[-1] - 0.5, col = "grey80")
-  graphics::axis(2, seq_len(n), in_words(judged$quantity), tick = FALSE, line = -0.8,
+  graphics::axis(2, seq_len(n), with_spaces(judged$quantity), tick = FALSE, line = -0.8,
     cex.axis = 0.8)
   graphics::axis(2, which(first), abbreviate_title(title_of(judged$case[first], manifest)),
     tick = FALSE, line = 6.2, cex.axis = 0.85, font = 2)
@@ -168,7 +169,7 @@ draw_quantities <- function(rows, manifest) {
     mean <- mean(of$misfit[at == key])
     graphics::segments(mean, key - 0.15, mean, key + 0.15, lwd = 3, col = "black")
   }
-  graphics::axis(2, seq_along(names), in_words(names), tick = FALSE)
+  graphics::axis(2, seq_along(names), with_spaces(names), tick = FALSE)
   graphics::legend("topleft", c("flume", "hauls"), pch = c(1, 4), col = c("#0072B2", "#D55E00"),
     bg = "white")
 }
@@ -179,7 +180,7 @@ draw_hauls <- function(rows, manifest) {
   rows <- rows[rows$case %in% hauls & rows$kind == "quantity" & rows$quantity %in% names(colours) &
     grepl(" m of (warp|wire)$", rows$at), ]
   hauls <- intersect(hauls, rows$case)
-  # the last one of the pictures is the legend
+  # the last picture is the legend
   old <- graphics::par(mfrow = c(ceiling((length(hauls) + 1) / 4), 4),
     mar = c(3.6, 3.2, 2, 0.8), mgp = c(2, 0.6, 0), las = 1)
   on.exit(graphics::par(old))
@@ -206,7 +207,7 @@ draw_flume <- function(rows) {
   old <- graphics::par(mfrow = c(1, 3), mar = c(4, 4, 2, 1), las = 1)
   on.exit(graphics::par(old))
   of <- rows[grepl("^flume", rows$case) & rows$kind == "quantity", ]
-  labels <- c(bridle_tension = "bridle tension, both sides, t", opening = "head line height, m",
+  labels <- c(bridle_tension = "bridle tension, both sides, t", opening = "headline height, m",
     lower_wing_spread = "spread of the lower wing ends, m")
   colours <- c(speed = "#000000", spread = "#0072B2", `split bridles` = "#D55E00",
     `pulling height` = "#009E73")

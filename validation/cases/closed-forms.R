@@ -1,4 +1,4 @@
-# Gears whose shape and tension are known exactly. Plans and closed forms are those of the tests.
+# Gears with an exactly known shape and tension. Plans and analytical solutions come from the tests.
 
 use_tests("test-validation-cables")
 use_tests("test-validation-published-cases")
@@ -119,9 +119,9 @@ case_loaded_line <- function() {
   compared("depth", paste("hook", 1:8), hung_longline(state)[1:8], found)
 }
 
-# A closed tube of inextensible diamond netting under the pressure of a catch: the angle f of the
-# bars to its axis has tan(f)^2 = 2, so that r = N m sin(f) / (2 pi), and a bar of length a has
-# p r a / sqrt(2): axial and hoop tension p r / 2 and p r in two families of bars.
+# A closed tube of inextensible diamond netting under the pressure of a catch. The angle f of the
+# bars to its axis has tan(f)^2 = 2, so r = N m sin(f) / (2 pi). A bar of length a carries p r a /
+# sqrt(2): axial and hoop tension p r / 2 and p r in two families of bars.
 case_pressure_tube <- function() {
   around <- 24
   size <- 0.1

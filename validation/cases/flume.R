@@ -1,23 +1,23 @@
-# Two survey trawls in the flume of 2025: a rig without warps and boards, with water 8^1.5 times
+# Two survey trawls in the flume of 2025: a rig without warps and boards. Its water is 8^1.5 times
 # as viscous, so that the gear has the Reynolds numbers of the 1:8 model.
 
 flume_tests <- function(net = "poly_noreastern") {
   tests <- utils::read.csv(
     system.file("extdata", paste0("flume_", net, ".csv"), package = "codend"), comment.char = "#"
   )
-  # weights on the split bridles are not printed: they are computed without
+  # weights on the split bridles are not published, so they are omitted
   tests$rigging <- sub("_weighted", "", tests$bridles)
   # trial 55 repeats 52
   tests[tests$catch == "empty" & tests$trial != 55, ]
 }
 
-# The trawl as it is rigged at sea but for the flume's equal bridles.
+# The trawl as rigged at sea, but with the flume's equal bridles.
 flume_gear <- function(net) {
   if (net == "poly_noreastern") {
     return(update(read_gear("poly_noreastern_trawl"), bridles.upper.setback = "0 m",
       bridles.middle.setback = "0 m"))
   }
-  # floats as the flume's model had them
+  # floats as in the flume's model
   update(read_gear(system.file("extdata", "eastern_trawl.yaml", package = "codend")),
     bridles.lower.length = "54.9 m", floats = list(number = 47, buoyancy = "2.506 kgf"))
 }
@@ -32,8 +32,8 @@ survey_rig <- function(rigging, height, net = "poly_noreastern") {
     list(sweeps = list(length = "27.4 m", diameter = "16 mm", material = "steel_wire"))))
 }
 
-# The distance of the towing points at which the upper wing ends are `wing` apart at 3 knot, by the
-# straight line through two tried ones; it stays at other speeds, as in the flume.
+# The distance of the towing points at which the upper wing ends are `wing` apart at 3 knot, by
+# linear interpolation of two trials. It is constant at other speeds, as in the flume.
 set_spread <- function(rig, wing) {
   tried <- wing + 2 * 54.9 * sin(18 * pi / 180) + c(-2, 2)
   found <- vapply(tried, function(spread) {
@@ -43,7 +43,7 @@ set_spread <- function(rig, wing) {
   tried[1] + (wing - found[1]) * diff(tried) / diff(found)
 }
 
-# What the flume measured (columns), of each test; NA where the net has no such measure.
+# The flume's measures (columns) for each test; NA if the net has no such measure.
 in_flume_rig <- function(tests, net = "poly_noreastern") {
   series <- split(seq_len(nrow(tests)), paste(tests$rigging, tests$spread_treatment_m))
   found <- matrix(NA_real_, nrow(tests), length(flume_columns))
@@ -71,7 +71,7 @@ flume_columns <- c(
   wing_height = "upper_wing_height_m", bridle_angle = "bridle_angle_deg"
 )
 
-# by: list(column that is varied = quantities of which the trend by it is compared).
+# by: list(varied column = quantities whose trend is compared).
 flume_case <- function(tests, by, net = "poly_noreastern") {
   found <- in_flume_rig(tests, net)
   at <- sprintf("%s, %g m, %g knot, %g m up", tests$rigging, tests$spread_treatment_m,
@@ -84,7 +84,7 @@ flume_case <- function(tests, by, net = "poly_noreastern") {
       compared(names(flume_columns)[k], at[given], measured[given], found[given, k], tuned[given])
     }
   })
-  # trends of each series, all but what is varied alike
+  # trends of each series, with all other columns equal
   trends <- lapply(names(by), function(column) {
     same <- setdiff(c("rigging", "spread_treatment_m", "speed_knot", "pulling_point_mm"), column)
     series <- split(seq_len(nrow(tests)), do.call(paste, tests[same]))
@@ -101,7 +101,7 @@ flume_case <- function(tests, by, net = "poly_noreastern") {
   do.call(rbind, c(rows, trends))
 }
 
-# Five tests that the Poly Nor'Eastern was tuned on, in all that was measured.
+# Five tests that were used to tune the Poly Nor'Eastern, in all measured quantities.
 tuned_tests <- function(tests) {
   tests$rigging == "standard" & tests$pulling_point_mm == 200 &
     ifelse(tests$spread_treatment_m == 16, tests$speed_knot %in% c(2, 3, 4), tests$speed_knot == 3)
@@ -144,7 +144,7 @@ case_flume_pulling_height <- function() {
   )
 }
 
-# The 83-112 Eastern, which nothing of the flume was used for.
+# The 83-112 Eastern, which was not tuned to the flume.
 case_flume_eastern_speed <- function() {
   tests <- at_usual_pull(flume_tests("eastern"), "eastern")
   tests <- tests[tests$rigging == "standard" & tests$spread_treatment_m == 17.5, ]

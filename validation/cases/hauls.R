@@ -1,7 +1,7 @@
-# Trawls at sea: means of many hauls beside the gear with what the ships report of it.
+# Trawls at sea: means of many hauls compared with the gear as the ships report it.
 
-# One gear settled at each row of `at`: list(field = values), one after the other from the state
-# before. Returns a matrix with a row for each and a column for each of `measures`.
+# Settles one gear at each row of `at`: list(field = values), each from the previous state. Returns
+# a matrix with a row per row of `at` and a column per measure.
 settled_along <- function(gear, at, measures) {
   state <- NULL
   t(vapply(seq_along(at[[1]]), function(k) {
@@ -11,14 +11,15 @@ settled_along <- function(gear, at, measures) {
   }, stats::setNames(numeric(length(measures)), measures)))
 }
 
-# Hauls of one of NOAA's survey trawls by wire, classes with enough of them.
+# Hauls of a NOAA survey trawl by wire, in classes with more than 100 hauls.
 survey_hauls <- function(trawl) {
   hauls <- utils::read.csv(system.file("extdata", "survey_hauls_by_wire.csv", package = "codend"),
     comment.char = "#")
   hauls[hauls$trawl == trawl & hauls$hauls > 100, ]
 }
 
-# tuned: metres of wire of the hauls that the net was tuned on; tuned_width: those of the boards.
+# tuned: wire (m) of the hauls used to tune the net; tuned_width: wire of the hauls used to tune the
+# boards.
 survey_case <- function(gear, hauls, tuned, tuned_width) {
   found <- settled_along(gear,
     list(warps.length = hauls$wire_m, seabed.depth = hauls$depth_m,
@@ -45,8 +46,8 @@ case_eastern_hauls <- function() {
     survey_hauls("83-112"), 229, 229)
 }
 
-# Means of a ship's hauls with one sweep length by what warp was out, of classes with three hauls or
-# more: their limits are those below (m).
+# Means of a ship's hauls with one sweep length by warp length, in classes with three hauls or more.
+# The class limits (m) follow.
 warp_classes <- c(0, 150, 200, 250, 300, 400, 500, 700, 1000)
 hauls_by_warp <- function(ship, sweep, gear = "GOV") {
   hauls <- utils::read.csv(
@@ -54,7 +55,7 @@ hauls_by_warp <- function(ship, sweep, gear = "GOV") {
     comment.char = "#"
   )
   hauls <- hauls[hauls$Ship == ship & hauls$SweepLngt %in% sweep & hauls$Gear == gear, ]
-  # through the water where that is reported, else over ground, else the survey's standard speed
+  # speed through the water if reported, else over ground, else the survey's standard speed
   hauls$speed <- ifelse(is.na(hauls$SpeedWater), hauls$speed_kn, hauls$SpeedWater)
   hauls$speed[is.na(hauls$speed)] <- 4
   of <- c("Depth", "Warplngt", "Warpdia", "speed", "DoorSurface", "DoorWgt", "Buoyancy", "KiteDim",
@@ -65,7 +66,7 @@ hauls_by_warp <- function(ship, sweep, gear = "GOV") {
   data.frame(means, hauls = vapply(classes, nrow, 0L), row.names = NULL)
 }
 
-# The GOV of a ship: what it reports of its gear, else the plan's.
+# The GOV of a ship, with the ship's reported gear, else the plan's.
 gov_of <- function(hauls, sweep) {
   reported <- function(column, unit) {
     value <- mean(hauls[[column]])
@@ -78,19 +79,19 @@ gov_of <- function(hauls, sweep) {
     otter_boards.area = reported("DoorSurface", "m2"),
     otter_boards.mass = reported("DoorWgt", "kg"),
     floats.buoyancy = if (is.finite(buoyancy)) paste(buoyancy, "kgf"),
-    # the discs of one ship, 700 kg, weigh in air
+    # one ship's discs, 700 kg, are weighed in air
     ground_gear.mass_in_water = if (isTRUE(mean(hauls$WgtGroundRope) < 300)) {
       paste(mean(hauls$WgtGroundRope) / 47.2, "kg/m")
     }
   )
   gear <- do.call(update, c(list(plan), Filter(Negate(is.null), fields)))
-  # the kite at the middle of the head line: area reported, coefficients of a plate
-  # at some 30 degrees
-  update(assembly(gear), pieces.kite = list(at = "head_line.middle", area = 0.7,
+  # the kite at the middle of the headline: area reported, coefficients of a plate at about 30
+  # degrees
+  update(assembly(gear), pieces.kite = list(at = "headline.middle", area = 0.7,
     lift_coefficient = 1, drag_coefficient = 0.4, lift_direction = "up", role = "kite"))
 }
 
-# Sensors of wing spread sit at the upper wing ends.
+# Sensors of wing spread are at the upper wing ends.
 gov_hauls <- function(ship, sweep) {
   hauls <- hauls_by_warp(ship, sweep)
   gear <- gov_of(hauls, sweep)
@@ -121,8 +122,8 @@ case_gov_dana_long <- function() gov_hauls("DAN2", 120)
 case_gov_thalassa <- function() gov_hauls("THA2", 50)
 case_gov_tridens <- function() gov_hauls("TRI2", 50)
 
-# The drag that Lee and others (1987) print of their midwater trawl, t by speed in m/s, and the
-# spread of its boards (1986), m: the middle of what they print for each length of warp.
+# Published drag of the midwater trawl by Lee and others (1987), t by speed in m/s. The spread of
+# its boards (1986), m, is the middle of the published range for each length of warp.
 case_small_midwater_trawl <- function() {
   gear <- read_gear("small_midwater_trawl")
   speeds <- c(1.1, 1.45, 1.8)
@@ -134,12 +135,12 @@ case_small_midwater_trawl <- function() {
   printed <- 2.15 * speeds^1.12
   spread <- c(44, 54, 56.5)
   rbind(
-    # twine is tuned on the drag at the middle speed, boards on their spread with 150 m of warp
+    # twine is tuned to the drag at the middle speed, boards to their spread with 150 m of warp
     compared("drag", paste(speeds, "m/s"), printed, drag, speeds == 1.45),
     compared("door_spread", paste(warps, "m of warp"), spread, drop(by_warp), warps == 150),
     trend("drag", "speed", speeds, printed, drag),
     trend("door_spread", "warp", warps, spread, drop(by_warp)),
-    # only that it grows with speed is printed
+    # only the sign of the trend with speed is published
     trend("door_spread", "speed", range(speeds), 1:2, by_speed[c(1, 3), 2])
   )
 }

@@ -1,5 +1,5 @@
-# Motions at the default accuracy. They are compared with closed forms, with equations of motion
-# that deSolve integrates, and with explicit time steps.
+# Motions at the default accuracy, compared with analytical solutions, with equations of motion
+# integrated by deSolve, and with explicit time steps.
 
 # Compares series over time. The misfit is the largest deviation as a ratio of `scale`, which is by
 # default the range of the exact series.
@@ -51,7 +51,7 @@ pulled_load <- function(line, mass, at, post, force) {
     post = gear_point(position = post, held = "moved"),
     line = line, pull = light_line("load", "post", 0.99 * distance, 99 * force),
     mass = piece(at = "load", mass = mass, volume = 0), water = list(density = 0),
-    tow = list(breaking = list(list(rope = "pull", time = 1, place = "start")))
+    tow = list(breaking = list(list(rope = "pull", time = 1, position = "start")))
   )
 }
 
@@ -77,8 +77,8 @@ case_pendulum <- function() {
   )
 }
 
-# A mass at the end of a wire rings after a load of 2 kN has parted from it. The wire's mass is
-# shared out to its nodes, so that the exact motion is a sum of its modes.
+# A mass at the end of a wire oscillates after a load of 2 kN has parted from it. The wire's mass is
+# lumped at its nodes, so that the exact motion is a sum of its modes.
 case_ringing_wire <- function() {
   n <- 20
   length <- 100
@@ -98,7 +98,7 @@ case_ringing_wire <- function() {
   spring <- n * stiffness / length
   between <- diag(c(rep(2, n - 1), 1)) - (abs(outer(1:n, 1:n, `-`)) == 1)
   modes <- eigen(spring * between / sqrt(outer(mass, mass)), symmetric = TRUE)
-  # before the load parts it stretches all segments alike
+  # before the load parts it stretches all segments equally
   shape <- crossprod(modes$vectors, sqrt(mass) * force / spring * (1:n))
   swing <- modes$vectors[n, ] * shape / sqrt(mass[n])
   exact <- colSums(as.vector(swing) * cos(outer(sqrt(modes$values), track$time)))
@@ -157,7 +157,7 @@ case_sinking_sphere <- function() {
     top = gear_point(position = c(0, 0, -1), held = "moved"), sphere = gear_point(),
     line = light_line("top", "sphere", 5, 1e6),
     ball = piece(at = "sphere", mass = 100, diameter = diameter),
-    tow = list(breaking = list(list(rope = "line", time = 1, place = "end")))
+    tow = list(breaking = list(list(rope = "line", time = 1, position = "end")))
   ), until = 5, every = 0.25)
   track <- track_of(found, "sphere", 1)
   compared_series("position", "down", -speed * slow * log(cosh(track$time / slow)),
@@ -170,7 +170,7 @@ case_stiff_lines <- function() {
   reference <- utils::read.csv(test_path("reference", "stiff-lines.csv"))
   do.call(rbind, lapply(names(stiff_lines), function(name) {
     compared_motion(gsub("_", " ", name), reference[reference$case == name, ],
-      stiff_line_rows(name, march_stiff_line(name)))
+      stiff_line_rows(name, integrate_stiff_line(name)))
   }))
 }
 

@@ -1,4 +1,5 @@
-# Codends beside another program, and netting and bodies beside published coefficients.
+# Codends compared with another program, and netting and bodies compared with published
+# coefficients.
 
 use_tests("helper-measures")
 use_tests("test-validation-codend")
@@ -22,8 +23,8 @@ axicodend <- function(blocked) {
   )
 }
 
-# Coefficients that the engine's forces have, beside those of another program of the same formulas;
-# a row of zero says nothing of a share.
+# Coefficients of the engine's forces, compared with another program with the same formulas. Rows
+# near zero are omitted because ratios are meaningless.
 published_rows <- function(table, force, laws) {
   rows <- beside_published(table, force)
   rows <- rows[rows$law %in% laws & abs(rows$value_published) > 0.001, ]
@@ -43,7 +44,7 @@ case_screen_coefficients <- function() {
   rbind(
     published_rows(computed(solidity = solidity), "netting", c("loland", "aarsnes")),
     do.call(rbind, lapply(solidity, function(sn) {
-      # theirs takes the speed between the twines: Re (1 - Sn) = 1000
+      # their model uses the speed between the twines: Re (1 - Sn) = 1000
       published_rows(computed(reynolds = 1000 * (1 - sn), solidity = sn), "netting",
         "kristiansen_faltinsen")
     }))
@@ -59,15 +60,15 @@ case_sphere_coefficients <- function() {
     sphere_specimens(rows$reynolds)$drag)
 }
 
-# A square-mesh panel of solidity 0.2 across the flow and turned out of it, by the screen's formula
-# on its area, which is written again here (Loland 1991 as in S2 of H. Cheng's hydromodel).
-# Force of the flow on the rigid panel (N).
+# A square-mesh panel of solidity 0.2 across the flow and at an angle, by the screen formula on its
+# area. The formula is implemented independently here (Loland 1991 as in S2 of H. Cheng's
+# hydromodel). Returns the force of the flow on the rigid panel (N).
 panel_screen <- function(gear, incidence, speed) {
   si <- gear_si(gear)
   si$towing$speed <- speed
-  lattice <- build_lattice(si, nodes = 300)
-  x <- flat_position(lattice, si, 0.4, incidence)
-  found <- engine_evaluate(engine_array(lattice), as.vector(x), numeric(length(x)))
+  mesh <- build_mesh(si, nodes = 300)
+  x <- flat_position(mesh, si, 0.4, incidence)
+  found <- engine_evaluate(engine_array(mesh), as.vector(x), numeric(length(x)))
   rowSums(matrix(found$forces$screen_force, 3L))
 }
 

@@ -1,4 +1,4 @@
-# Cages, seines and published figures of whole gears.
+# Cages, seines and published values of whole gears.
 
 case_model_cage <- function() {
   at <- function(speed, mass = "400 g", ...) {
@@ -11,11 +11,11 @@ case_model_cage <- function() {
   masses <- c(400, 600, 800)
   weighted <- lapply(masses, function(mass) at(0.39, paste(mass, "g")))
   still <- at(0.04)
-  # what they found: forces not with the speed's square but less, less volume the faster, more the
-  # heavier; the power of the drag is told as less than 2
+  # Published results: forces grow with a power of speed below 2, and volume falls with speed and
+  # grows with weight. The power of the drag is compared as less than 2.
   falls <- -1
   rbind(
-    compared("water_left", "middle of the model", 0.8, min(still$lattice$mesh$wake)),
+    compared("water_left", "middle of the model", 0.8, min(still$mesh$model$wake)),
     sign_of("volume", "speed", falls, speeds, of(states, "volume_left_percent")),
     sign_of("volume", "sinkers", 1, masses, of(weighted, "volume_left_percent")),
     sign_of("drag", "sinkers", 1, masses, of(weighted, "net_drag_kN")),
@@ -23,14 +23,14 @@ case_model_cage <- function() {
   )
 }
 
-# A trend of which only the direction is published.
+# A trend with only its direction published.
 sign_of <- function(quantity, at, published, x, computed) {
   row <- trend(quantity, at, x, computed, computed)
   row$measured <- published
   row
 }
 
-# A shielded cage has up to 22 % less drag in others' simulations (OMAE2013, V003T05A027).
+# A shielded cage has up to 22 % less drag in published simulations (OMAE2013, V003T05A027).
 case_cage_shielding <- function() {
   drag <- function(...) {
     measures(settle(update(read_gear("model_cage"), water.current.speed = 0.13, ...),
@@ -45,14 +45,14 @@ seine_figures <- function(gear) {
   series <- function(name) table[table$measure == name, ]
   depth <- series("lead_line_depth_middle_m")
   deepest <- which.max(depth$value)
-  # the middle is let go 50 s after the shooting began
+  # the middle is released 50 s after the start of shooting
   c(depth$value[deepest], depth$value[deepest] / (depth$time_s[deepest] - 50),
     max(series("purse_wire_tension_kN")$value))
 }
 
 case_java_seine <- function() {
   plan <- read_gear("purse_seine")
-  # the modified seine: 30.3 mm knotless polyester, all lengths and weights as they were
+  # the modified seine: 30.3 mm knotless polyester, with unchanged lengths and weights
   changes <- unlist(lapply(c("bunt", "body", "wing"), function(panel) {
     meshes <- lapply(plan$plan$panels[[panel]]$meshes, function(n) n * 25.4 / 30.3)
     stats::setNames(list("30.3 mm", meshes, FALSE, "polyester"), paste0("panels.", panel, ".",
@@ -71,7 +71,7 @@ case_java_seine <- function() {
   }))
 }
 
-# The shipped midwater trawl is a fit of the paper's three figures: it counts for nothing.
+# The shipped midwater trawl was fitted to the paper's three values, so it does not count.
 case_paper_trawl <- function() {
   found <- measures(settle(read_gear("midwater_trawl"), nodes = 1500))
   wanted <- c(net_mouth_height = 105, wing_end_spread = 113, door_spread = 151.89)

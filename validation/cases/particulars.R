@@ -1,10 +1,10 @@
-# Gears of which particulars are printed, and with them what the gear does.
+# Gears with published particulars and performance.
 
 particular_net <- function(name) {
   read_gear(system.file("extdata", paste0(name, "_trawl.yaml"), package = "codend"))
 }
 
-# The four-seam trawl is made for a head line of 4.5 to 5.5 m at 3 to 3.8 knot.
+# The four-seam trawl is designed for a headline height of 4.5 to 5.5 m at 3 to 3.8 knot.
 case_four_seam <- function() {
   speeds <- c(3, 3.4, 3.8)
   found <- settled_along(particular_net("four_seam"),
@@ -12,7 +12,7 @@ case_four_seam <- function() {
   compared("opening", paste(speeds, "knot"), rep(5, 3), drop(found))
 }
 
-# The drag that the institute prints of its lantern fish trawl, t at 2 and 3 knot.
+# The institute's published drag of its lantern fish trawl, t at 2 and 3 knot.
 case_myctophid <- function() {
   speeds <- c(2, 3)
   drag <- drop(settled_along(particular_net("myctophid"),
@@ -24,8 +24,8 @@ case_myctophid <- function() {
   )
 }
 
-# A body of a prawn trawl cut short (112 rows for 160) spreads the wing ends 4.7 to 5.6 % wider,
-# with 0 to 4.3 % less drag.
+# A prawn trawl body shortened from 160 to 112 rows spreads the wing ends 4.7 to 5.6 % wider, with 0
+# to 4.3 % less drag.
 case_penaeid_body <- function() {
   found <- settled_along(particular_net("penaeid"),
     list(sections.body.meshes.deep = c(160, 112)), c("wing_end_spread_m", "total_drag_kN"))
@@ -36,13 +36,13 @@ case_penaeid_body <- function() {
   )
 }
 
-# Between a beam's sleds its drag grows by up to 16 % where its spread goes from 0.5 to 0.8 of the
-# head line.
+# Between a beam's sleds its drag grows by up to 16 % if its spread increases from 0.5 to 0.8 of the
+# headline.
 case_penaeid_spread <- function() {
   gear <- update(particular_net("penaeid"), warps = NULL, otter_boards = NULL,
     towing_points = list(spread = "5 m", height = "0.4 m"))
   found <- settled_along(gear, list(towing_points.spread = paste(4:10, "m")),
     c("wing_end_spread_m", "total_drag_kN"))
   at <- stats::approx(found[, 1] / 7.35, found[, 2], c(0.5, 0.8))$y
-  compared("drag", "0.8 over 0.5 of the head line", 1.16, at[2] / at[1])
+  compared("drag", "0.8 over 0.5 of the headline", 1.16, at[2] / at[1])
 }
