@@ -1,4 +1,4 @@
-// "On this page": links to the headings of the page.
+// Fill "On this page" with links to the headings.
 const nav = document.getElementById("toc");
 const headings = [...document.querySelectorAll("main h2, main h3")];
 if (nav && headings.length > 1) {
@@ -8,7 +8,7 @@ if (nav && headings.length > 1) {
     if (!id || id === "main") continue;
     const link = document.createElement("a");
     link.href = `#${id}`;
-    // a heading's own anchor is no part of its words
+    // Leave out the anchor of the heading.
     link.textContent = [...heading.childNodes]
       .filter((node) => !node.classList?.contains("anchor"))
       .map((node) => node.textContent).join("").trim();
@@ -18,7 +18,7 @@ if (nav && headings.length > 1) {
   }
 } else if (nav) nav.remove();
 
-// The living gear in the place of its picture.
+// Replace a picture by its live gear.
 for (const picture of document.querySelectorAll("img[data-live]")) {
   const live = document.createElement("iframe");
   live.className = "live";
