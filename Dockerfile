@@ -1,7 +1,8 @@
-# codend in a container of Debian's, with its command:
+# Container with the command codend:
 #   docker build -t codend .
 #   docker run --rm codend settle midwater_trawl
-# Plans and results go through a folder: docker run --rm -v "$PWD":/data codend settle /data/plan.yaml --out /data/out
+# Mount a folder for plans and results:
+#   docker run --rm -v "$PWD":/data codend settle /data/plan.yaml --out /data/out
 FROM debian:trixie
 COPY . /src
 RUN /src/tools/setup && rm -rf /src

@@ -1,49 +1,46 @@
-# make trawl   settle the shipped midwater trawl: measures on screen, pictures and tables in out/
+# Users:
+#   make trawl     settle the shipped midwater trawl; write pictures and tables to out/
+#   make install   install codend with its vignettes; takes minutes
 #
-# make install  codend with its vignettes: vignette("measures", "codend"); computes them, in minutes
+# Tests and checks:
+#   make test      all tests of the engine and of the package
+#   make fast      engine tests and quick package tests, in less than two minutes
+#   make lint      lanes of continuous integration that take seconds
+#   make check     R CMD check --as-cran of the published package; a note is a failure
+#   make ci        all lanes of continuous integration (tools/lanes.csv); output in out/lanes/
+#   make lane LANE="style cost"  single lanes
+#   make ratchet   store the present values of lanes that compare with stored values (tests/ratchets)
+#   make fuzz      random plans, files, models and messages; SECONDS=... SEED=...
+#   make fuzz-engine  randomly damaged engine models, under the sanitizers; COUNT=... SEED=...
+#   make sanitize-threads  engine tests under the thread sanitizer
+#   make coverage  line coverage of the tests; PART=R or PART=C++ for one language; needs covr
+#   make soak      ten users of the flume tank for an hour; MINUTES=... USERS=...; needs Node.js 20
 #
-# make test    every test of the engine and of the package
-# make fast    the engine's tests and the quick ones of the package, in under two minutes
-# make lint    the lanes of continuous integration that take seconds
-# make fuzz    plans, files, models and messages that nobody would write; SECONDS=... and SEED=...
-# make sanitize-threads  the engine's tests under the thread sanitizer
-# make fuzz-engine  models of the engine damaged at random, under the sanitizers; COUNT=... and SEED=...
-# make coverage  which lines of R and C++ the tests run, PART=R or PART=C++ of one; takes the R package covr
-# make check   R CMD check --as-cran of the package as it would be published; any note is a failure
-# make ci      every lane of continuous integration (tools/lanes.csv); out/lanes/ has their output
-# make lane LANE=NAME  one lane, or several: LANE="style cost"
-# make ratchet  stores the present values of the lanes that compare with stored ones (tests/ratchets)
-# make gallery writes all pictures of gears and of the tank, and gallery/scenes.csv with the scenes
-#              that they show; look at each picture
+# Measurements, results in bench/results/ (bench/README.md):
+#   make bench     cost of settling; NODES=... is the largest size
+#   make bench-loops  cost of changing a settled gear
+#   make bench-tow    cost of one second of motion, by scheme
+#   make netting   discretisation error of netting: known answers, mesh differences, cost
+#   make errors    reliability of error estimates; ERRORS="gears=100 nodes=1500"
+#   make random-gears  success rate of random gears; COUNT=... SEED=... NODES=... NETTING=... LAW=... KIND=...
+#   make robust    success rate of 500 variations of the trawl
+#   make validate  compare with analytical solutions, flume tests and hauls: validation/book.md
+#   make condition  fit the coefficient multipliers to measurements; FIT=1 reuses the last sensitivities
 #
-# make soak    ten users of the flume tank for an hour, or MINUTES=..., USERS=...; takes Node.js 20
+# Generated files:
+#   make gallery   all pictures of gears and of the tank, and their scenes in gallery/scenes.csv
+#   make wasm      the engine as WebAssembly in inst/share, for pages of share(); installs codend
+#   make site      help, guides, pictures and live gears as a site in site/; runs make wasm first
+#   make docs      results that README, guides and help quote from result files
+#   make schema    inst/schema and enumerations of the engine, from tools/schema and tables
+#   make schema-check  fail if these files are outdated
+#   make schema-test   check valid and invalid plans with two standard validators; needs Node.js with
+#                  npm, and Python with jsonschema and PyYAML
 #
-# make bench   what settling costs, to bench/results/ (bench/README.md); NODES=... is the largest size
-# make bench-loops  what a change of a settled gear takes, to bench/results/
-# make bench-tow  what a second of motion costs by scheme, to bench/results/
-# make netting  what netting's lattice leaves: against known answers, between lattices, and cost
-# make errors  whether the errors of measures hold, to bench/results/; ERRORS="gears=100 nodes=1500"
-# make forge   how many gears drawn at random settle, to bench/results/; COUNT=... SEED=... NODES=...
-#              NETTING=... LAW=... KIND=...
-# make robust  how many of 500 variations of the trawl settle, to bench/results/
-#
-# make validate  codend beside closed forms, flume tests and hauls: validation/book.md
-#
-# make wasm    the engine as WebAssembly, into inst/share, for pages that share() writes, and codend with it
-#
-# make site    help, guides, pictures and living gears as a site, into site/, by pkgdown without the
-#              network; makes wasm first
-#
-# make docs    results that README, guides and help quote, from the files that hold them
-#
-# make schema  the schema of plans, inst/schema, from its parts in tools/schema
-# make schema-check  fails where it is not what the parts give
-# make schema-test  shipped plans, right ones and wrong ones by two standard validators; takes Node.js
-#              with npm, and Python with jsonschema and PyYAML
-# All but these two install whatever is missing first (tools/setup) and nothing when nothing is.
+# All targets except docs, schema and schema-check install missing dependencies first (tools/setup).
 
 .PHONY: docs trawl install test fast lint fuzz fuzz-engine sanitize-threads coverage check ci lane \
-  ratchet gallery guides knitted soak bench bench-loops bench-tow netting errors forge robust \
+  ratchet gallery guides knitted soak bench bench-loops bench-tow netting errors random-gears robust \
   validate condition wasm site schema schema-check
 trawl:
 	@tools/setup
@@ -63,8 +60,7 @@ fast:
 
 lint:
 	@tools/setup --ci
-	@Rscript tools/ci.R style layers format engine-files wasm schema help-index generated words \
-	  docs prose
+	@Rscript tools/ci.R style layers format engine-files wasm schema help-index generated docs prose
 
 ci:
 	@tools/setup --ci
@@ -78,7 +74,7 @@ ratchet:
 	@tools/setup --ci
 	@for script in tests/ratchets/*.R; do Rscript $$script --accept || exit 1; done
 
-# A process that asks for more memory than it should gets none.
+# Limit memory, so that a runaway process fails.
 SECONDS ?= 3600
 SEED ?= 1000000
 fuzz:
@@ -107,14 +103,13 @@ gallery:
 	@cd tests/browser && node gallery.js && node pictures.js
 	@Rscript tools/check-gallery.R --accept
 
-# The guides with results in place of code, which the lanes check and site both use: one of them
-# knits while the other waits.
+# Knits the guides for the lanes `check` and `site`. A lock makes one lane wait for the other.
 guides:
-	@mkdir -p out/guides
+	@mkdir -p out/guides/articles
 	@flock out/guides.lock $(MAKE) -s knitted \
 	  INSTALLED=$$(Rscript -e 'cat(system.file("sources.mark", package = "codend"))')
 
-knitted: $(patsubst vignettes/%,out/guides/%,$(wildcard vignettes/*.Rmd))
+knitted: $(patsubst vignettes/%,out/guides/%,$(wildcard vignettes/*.Rmd vignettes/articles/*.Rmd))
 out/guides/%.Rmd: vignettes/%.Rmd $(INSTALLED)
 	@Rscript --vanilla tools/knit-guide.R $< $@
 
@@ -146,11 +141,11 @@ errors:
 	@tools/setup --tests
 	@Rscript bench/errors.R $(ERRORS)
 
-forge: COUNT = 300
-forge: SEED = 1
-forge:
+random-gears: COUNT = 300
+random-gears: SEED = 1
+random-gears:
 	@tools/setup
-	@Rscript bench/settle-forge.R count=$(COUNT) seed=$(SEED) nodes=$(or $(NODES),1500) netting=$(NETTING) \
+	@Rscript bench/settle-random-gears.R count=$(COUNT) seed=$(SEED) nodes=$(or $(NODES),1500) netting=$(NETTING) \
 	  law=$(LAW) kind=$(KIND)
 
 robust:

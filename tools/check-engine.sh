@@ -1,9 +1,13 @@
 #!/usr/bin/env bash
-# Fails where src/Makevars is out of step with the files in src/, or where the engine includes R, has
-# a word of fishing, includes against the order of its folders or in a circle, or has a header that
-# does not compile before all others.
+# Checks the sources of the engine. Fails if
+# - src/Makevars does not match the files in src/;
+# - the engine includes R or contains a fishing term;
+# - includes break the order of the folders or form a cycle;
+# - a header does not compile on its own.
+#
 #   tools/check-engine.sh
-# CXX: the compiler, g++ unless set.
+#
+# CXX: compiler, default g++.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 tools/makevars.sh --check || wrong=1
@@ -15,40 +19,40 @@ complain() {
 }
 sources() { find . -name '*.hpp' -o -name '*.cpp' -o -name '*.inl' | LC_ALL=C sort; }
 
-# A folder includes only itself and those before it; the last is the engine's own, with codend.hpp.
-order=(base elements model gear solve march measure .)
+# A folder includes only itself and earlier folders. The last entry holds codend.hpp.
+order=(base elements model gear solve motion measure .)
 place() { for k in "${!order[@]}"; do [ "${order[$k]}" = "$1" ] && echo "$k"; done; }
 
-# Netting, twine, knot, mesh and rope are structural and allowed.
+# Terms of the structure are allowed: netting, twine, knot, mesh, rope.
 fishing='trawl|otter|seine|vessel|winch|warp|gillnet|longline|fish|catch_(w|p|v|f)|crew|codline|haul'
 
 found=$(sources | xargs grep -nE '#include *[<"](R|Rinternals|Rmath|R_ext|cpp11|Rcpp)[./>"h]')
 [ -z "$found" ] || complain "The engine includes R:"$'\n'"$found"
-# Titles of publications are quoted as they are, and measures have the names that plans have.
+# Exceptions: titles of publications, and names of measures, which plans use.
 found=$(sources | xargs grep -niE "$fishing" | grep -vE 'measure/measure_kinds.hpp|MeasureKind::catch_|Fish Farms|fish farms|Fish\. Res\.|Midwater Trawl')
-[ -z "$found" ] || complain "The engine has words of fishing:"$'\n'"$found"
+[ -z "$found" ] || complain "The engine contains fishing terms:"$'\n'"$found"
 
 pairs=$(mktemp)
 trap 'rm -f "$pairs"' EXIT
 while read -r file; do
   folder=$(basename "$(dirname "$file")")
   own=$(place "$folder")
-  [ -n "$own" ] || { complain "$file is in none of the folders: ${order[*]}"; continue; }
+  [ -n "$own" ] || { complain "$file is outside the known folders: ${order[*]}"; continue; }
   while read -r included; do
     path=$(realpath -m --relative-to=. "$(dirname "$file")/$included")
     [ -f "$path" ] || { complain "$file includes $included, which is not in the engine"; continue; }
     theirs=$(place "$(basename "$(dirname "$path")")")
-    [ "${theirs:-99}" -le "$own" ] || complain "$file includes $path, of a folder above its own"
+    [ "${theirs:-99}" -le "$own" ] || complain "$file includes $path of a later folder"
     echo "${file#./} $path"
   done < <(sed -n 's/^ *#include "\(.*\)".*/\1/p' "$file")
 done < <(sources) >"$pairs"
-tsort "$pairs" >/dev/null 2>&1 || complain "Headers include each other in a circle: $(tsort "$pairs" 2>&1 >/dev/null | tr '\n' ' ')"
+tsort "$pairs" >/dev/null 2>&1 || complain "Headers include each other in a cycle: $(tsort "$pairs" 2>&1 >/dev/null | tr '\n' ' ')"
 
 eigen=/usr/include/eigen3
 [ -d "$eigen" ] || eigen=$(Rscript -e 'cat(system.file("include", package = "RcppEigen"))')
-# A header with a source is the source's first include, which shows that it needs no other before it.
-# The rest, one by one, would take minutes: they are compiled together, those of the last folder first, so
-# that what a header needs of a folder before its own is not there unless it includes it.
+# A source file must include its own header first, which shows that the header compiles on its own.
+# The other headers are compiled together, because compiling each takes minutes. Headers of later folders
+# come first, so that a missing include of an earlier folder is an error.
 alone=()
 for folder in "${order[@]}"; do
   while read -r header; do

@@ -1,11 +1,17 @@
-# Checks the scene of every shipped gear as the viewer receives it, without drawing it.
+# Checks the scene of every shipped gear that the viewer receives, without drawing it.
+#
 #   Rscript tools/check-gallery.R           checks, and compares the scenes with gallery/scenes.csv
 #   Rscript tools/check-gallery.R --accept  checks and stores them; `make gallery` does so
-# It fails
-# - if netting has a gap at a seam, or drawn twines do not meet on a seam across the net;
-# - if points of netting are farther apart than their twines reach, or lie outside of their panel;
-# - if the purse wire leaves the pursed seine open;
-# - if a gear has no picture, or its scene differs from the scene of its picture.
+#
+# Faults:
+#
+# - Netting has a gap at a seam, or drawn twines do not meet on a seam across the net.
+#
+# - Points of netting are farther apart than their twines reach, or lie outside their panel.
+#
+# - The purse wire leaves the pursed seine open.
+#
+# - A gear has no picture, or its scene differs from the scene of its picture.
 suppressMessages(library(codend))
 codend <- asNamespace("codend")
 source("tests/browser/gallery.R")
@@ -16,9 +22,12 @@ unpacked <- function(text, type) {
   readBin(bytes, type, length(bytes) %/% 4L, size = 4L, endian = "little")
 }
 
-# Returns list(at = points (3 x n, m), lines = points that each line joins (2 x n), part = part of
-# each line, panels = a list of list(bar = length of a bar (m), point = numbers of points, mesh and
-# drawn = twine and drawn coordinates of these points (2 x n))).
+# Returns list(at, lines, part, panels).
+#
+# at: points (3 x n, m). lines: indices of the points of each line (2 x n). part: part of each line.
+#
+# panels: a list for each panel. bar: length of a bar (m). point: indices of its points. mesh and
+# drawn: twine and drawn coordinates of its points (2 x n).
 read_scene <- function(state) {
   scene <- codend$viewed_scene(state)
   part <- scene$parts$name
@@ -35,8 +44,8 @@ read_scene <- function(state) {
   )
 }
 
-# Returns the points of a scene on a stretch of a panel's edge, a row for each in order: fraction of
-# the stretch, x, y, z (m) and both drawn coordinates.
+# Returns the points of a scene on a stretch of a panel's edge, in order. One row per point:
+# fraction of the stretch, x, y, z (m) and both drawn coordinates.
 edge_points <- function(scene, si, panel, edge, from, to) {
   drawn <- scene$panels[[panel]]
   ends <- codend$edge_twines(si$panels[[panel]], edge, c(from, to))
@@ -50,7 +59,7 @@ edge_points <- function(scene, si, panel, edge, from, to) {
   cbind(fraction[on], t(at), t(drawn$drawn[, on, drop = FALSE]))
 }
 
-# Returns the largest distance between two edges over the length of the first.
+# Returns the largest distance between two edges as a fraction of the length of the first edge.
 edge_gap <- function(one, other) {
   if (nrow(one) < 2L || nrow(other) < 2L) return(Inf)
   fraction <- c(one[, 1L], other[, 1L])
@@ -63,7 +72,7 @@ edge_gap <- function(one, other) {
   max(apart) / sum(sqrt(rowSums(diff(one[, 2:4])^2)))
 }
 
-# Returns the fractions of an edge at which twines end that a viewer draws: at most 16 of a family.
+# Returns the positions of drawn twine ends along an edge (fractions): at most 16 per family.
 twine_ends <- function(edge) {
   sort(unlist(lapply(5:6, function(column) {
     x <- edge[c(1L, nrow(edge)), column]
@@ -82,8 +91,9 @@ twines_meet <- function(one, other) {
   all(vapply(inner, function(end) min(abs(ends[[2L]] - end)), 0) < 1e-3)
 }
 
-# Returns a row for each seam joint: its panels, TRUE if it runs across the net, its gap and TRUE if
-# drawn twines meet there. Twines of sides that are cut differently cannot all meet.
+# Returns a data frame with a row per seam joint: place (its panels), across (TRUE if it runs across
+# the net), gap (fraction of its length), meet (TRUE if drawn twines meet there). Twines of sides
+# with different cuts cannot all meet.
 seams_of_scene <- function(scene, si) {
   joints <- codend$seam_joints(si)
   joints <- joints[seq_len(nrow(joints) / 2), ]
@@ -100,7 +110,8 @@ seams_of_scene <- function(scene, si) {
   do.call(rbind, c(list(data.frame(place = "", across = NA, gap = 0, meet = NA)[0L, ]), rows))
 }
 
-# Returns the largest distance between neighbours in a panel over the length of twine between them.
+# Returns the largest distance between neighbours in a panel, as a fraction of the length of twine
+# between them.
 panel_stretch <- function(scene, panel) {
   many <- length(panel$point)
   nearest <- as.vector(vapply(seq_len(many), function(k) {
@@ -118,7 +129,7 @@ polygon_area <- function(x, y) {
   abs(sum(x * y[following] - y * x[following])) / 2
 }
 
-# TRUE if the points of a panel reach to its corners and none lies outside of it.
+# TRUE if the points of a panel reach its corners and lie inside the panel.
 fills_panel <- function(panel, si) {
   corners <- cbind(codend$edge_twines(si, "upper", 0:1), codend$edge_twines(si, "lower", 1:0))
   hull <- grDevices::chull(t(panel$mesh))
@@ -126,14 +137,14 @@ fills_panel <- function(panel, si) {
   abs(covered / polygon_area(corners[1L, ], corners[2L, ]) - 1) < 1e-3
 }
 
-# Returns the area within a rope seen from above, in m2.
+# Returns the area enclosed by a rope, seen from above (m2).
 area_within <- function(scene, rope) {
   lines <- scene$lines[, scene$part == rope, drop = FALSE]
   points <- c(lines[1L, ], lines[2L, ncol(lines)])
   polygon_area(scene$at[1L, points], scene$at[2L, points])
 }
 
-# Returns the faults of a scene as texts.
+# Returns a message for each fault of a scene.
 scene_faults <- function(name, scene, si, seams) {
   gap <- seams$gap > 1e-3
   apart <- seams$across & !seams$meet & !gap
@@ -144,10 +155,10 @@ scene_faults <- function(name, scene, si, seams) {
   open <- if ("purse_wire" %in% scene$part) {
     100 * area_within(scene, "lead_line") / area_within(scene, "float_line")
   }
-  # coarse meshes of long bars, and netting that snaps taut, reach up to 1.5
+  # Coarse meshes with long bars and netting that snaps taut reach up to 1.5.
   torn <- stretch > 2
   texts <- c(
-    sprintf("the netting has a gap of %.2g of the seam %s", seams$gap[gap], seams$place[gap]),
+    sprintf("the netting has a gap of %.2g seam lengths at %s", seams$gap[gap], seams$place[gap]),
     sprintf("drawn twines break at the seam %s", seams$place[apart]),
     sprintf("points of %s are %.1f twine lengths apart", names(stretch), stretch)[torn],
     sprintf("the drawn netting does not fill %s", names(filled))[!filled],
@@ -156,7 +167,7 @@ scene_faults <- function(name, scene, si, seams) {
   sprintf("%s: %s.", name, texts)
 }
 
-# Returns the numbers by which two scenes are compared.
+# Returns one row of numbers for the comparison of two scenes.
 scene_numbers <- function(name, scene, seams) {
   drawn <- vapply(scene$panels, function(panel) {
     sum(apply(panel$drawn, 1L, function(x) diff(range(x))))
@@ -168,8 +179,8 @@ scene_numbers <- function(name, scene, seams) {
     as.list(signif(c(size = size, mean = rowMeans(scene$at)), 5)))
 }
 
-# Returns a text for each number of a scene that differs from the stored one by more than 1 % of the
-# number or, for positions, of the largest extent.
+# Returns a message for each number of a scene that differs from the stored value by more than 1 %
+# of the number or, for positions, 1 % of the largest extent.
 changes <- function(now, was) {
   if (!nrow(was)) return(sprintf("%s is not in %s.", now$gear, pictures$stored))
   columns <- setdiff(names(now), "gear")
@@ -191,7 +202,7 @@ picture_faults <- function(gears) {
   bytes <- sum(file.size(cards), na.rm = TRUE)
   c(
     sprintf("%s is missing.", files)[!file.exists(files)],
-    sprintf("%s belongs to no shipped gear.", extra),
+    sprintf("%s is not a picture of a shipped gear.", extra),
     sprintf("%s takes %.0f bytes, more than %.0f.", pictures$cards, bytes,
       pictures$most_bytes)[bytes > pictures$most_bytes]
   )

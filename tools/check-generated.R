@@ -1,5 +1,5 @@
-# Fails where help, NAMESPACE or the binding's registration is not what their sources make. Works on
-# a copy, and needs codend installed from the same sources.
+# Fails if help, NAMESPACE or the registration of C++ functions differ from the output of their
+# generators. Works on a copy. Needs codend installed from the same sources.
 
 copy <- tempfile("generated")
 dir.create(copy)
@@ -22,7 +22,7 @@ in_step <- function(file) {
 }
 stale <- files[!vapply(files, in_step, NA)]
 if (length(stale) > 0L) {
-  cat("Not in step with their sources:", stale, sep = "\n  ")
+  cat("These files do not match their sources:", stale, sep = "\n  ")
   cat("Run: Rscript -e 'roxygen2::roxygenise(load_code = \"installed\"); cpp11::cpp_register()'\n")
   quit(status = 1)
 }

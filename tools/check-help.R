@@ -1,7 +1,10 @@
-# Fails where a help page has no example, or stands in no group of the site's index of help
-# (_pkgdown.yml), or a vignette in no group of its guides; or where these name what is not there; or
-# where a vignette makes a function of a name that codend exports: R CMD build computes all of them
-# in one R, so a later one would call it in codend's place.
+# Fails if the index of the site (_pkgdown.yml) or a page is incomplete:
+#
+# - a help page lacks an example, a see-also or a group in the index
+# - a guide lacks a group, or the index names a missing page or guide
+# - a guide defines a function with the name of an exported one: R CMD build computes all guides in
+# one
+#   session, where a later guide would call that function
 
 pages <- list.files("man", "[.]Rd$", full.names = TRUE)
 text <- lapply(pages, readLines, warn = FALSE)
@@ -13,7 +16,7 @@ grouped <- function(part) {
 }
 topics <- grouped("reference")
 guides <- grouped("articles")
-vignettes <- sub("[.]Rmd$", "", list.files("vignettes", "[.]Rmd$"))
+vignettes <- sub("[.]Rmd$", "", list.files("vignettes", "[.]Rmd$", recursive = TRUE))
 exported <- grep("^export[(]", readLines("NAMESPACE"), value = TRUE)
 exported <- sub("^export[(](.*)[)]$", "\\1", exported)
 masked <- function(vignette) {
@@ -22,15 +25,16 @@ masked <- function(vignette) {
   intersect(sub(made, "\\1", grep(made, lines, value = TRUE)), exported)
 }
 masks <- unlist(lapply(vignettes, function(vignette) {
-  sprintf("vignettes/%s.Rmd makes its own %s(), which codend has", vignette, masked(vignette))
+  sprintf("vignettes/%s.Rmd defines %s(), which codend exports", vignette, masked(vignette))
 }))
 wrong <- c(
   masks,
   sprintf("man/%s.Rd has no example", name[!has("^.examples")]),
+  sprintf("man/%s.Rd has no see-also", name[!has("^.seealso")]),
   sprintf("man/%s.Rd is in no group of _pkgdown.yml", setdiff(name[!has("internal")], topics)),
-  sprintf("_pkgdown.yml names the page %s, which is not there", setdiff(topics, name)),
+  sprintf("_pkgdown.yml lists the page %s, which does not exist", setdiff(topics, name)),
   sprintf("vignettes/%s.Rmd is in no group of _pkgdown.yml", setdiff(vignettes, guides)),
-  sprintf("_pkgdown.yml names the vignette %s, which is not there", setdiff(guides, vignettes))
+  sprintf("_pkgdown.yml lists the vignette %s, which does not exist", setdiff(guides, vignettes))
 )
 if (length(wrong)) {
   cat(wrong, sep = "\n")

@@ -1,26 +1,34 @@
-# Whether R functions use only what stands in their own room or below it:
+# Checks that R functions call only functions of their own layer or of lower layers:
 #
 #   Rscript tools/check-layers.R
 #
-# The first word of a file's name is its room; tools/layers.csv lists the rooms from the lowest up.
-# The run fails on a file without a room, on a call to a higher room, on rooms that call each other
-# in a cycle, on more than 5 files that all reach each other, and on a name that is defined twice.
-# It reads the sources: nothing has to be installed.
+# The first word of a file name is its layer. tools/layers.csv lists the layers from the lowest to
+# the highest. The check reads the sources, so codend need not be installed. Failures:
 #
-# A call is any use of a name that the package defines: also as a default, in a list or handed over
-# as a value, in braces of a text that cli fills in, and in quotes where do.call(), match.fun() and
-# the like look a function up. Methods of R's generics are called by R and may stand in any room.
+# - A file has no layer.
+#
+# - A function calls a function of a higher layer, or layers call each other in a cycle.
+#
+# - More than 5 files all reach each other.
+#
+# - A name is defined twice.
+#
+# A call is any use of a name that the package defines. This includes default values, list elements
+# and functions passed as values. It also includes names in braces of a string that cli fills in,
+# and quoted names in do.call(), match.fun() and similar functions.
+#
+# R calls the methods of its generics, so they may be in any layer.
 
-# How many files may all reach each other.
+# Largest number of files that may all reach each other.
 most_knotted <- 5L
 
-# Which argument of these is a function or the name of one.
+# Position of the argument that is a function or its name.
 looks_up <- c(
   do.call = 1, match.fun = 1, get = 1, get0 = 1, Map = 1, Filter = 1, Reduce = 1, mapply = 1,
   lapply = 2, sapply = 2, vapply = 2
 )
 
-# Names that stand in the texts of an expression.
+# Returns names of functions in the strings of an expression.
 names_in_texts <- function(e) {
   if (is.character(e)) return(unlist(lapply(e, names_in_braces)))
   if (!is.call(e) && !is.list(e) && !is.pairlist(e)) return(NULL)
@@ -31,7 +39,7 @@ names_in_texts <- function(e) {
   })))
 }
 
-# Functions that a text such as "{.arg file} is {show_value(file)}" calls.
+# Returns the functions that a string such as "{.arg file} is {show_value(file)}" calls.
 names_in_braces <- function(text) {
   braces <- regmatches(text, gregexpr("\\{[^.{}?][^{}]*\\}", text))[[1]]
   code <- tryCatch(parse(text = braces, keep.source = FALSE), error = function(e) NULL)
@@ -40,7 +48,7 @@ names_in_braces <- function(text) {
   }))
 }
 
-# What the expressions of a file define and use: list(name, "" where nothing; file; uses).
+# Returns a list for each expression of a file: name (defined name or ""), file, uses (used names).
 read_expressions <- function(file) {
   lapply(as.list(parse(file.path("R", file), keep.source = FALSE)), function(e) {
     assigns <- is.call(e) && is.name(e[[1]]) && as.character(e[[1]]) %in% c("<-", "=") &&
@@ -53,8 +61,8 @@ read_expressions <- function(file) {
   })
 }
 
-# The sets of nodes that reach each other and themselves, largest first; edges: two columns of
-# names.
+# Returns the sets of nodes that reach each other and themselves, largest first. edges: data frame
+# with two columns of names.
 cycles <- function(nodes, edges) {
   reach <- matrix(FALSE, length(nodes), length(nodes), dimnames = list(nodes, nodes))
   reach[cbind(edges[[1]], edges[[2]])] <- TRUE
@@ -66,8 +74,8 @@ cycles <- function(nodes, edges) {
 
 layers <- utils::read.csv("tools/layers.csv")
 files <- list.files("R", "[.]R$")
-room <- stats::setNames(sub("[-.].*$", "", files), files)
-height <- stats::setNames(seq_along(layers$room), layers$room)
+layer <- stats::setNames(sub("[-.].*$", "", files), files)
+height <- stats::setNames(seq_along(layers$layer), layers$layer)
 
 found <- unlist(lapply(files, read_expressions), recursive = FALSE)
 name <- vapply(found, `[[`, "", "name")
@@ -76,36 +84,36 @@ defined <- name[nzchar(name)]
 home <- stats::setNames(file[nzchar(name)], defined)
 
 calls <- do.call(rbind, lapply(found, function(one) {
-  # every function reads fields, by the package's own `$`
+  # `$` is left out: nearly all functions use the package's own `$`.
   to <- setdiff(intersect(one$uses, defined), c(one$name, "$"))
   if (length(to) == 0) return(NULL)
   data.frame(from = one$name, to = to, from_file = one$file, to_file = unname(home[to]))
 }))
 calls <- unique(calls)
-calls$from_room <- unname(room[calls$from_file])
-calls$to_room <- unname(room[calls$to_file])
-between <- calls[calls$from_room != calls$to_room, ]
-up <- between[which(height[between$from_room] < height[between$to_room]), ]
+calls$from_layer <- unname(layer[calls$from_file])
+calls$to_layer <- unname(layer[calls$to_file])
+between <- calls[calls$from_layer != calls$to_layer, ]
+up <- between[which(height[between$from_layer] < height[between$to_layer]), ]
 
-lost <- files[!room %in% layers$room]
+lost <- files[!layer %in% layers$layer]
 twice <- unique(defined[duplicated(defined)])
-rings <- cycles(unique(unname(room)), unique(between[c("from_room", "to_room")]))
+rings <- cycles(unique(unname(layer)), unique(between[c("from_layer", "to_layer")]))
 rings <- rings[lengths(rings) > 1]
 between_files <- unique(calls[calls$from_file != calls$to_file, c("from_file", "to_file")])
 knots <- cycles(files, between_files)
 
-cat(sprintf("%d files in %d rooms, %d names\n", length(files), length(unique(room)),
+cat(sprintf("%d files in %d layers, %d names\n", length(files), length(unique(layer)),
   length(defined)))
-cat(sprintf("%d calls between functions, %d between rooms, %d upwards\n", nrow(calls),
+cat(sprintf("%d calls between functions, %d between layers, %d upwards\n", nrow(calls),
   nrow(between), nrow(up)))
-cat(sprintf("%d rooms in cycles, %d files in the largest knot\n", sum(lengths(rings)),
+cat(sprintf("%d layers in cycles, %d files in the largest knot\n", sum(lengths(rings)),
   max(0L, lengths(knots))))
 
 wrong <- c(
-  sprintf("R/%s: tools/layers.csv has no room `%s`", lost, room[lost]),
-  sprintf("R/%s: %s() calls %s() of R/%s, which is higher", up$from_file, up$from, up$to,
+  sprintf("R/%s: tools/layers.csv has no layer `%s`", lost, layer[lost]),
+  sprintf("R/%s: %s() calls %s() of R/%s, which is in a higher layer", up$from_file, up$from, up$to,
     up$to_file),
-  vapply(rings, function(ring) paste("rooms call each other:", paste(ring, collapse = ", ")), ""),
+  vapply(rings, function(ring) paste("layers call each other:", paste(ring, collapse = ", ")), ""),
   vapply(knots[lengths(knots) > most_knotted], function(knot) {
     paste("files reach each other:", toString(file.path("R", knot)))
   }, ""),

@@ -2,11 +2,12 @@
 # time as there are cores.
 #   Rscript tools/ci.R              runs every lane
 #   Rscript tools/ci.R style cost   runs these lanes only
-# A lane is a shell command. It passes if the command exits with status 0. Its output goes to
-# out/lanes/<lane>.log; a failed lane also prints the end of its output and how to run it alone. The
-# processor time leaves out processes that nobody waits for, such as Chromium's. The last line
-# counts tests as "N passed, N failed, N skipped": lanes that end with such a line contribute their
-# counts, any other lane counts as one test.
+#
+# A lane is a shell command. It passes if the command exits with status 0. Its output is stored in
+# out/lanes/<lane>.log. A failed lane also prints the end of its output and the command to run it
+# alone. The processor time excludes processes without a waiting parent, such as Chromium's. The
+# last line counts tests as "N passed, N failed, N skipped". Lanes that end with such a line
+# contribute their counts; any other lane counts as one test.
 
 lanes <- utils::read.csv("tools/lanes.csv")
 chosen <- commandArgs(TRUE)
@@ -17,7 +18,7 @@ if (length(unknown)) {
 if (length(chosen)) lanes <- lanes[match(chosen, lanes$lane), ]
 folder <- file.path("out", "lanes")
 dir.create(folder, FALSE, TRUE)
-# Flags of a make that started this script do not apply to the makes that lanes start.
+# Drop the flags of a make that started this script: they do not apply to the lanes.
 Sys.unsetenv(c("MAKEFLAGS", "MFLAGS", "MAKELEVEL"))
 
 # Returns c(passed, failed, skipped) from the last line of a lane's log.
@@ -30,7 +31,7 @@ count_tests <- function(lines, failed) {
   count
 }
 
-# Runs row k of `lanes`; prints its result in one piece, since other lanes print next to it.
+# Runs row k of `lanes`. Prints its result in one call, because lanes run in parallel.
 run_lane <- function(k) {
   lane <- lanes[k, ]
   log <- file.path(folder, paste0(lane$lane, ".log"))

@@ -1,6 +1,7 @@
-# Sets down the names that the packages most used beside codend export, as far as they are installed
-# here: Rscript tools/common-names.R. tests/testthat/test-names.R compares codend's own with them,
-# and with those of R's own packages, which are there wherever it runs.
+# Stores the exported names of common packages that are installed here:
+#   Rscript tools/common-names.R
+# tests/testthat/test-names.R compares codend's names with them and with the names of base R
+# packages.
 packages <- c(
   "dplyr", "tibble", "tidyr", "readr", "purrr", "stringr", "forcats", "lubridate", "ggplot2",
   "data.table", "magrittr", "rlang", "generics", "scales", "knitr", "rmarkdown", "shiny",

@@ -1,6 +1,6 @@
-# Writes R/zzz-compiled.R, the list of functions that are compiled when the package is installed,
-# from a common session: R's own compiler selects what that session calls more than once.
-#   Rscript tools/compiled.R   takes a minute; run it after changes of the functions of common calls
+# Writes R/zzz-compiled.R, the list of functions to compile when the package is installed. It runs a
+# common session, in which R's own compiler selects the functions that are called more than once.
+#   Rscript tools/compiled.R   takes a minute; run it after changes to commonly called functions
 
 library(codend)
 package <- asNamespace("codend")
@@ -8,7 +8,7 @@ names <- ls(package, all.names = TRUE)
 names <- names[vapply(names, function(name) is.function(package[[name]]), NA)]
 methods <- package[[".__S3MethodsTable__."]]
 
-# Without compiled code at first: an assigned environment removes it.
+# Remove compiled code first: assigning an environment does so.
 for (table in list(package, methods)) {
   for (name in intersect(ls(table, all.names = TRUE), names)) {
     plain <- table[[name]]

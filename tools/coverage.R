@@ -1,10 +1,10 @@
-# Which lines the tests run. Of R: by covr, through the package's tests. Of C++: by gcov, through
-# the engine's tests and the package's, each of which has an engine of its own compiled for it. What
-# runs in processes that tests start counts too. Prints every file of under 95 % with its lines that
-# are not run, then the totals, and fails where a test does.
-#   Rscript tools/coverage.R      R, then C++; some 60 and 40 CPU minutes
-#   Rscript tools/coverage.R R    one of them
-#   Rscript tools/coverage.R C++
+# Measures the line coverage of the tests. R: by covr, with the package tests. C++: by gcov, with
+# the engine tests and the package tests, each with a separately compiled engine. Processes that
+# tests start count too. Prints each file below 95 % with its uncovered lines, then the totals.
+# Fails if a test fails.
+#   Rscript tools/coverage.R      R and C++; about 60 and 40 CPU minutes
+#   Rscript tools/coverage.R R    R only
+#   Rscript tools/coverage.R C++  C++ only
 
 least <- 95
 parts <- commandArgs(TRUE)
@@ -15,8 +15,8 @@ Sys.setenv(NOT_CRAN = "true")
 failures <- tempfile()
 file.create(failures)
 
-# R code that runs the package's tests, some files to a process on every core, and adds the names of
-# those that fail to `failures`.
+# R code that runs the package tests, several files per process and one process per core. Adds the
+# names of failed tests to the file `failures`.
 run_tests <- sprintf(r"(
 files <- sub("^test-(.*)[.]R$", "\\1", list.files("%1$s", "^test-.*[.]R$"))
 parts <- split(files, seq_along(files) %%%% ceiling(length(files) / 6))
@@ -30,7 +30,7 @@ cat(paste0(failed, "\n", recycle0 = TRUE), file = "%2$s", sep = "", append = TRU
 invisible(parallel::mclapply(
   parts, run, mc.cores = parallel::detectCores(), mc.preschedule = FALSE
 ))
-# what covr cannot read would end it: counts of a process that a test kills while it writes them
+# covr stops at unreadable counts, which a process leaves if a test kills it while it writes.
 counts <- list.files(.libPaths(), "^covr_trace_", full.names = TRUE)
 whole <- vapply(counts, function(file) {
   tryCatch(!is.null(readRDS(file)), error = function(e) FALSE)
@@ -38,7 +38,7 @@ whole <- vapply(counts, function(file) {
 unlink(counts[!whole])
 )", normalizePath("tests/testthat"), failures)
 
-# data.frame(filename, line, value): value is how often a line was run.
+# Returns data.frame(filename, line, value). value: number of runs of the line.
 lines_of_r <- function() {
   options(covr.flags = c(CXX17FLAGS = "-O2"))
   found <- covr::package_coverage(type = "none", code = run_tests, quiet = FALSE,
@@ -47,7 +47,7 @@ lines_of_r <- function() {
   lines[startsWith(lines$filename, "R/"), c("filename", "line", "value")]
 }
 
-# Stops where a program that is needed for what follows does not succeed.
+# Runs a program and stops if it fails.
 need <- function(program, arguments, environment = character()) {
   if (system2(program, arguments, env = environment)) {
     stop(paste(c(program, arguments), collapse = " "), " failed.", call. = FALSE)
@@ -58,7 +58,7 @@ lines_of_cpp <- function() {
   work <- tempfile("coverage")
   library <- file.path(work, "library")
   dir.create(library, recursive = TRUE)
-  # gcov's counts lie beside the objects that R CMD INSTALL makes
+  # gcov stores its counts next to the objects that R CMD INSTALL makes.
   need("git", c("checkout-index", "--all", paste0("--prefix=", work, "/sources/")))
   makevars <- file.path(work, "Makevars")
   writeLines(c("CXX17FLAGS = -O1 --coverage", "LDFLAGS = --coverage"), makevars)
@@ -77,13 +77,13 @@ lines_of_cpp <- function() {
   lines[lines$filename != "src/cpp11.cpp", ]
 }
 
-# The same of the files of codend in one of gcov's files.
+# Returns data.frame(filename, line, value) for codend's files in one file of gcov.
 counted_lines <- function(counts) {
   told <- system2("gcov", c("--json-format", "--stdout", counts), stdout = TRUE, stderr = FALSE)
   files <- jsonlite::fromJSON(paste(told, collapse = ""), simplifyVector = FALSE)$files
   do.call(rbind, lapply(files, function(file) {
     name <- file$file
-    # a header's name goes by way of the file that includes it
+    # The path of a header starts with the folder of the file that includes it.
     while (grepl("[^/.]+/\\.\\./", name)) name <- sub("[^/.]+/\\.\\./", "", name)
     name <- sub("^(.*/)?src/", "src/", name)
     if (!startsWith(name, "src/") && file.exists(file.path("src", name))) {
@@ -97,7 +97,7 @@ counted_lines <- function(counts) {
   }))
 }
 
-# 1, 2, 3, 7 as "1-3, 7"
+# Formats 1, 2, 3, 7 as "1-3, 7".
 ranges <- function(x) {
   x <- sort(x)
   run <- cumsum(c(TRUE, diff(x) > 1))

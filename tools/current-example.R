@@ -1,5 +1,5 @@
-# Writes inst/extdata/current_cf.nc, a made-up current off Norway as ocean services give theirs out:
-# packed, with land, 5 depths, 3 hours. Its current is one that the tests can compute:
+# Writes inst/extdata/current_cf.nc, an artificial current off Norway in the format of ocean
+# services: packed values, land, 5 depths, 3 hours. Tests compute the same current:
 #   eastward  = 0.4 exp(-depth / 50) + 0.01 hour, northward = 0.1 - 0.001 depth (m/s)
 #   Rscript tools/current-example.R
 

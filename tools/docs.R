@@ -1,9 +1,10 @@
-# Writes into README, guides and help the results that they quote, from the files that hold them.
-#   Rscript tools/docs.R           writes
-#   Rscript tools/docs.R --check   fails where a document differs from the files, or README quotes a
-#                                  percentage or a time without a marker
-# Markdown has a result between markers: <!-- result: book-cases -->49<!-- end -->. Help has it as
-# \resultBookCases{}, an Rd macro of man/macros/results.Rd, which this script writes.
+# Updates the results that README, guides and help quote from result files.
+#   Rscript tools/docs.R           writes the documents
+#   Rscript tools/docs.R --check   fails if a document differs from the result files, or if README
+#                                  quotes a percentage or a time without a marker
+#
+# In Markdown a result is between markers: <!-- result: book-cases -->49<!-- end -->. In help it is
+# an Rd macro such as \resultBookCases{} of man/macros/results.Rd, which this script writes.
 
 number <- function(x, digits = 2) {
   stopifnot("a result is not one number in its file" = length(x) == 1L && is.finite(x))
@@ -45,7 +46,7 @@ netting_results <- function() {
     at <- found$case == case & found$netting == netting & found$measure == measure
     found$value[at & found$section == "nettings"]
   }
-  # Returns the difference of bars from cells [% of cells].
+  # Returns the difference between bars and cells [% of cells].
   apart <- function(case, measure = "total_drag_kN") {
     percent(100 * abs(value(case, "bars", measure) / value(case, "cells", measure) - 1))
   }
@@ -117,12 +118,12 @@ error_results <- function() {
   )
 }
 
-# Returns the lanes of continuous integration as a table of Markdown.
+# Returns the lanes of continuous integration as a Markdown table.
 lane_results <- function() {
   lanes <- utils::read.csv("tools/lanes.csv")
   command <- sprintf("`%s`", gsub("|", "\\|", lanes$command, fixed = TRUE))
   rows <- sprintf("| %s | %s | %s | %s |", lanes$lane, command, lanes$minutes, lanes$protects)
-  head <- c("| lane | command | minutes | what it protects |", "|---|---|---:|---|")
+  head <- c("| lane | command | minutes | checks |", "|---|---|---:|---|")
   list(lanes = paste0(c("", head, rows, ""), collapse = "\n"))
 }
 
@@ -140,7 +141,7 @@ read_text <- function(file) {
   paste0(readLines(file, encoding = "UTF-8", warn = FALSE), "\n", collapse = "")
 }
 
-# Returns the text of one group of a pattern for every match in a text.
+# Returns one group of a pattern for every match in a string.
 matches <- function(pattern, text, group = 1L) {
   found <- gregmatches(pattern, text)
   vapply(found, `[[`, "", group + 1L)
@@ -150,7 +151,7 @@ gregmatches <- function(pattern, text) {
   regmatches(whole, regexec(pattern, whole, perl = TRUE))
 }
 
-# Returns a text with the values of the results that it quotes.
+# Returns the text with updated values of its results.
 with_results <- function(text) {
   places <- gregexpr(marker, text, perl = TRUE)
   names <- matches(marker, text)
@@ -178,7 +179,7 @@ is[[macros_file]] <- paste0(
     gsub("%", "\\\\\\%", results[used], fixed = TRUE))), "\n", collapse = ""
 )
 
-# Prose of README, without its blocks of code and its marked results.
+# Prose of README, without code blocks and marked results.
 prose <- gsub("(?ms)^```.*?^```", "", was[["README.md"]], perl = TRUE)
 prose <- gsub(marker, "", prose, perl = TRUE)
 prose <- gsub("(?m)^    .*", "", prose, perl = TRUE)
@@ -186,7 +187,7 @@ wrong <- c(
   sprintf("%s quotes an unknown result, %s", quoted$file, quoted$name)[
     !quoted$name %in% names(results)],
   sprintf("help quotes an unknown result, \\%s", setdiff(in_help, macros)),
-  sprintf("no document quotes %s: take it out of tools/docs.R",
+  sprintf("no document quotes %s: remove it from tools/docs.R",
     setdiff(names(results)[!used], quoted$name)),
   sprintf("README.md has a measured value without a marker: %s",
     matches("([^\\n]*[0-9] ?(?:%|(?:s|ms|min|seconds|minutes|hours)\\b)[^\\n]*)", prose))
@@ -201,7 +202,7 @@ if ("--check" %in% commandArgs(TRUE)) {
   differ <- quoted[quoted$value != results[quoted$name], ]
   cat(sprintf("%s: %s is %s, the result files give %s\n", differ$file, differ$name, differ$value,
     results[differ$name]), sep = "")
-  if (length(stale)) cat("Run `make docs`, which rewrites", stale, "\n")
+  if (length(stale)) cat("Run `make docs` to rewrite", stale, "\n")
   quit(status = length(stale) > 0L)
 }
 for (file in stale) {

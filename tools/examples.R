@@ -1,19 +1,22 @@
-# Runs the examples of README and guides as a reader who copies them does, from the top to the
-# bottom of each document: blocks of R and of shell lines of README, blocks of shell lines of the
-# guides. The lane `check` runs the R of the guides. A plan in README must settle, its R must print
-# the lines of output that README quotes (#>), and every file that an example names must exist
-# afterwards. Works in a temporary folder, which is also the home of the shell.
+# Runs the examples of README and guides in the order of each document: R and shell code of README,
+# shell code of the guides. The lane `check` runs the R code of the guides. Works in a temporary
+# folder, which is also the home of the shell. Fails if
+# - a plan in README does not settle;
+# - R code does not print the output that README quotes (#>);
+# - a file that an example names does not exist afterwards.
+#
 #   Rscript tools/examples.R              all documents
 #   Rscript tools/examples.R README.md    these documents
 
 chosen <- commandArgs(TRUE)
-documents <- c("README.md", Sys.glob("vignettes/*.Rmd"))
+documents <- c("README.md", Sys.glob(c("vignettes/*.Rmd", "vignettes/articles/*.Rmd")))
 if (length(chosen)) documents <- chosen
 root <- normalizePath(".")
 folder <- tempfile("examples")
 dir.create(file.path(folder, ".local", "bin"), recursive = TRUE)
 
-# Returns a document's lines with all but the code of one language blank, so that line numbers stay.
+# Returns the lines of a document with only the code of one language. Other lines are blank, so line
+# numbers remain.
 code_of <- function(lines, language) {
   fence <- startsWith(lines, "```")
   inside <- cumsum(fence) %% 2L == 1L
@@ -21,7 +24,7 @@ code_of <- function(lines, language) {
   ifelse(inside & !fence & language_of == language, lines, "")
 }
 
-# Runs a command in the folder; TRUE if it fails, after printing its output.
+# Runs a command in the folder. Returns TRUE if it fails, after printing its output.
 fails <- function(name, command, arguments, environment = character()) {
   here <- setwd(folder)
   on.exit(setwd(here))
@@ -29,7 +32,7 @@ fails <- function(name, command, arguments, environment = character()) {
   status <- system2(command, arguments, stdout = log, stderr = log, stdin = "/dev/null",
     env = environment)
   if (status != 0L) {
-    cat(name, "failed; the last line of code below is the one that fails:\n")
+    cat(name, "failed at the last line of code below:\n")
     cat(paste("   ", utils::tail(readLines(log, warn = FALSE), 40L)), sep = "\n")
   }
   status != 0L
@@ -61,7 +64,7 @@ run_plan <- function(file, lines) {
   fails(paste(file, "(plan)"), "Rscript", c("-e", settle))
 }
 
-# Names of files in code, without its comments.
+# Returns the file names in code, without its comments.
 named_files <- function(code) {
   code <- sub("#.*", "", code)
   pattern <- "[A-Za-z_][A-Za-z0-9_]*[.](html|png|nc|vtu|pvd|glb|svg|pdf|dxf|yaml|json|csv|study)\\b"

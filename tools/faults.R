@@ -1,12 +1,12 @@
-# Seeds the faults of tools/faults.csv one at a time in a copy of the sources and says which of them
-# the tests notice: a fault that no test notices survives.
-#   Rscript tools/faults.R              all of them
-#   Rscript tools/faults.R 1 5 20:30    some, by their row
-# `file` has `from` once, in the place of which `to` is put. A fault of the engine meets the
-# engine's own tests, then as one of R the package tests of `tests`, one file after another until
-# one fails; FAULTS=all goes on with all other files. Works in a temporary folder, with the codend
-# that is installed, whose R code is put in place anew for a fault of R and which is installed anew
-# for any other. Fails where a fault survives.
+# Seeds the faults of tools/faults.csv one at a time in a copy of the sources and reports which ones
+# the tests detect. A fault survives if no test detects it. Fails if a fault survives.
+#   Rscript tools/faults.R              all faults
+#   Rscript tools/faults.R 1 5 20:30    faults by row number
+#
+# The single occurrence of `from` in `file` is replaced by `to`. Faults of the engine run the engine
+# tests first. All faults then run the package tests of `tests`, one file at a time until one fails.
+# FAULTS=all continues with all other files. Works in a temporary folder. A fault in R code is
+# loaded into the installed codend; for any other fault codend is installed again.
 
 faults <- utils::read.csv("tools/faults.csv")
 rows <- unlist(lapply(commandArgs(TRUE), function(one) eval(str2lang(one))))
@@ -27,15 +27,15 @@ quietly <- function(command, arguments, ...) {
   suppressWarnings(system2(command, arguments, stdout = FALSE, stderr = FALSE, ...)) == 0L
 }
 
-# The package of the copy, compiled anew.
+# Installs the package from the copy.
 install <- function() {
   options <- c("CMD", "INSTALL", "--no-docs", "--no-test-load", "--no-byte-compile", "-l", library,
     copy)
   quietly(file.path(R.home("bin"), "R"), options)
 }
 
-# Runs with the arguments copy, file of tests, whether the copy's R code takes the installed one's
-# place.
+# Script that runs one test file. Arguments: copy, test file, "TRUE" to load the copy's R code into
+# the installed package.
 run <- file.path(copy, "run.R")
 writeLines(r"(
 given <- commandArgs(TRUE)
@@ -43,7 +43,7 @@ here <- loadNamespace("codend")
 if (given[3] == "TRUE") {
   for (name in ls(here, all.names = TRUE)) unlockBinding(name, here)
   for (file in Sys.glob(file.path(given[1], "R", "*.R"))) {
-    # a namespace that is loaded takes no new names, which two lines would give it for a moment
+    # A loaded namespace accepts no new names, which two lines define temporarily.
     for (one in parse(file, keep.source = FALSE)) try(eval(one, here), silent = TRUE)
   }
   methods <- parseNamespaceFile(basename(given[1]), dirname(given[1]), FALSE)$S3methods
@@ -58,7 +58,7 @@ found <- as.data.frame(testthat::test_file(given[2], package = "codend",
 quit(status = any(found$failed > 0 | found$error))
 )", run)
 
-# Whether a file of package tests passes in the copy, or as it was installed from there.
+# TRUE if a package test file passes with the copy, or with the package installed from it.
 passes <- function(name, installed) {
   file <- file.path(copy, "tests", "testthat", paste0("test-", name, ".R"))
   own <- if (installed) paste0("R_LIBS=", library, ":", paste(.libPaths(), collapse = ":"))
@@ -66,11 +66,11 @@ passes <- function(name, installed) {
     env = c(own, "NOT_CRAN=true"))
 }
 
-# What notices a fault, or NA.
+# Returns the tests that detect a fault, or NA.
 noticed_by <- function(fault) {
   engine <- startsWith(fault$file, "src/engine")
   if (engine && !quietly("make", c("-s", "-C", file.path(copy, "tests", "engine"), "run"))) {
-    return("the engine's tests")
+    return("the engine tests")
   }
   files <- strsplit(fault$tests, " ")[[1L]]
   if (Sys.getenv("FAULTS") == "all") {
@@ -89,14 +89,14 @@ survives <- vapply(rows, function(k) {
   file <- file.path(copy, fault$file)
   text <- readChar(file, file.size(file), useBytes = TRUE)
   at <- gregexpr(fault$from, text, fixed = TRUE, useBytes = TRUE)[[1L]]
-  if (length(at) != 1L || at < 0L) stop(fault$file, " does not have once: ", fault$from)
+  if (length(at) != 1L || at < 0L) stop(fault$file, " does not contain exactly once: ", fault$from)
   cat(sub(fault$from, fault$to, text, fixed = TRUE, useBytes = TRUE), file = file)
   by <- noticed_by(fault)
   cat(text, file = file)
   cat(sprintf("%d %s: %s\n    %s\n", k, fault$file, if (is.na(by)) "SURVIVES" else
-    paste("dies by", by), fault$to))
+    paste("detected by", by), fault$to))
   is.na(by)
 }, NA)
 unlink(copy, recursive = TRUE)
-cat(sum(!survives), " of ", length(rows), " faults die\n", sep = "")
+cat(sum(!survives), " of ", length(rows), " faults detected\n", sep = "")
 quit(status = any(survives))

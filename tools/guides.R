@@ -1,4 +1,4 @@
-# Puts the guides that `make guides` knitted into a package's sources, where R CMD build puts them.
+# Copies the guides knitted by `make guides` into package sources, as R CMD build does.
 #   Rscript tools/guides.R KNITTED FOLDER
 
 knitted <- normalizePath(commandArgs(TRUE)[1L])

@@ -1,6 +1,6 @@
-# Runs the code of one guide with the installed codend and writes the guide with its results in
-# place of its code, pictures beside it. `make guides` calls it for every guide, so that a guide
-# cannot use what an earlier one made or attached.
+# Runs the code of one guide with the installed codend. Writes the guide with its results, and its
+# pictures next to it. `make guides` calls this script for every guide, so each guide runs in a new
+# session.
 #   Rscript tools/knit-guide.R GUIDE.Rmd RESULT.Rmd   prints the CPU seconds
 
 guide <- commandArgs(TRUE)[1L]

@@ -1,19 +1,20 @@
 #!/usr/bin/env bash
-# Writes src/Makevars, and src/engine/FOLDER.cpp for each folder of the engine, from the source files
-# that there are.
-#   tools/makevars.sh            after a file in src/ has been added, moved or removed
-#   tools/makevars.sh --check    says nothing and succeeds if these files are in step
-# A folder of the engine is compiled as one unit, which takes a third of the time of its files one by
-# one. Files of kernels stay alone: they are compiled for several processors.
-# R takes sources in folders only as a list of objects, and packages may not rely on what only GNU
-# make offers (wildcards, included dependency files). So every object depends on every header: one
-# header's edit compiles everything again, and no object of an older header is ever linked.
+# Writes src/Makevars and, for each folder of the engine, src/engine/FOLDER.cpp.
+#   tools/makevars.sh            run it after adding, moving or removing a file in src/
+#   tools/makevars.sh --check    fails if these files are outdated
+#
+# Each folder of the engine is compiled as one unit, which takes a third of the time of separate files.
+# Kernel files are compiled separately, because they target several processors.
+#
+# Packages must not use features of GNU make (wildcards, included dependency files), so src/Makevars
+# lists all objects. Every object depends on every header: an edited header recompiles everything, and
+# no outdated object is linked.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../src"
 
 folders() { (cd engine && printf '%s\n' */ | tr -d /); }
 
-# The sources in one unit.
+# Prints the sources of one unit.
 sources_in() {
   (cd engine && find "$1" -name '*.cpp' ! -name '*kernels*' | LC_ALL=C sort)
 }
@@ -23,7 +24,7 @@ unit() {
   sources_in "$1" | sed 's/.*/#include "&"/'
 }
 
-# Prints "NAME =" and the lines of its standard input as one make variable or rule.
+# Prints "NAME =" and the lines of standard input as one make variable or rule.
 list() {
   printf '%s' "$1"
   while IFS= read -r line; do printf ' \\\n  %s' "$line"; done
@@ -53,7 +54,7 @@ END
   done
 }
 
-# Compares standard input with a file, or writes it to the file.
+# put FILE: compares standard input with the file, or writes the file.
 wrong=0
 if [ "${1:-}" = --check ]; then
   put() { diff -u "$1" - >&2 || wrong=1; }
@@ -62,5 +63,5 @@ else
 fi
 makevars | put Makevars
 for folder in $(folders); do unit "$folder" | put "engine/$folder.cpp"; done
-[ "$wrong" = 0 ] || echo "Generated files of src are out of step with the files: run tools/makevars.sh" >&2
+[ "$wrong" = 0 ] || echo "Generated files in src are outdated: run tools/makevars.sh" >&2
 exit "$wrong"

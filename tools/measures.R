@@ -1,11 +1,12 @@
-# Measures of every shipped plan, settled and towed, with all their digits, as a CSV file:
+# Writes the measures of every shipped plan, settled and towed, with all digits to a CSV file:
 #
 #   Rscript tools/measures.R before.csv
 #   (change codend and install it)
 #   Rscript tools/measures.R after.csv before.csv
 #
-# With a second file the two are compared: the run fails where a measure is gone or differs by more
-# than 1e-9 of itself (of 1 where it is smaller than 1e-3, as angles and depths at rest are).
+# With a second file it compares the two files. It fails if a measure is missing or differs by a
+# fraction of more than 1e-9. The difference is divided by at least 1e-3, because angles and depths
+# may be 0.
 
 arguments <- commandArgs(TRUE)
 if (!length(arguments) %in% 1:2) stop("usage: measures.R OUT.csv [BEFORE.csv]")
@@ -54,7 +55,7 @@ if (length(arguments) == 2L) {
   same <- both$value_before == both$value_after |
     (is.na(both$value_before) & is.na(both$value_after)) | both$change <= 1e-9
   off <- both[!(same %in% TRUE), ]
-  cat(sprintf("%d compared, %d the same to the bit, largest change %.1e\n", nrow(both),
+  cat(sprintf("%d compared, %d identical, largest change %.1e\n", nrow(both),
     sum(both$value_before == both$value_after, na.rm = TRUE), max(both$change, 0, na.rm = TRUE)))
   if (nrow(off)) {
     print(utils::head(off[order(-off$change), ], 40), row.names = FALSE)

@@ -12,9 +12,13 @@ higher <- function(relative = 0, absolute = 0) {
   c(sign = -1, relative = relative, absolute = absolute)
 }
 
-# Compares `now`, a data frame, with the CSV `file`, and ends R with the status.
-# key: names of the columns that identify a row; columns: named list of lower() and higher().
-# summarise: a function applied to both tables before the comparison, for example one of totals.
+# Compares `now`, a data frame, with the CSV file `file`, and quits R with the status.
+#
+# key: names of the columns that identify a row.
+#
+# columns: named list of lower() and higher().
+#
+# summarise: a function applied to both tables before the comparison, for example to compute totals.
 ratchet <- function(now, file, key, columns, summarise = identity,
                     accept = "--accept" %in% commandArgs(TRUE)) {
   if (accept) {
@@ -36,9 +40,11 @@ ratchet <- function(now, file, key, columns, summarise = identity,
   quit(status = as.integer(worse > 0L))
 }
 
-# Returns a data frame with a row for each key and compared column: row, column, was, now, limit and
-# result, which is "equal" (within the limit), "better" (by more than the limit) or "WORSE". A value
-# that only one of the tables has is WORSE.
+# Returns a data frame with a row for each key and compared column. Columns: row, column, was, now,
+# limit, result.
+#
+# result is "equal" (within the limit), "better" (by more than the limit) or "WORSE". A
+# value that only one table has is WORSE.
 compare_tables <- function(was, now, key, columns) {
   row_names <- function(table) do.call(paste, unname(as.list(table[key])))
   rows <- union(row_names(now), row_names(was))

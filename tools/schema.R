@@ -1,20 +1,24 @@
-# Makes inst/schema/plan.schema.json from the parts in tools/schema and the units of
-# R/plan-units.R (tools/schema/README.md tells how a part is written), and the engine's enumerations
-# of laws and of measures from their tables, inst/schema/laws.csv and measures.csv.
+# Generates these files:
+# - inst/schema/plan.schema.json from the parts in tools/schema and the units of R/plan-units.R.
+#   tools/schema/README.md describes the format of the parts.
+# - The engine's enumerations of drag models and of measures from inst/schema/drag_models.csv and
+#   inst/schema/measures.csv.
+#
 #   Rscript tools/schema.R           writes the files
-#   Rscript tools/schema.R --check   fails where the files are not what the parts give
-# Takes nothing but the packages jsonlite and yaml; run it in the root of the checkout.
+#   Rscript tools/schema.R --check   fails if the files are outdated
+#
+# Run it in the root of the checkout. Needs the packages jsonlite and yaml.
 
 parts_folder <- "tools/schema"
 schema_file <- "inst/schema/plan.schema.json"
-laws_file <- "inst/schema/laws.csv"
-laws_header <- "src/engine/base/laws.hpp"
+laws_file <- "inst/schema/drag_models.csv"
+laws_header <- "src/engine/base/drag_models.hpp"
 measures_file <- "inst/schema/measures.csv"
 measures_header <- "src/engine/measure/measure_kinds.hpp"
 
 read_part <- function(name) {
   yaml::read_yaml(file.path(parts_folder, paste0(name, ".yaml")), handlers = list(
-    # a list of one stays a list
+    # A list of one entry stays a list.
     seq = as.list
   ))
 }
@@ -26,8 +30,8 @@ stop_part <- function(...) stop("tools/schema: ", ..., call. = FALSE)
 units <- new.env()
 sys.source("R/plan-units.R", units)
 
-# What a unit may look like in a plan: squares and cubes as digits, after a caret or raised, and
-# blanks around a stroke, as plain_unit() reads them.
+# Returns a pattern for a unit in a plan, as plain_unit() reads it. Squares and cubes are digits,
+# with or without a caret, or superscripts. Blanks may surround a slash.
 unit_pattern <- function(unit) {
   if (unit == "kg/100 m") return("kg */ *100 ?m")
   pattern <- gsub(" ", " +", unit, fixed = TRUE)
@@ -60,11 +64,11 @@ quantity_pattern <- function(units, sign = "[-+]?") {
   )
 }
 
-# ---- how well a number is known -----------------------------------------------------------------
+# ---- uncertainty of numbers ---------------------------------------------------------------------
 
-# In the place of any number a plan may have a map of how well it is known. codend takes such maps
-# apart before it looks at the schema (R/plan-uncertain.R): `if`, `then` and the type `object` of a
-# number are for other validators.
+# A plan may replace any number by a map with its uncertainty. codend removes such maps before it
+# checks the schema (R/plan-uncertain.R). `if`, `then` and the type `object` of a number are for
+# other validators.
 
 of_map <- list(type = "object")
 known_place <- function(dimension) paste0("#/$defs/known_", dimension)
@@ -74,18 +78,19 @@ known_quantity <- function(dimension) {
   plain <- list(type = list("number", "string"), pattern = quantity_pattern(names))
   shares <- names(units$plan_units$number)
   list(
-    title = paste(gsub("_", " ", dimension, fixed = TRUE), "and how well it is known"),
+    title = paste(gsub("_", " ", dimension, fixed = TRUE), "with its uncertainty"),
     type = "object",
     oneOf = list(list(required = list("value", "uncertainty")), list(required = list("range"))),
     properties = list(
       value = c(list(description = "The number."), plain),
       uncertainty = list(
-        description = "Its standard uncertainty: a share such as 10 %, or an amount.",
+        description = "Its standard uncertainty: a percentage such as 10 %, or an amount.",
         type = plain$type, minimum = 0,
         pattern = quantity_pattern(unique(c(names, shares)), "[+]?")
       ),
       range = list(
-        description = "Two ends, all between which is as probable.", type = "array",
+        description = "The two ends of an interval. All values in it are equally probable.",
+        type = "array",
         minItems = 2, maxItems = 2, items = plain
       )
     ),
@@ -93,7 +98,7 @@ known_quantity <- function(dimension) {
   )
 }
 
-# A node with maps in the place of its numbers; the bounds of a number are those of the map's.
+# Returns a node in which a map may replace each number, with the same bounds.
 with_known <- function(node) {
   if (!is.list(node)) return(node)
   for (key in c("items", "additionalProperties")) node[[key]] <- with_known(node[[key]])
@@ -114,24 +119,24 @@ with_known <- function(node) {
   c(node, list(`if` = of_map, then = c(known, of_value)))
 }
 
-# A bound or default in SI; a part may give it with a unit.
+# Returns a bound or default in SI. A part may write it with a unit.
 si_number <- function(value, dimension) {
   number <- units$quantity_si(value, dimension)
-  if (is.na(number)) stop_part("\"", value, "\" is no ", dimension)
+  if (is.na(number)) stop_part("\"", value, "\" is not of dimension ", dimension)
   number
 }
 
-# ---- laws -------------------------------------------------------------------------------------
+# ---- drag models --------------------------------------------------------------------------------
 
 laws <- utils::read.csv(laws_file)
 
-law_names <- function(of, forms = NULL) {
+drag_model_names <- function(of, forms = NULL) {
   laws$name[laws$of == of & (is.null(forms) | laws$form %in% forms)]
 }
 
-# An enumeration of the engine with the names of its values; before: those that no row of laws has.
+# Returns the C++ code of an enumeration and its names. before: names that the table lacks.
 cpp_names <- function(name, of, forms = NULL, before = NULL) {
-  cpp_enumeration(name, c(before, law_names(of, forms)))
+  cpp_enumeration(name, c(before, drag_model_names(of, forms)))
 }
 
 cpp_enumeration <- function(name, all) {
@@ -142,15 +147,17 @@ cpp_enumeration <- function(name, all) {
   )
 }
 
-# The ranges of the laws of such an enumeration. What has no bound has 0 or infinity.
+# Returns the C++ code of the tested ranges of such an enumeration. A missing bound is 0 or
+# infinity.
 cpp_ranges <- function(name, of, forms, before = NULL) {
-  rows <- laws[match(c(before, law_names(of, forms)), ifelse(laws$of == of, laws$name, NA)), ]
+  names <- c(before, drag_model_names(of, forms))
+  rows <- laws[match(names, ifelse(laws$of == of, laws$name, NA)), ]
   bound <- function(field, none) {
     ifelse(is.na(rows[[field]]), none, format(rows[[field]], trim = TRUE, drop0trailing = TRUE))
   }
   values <- sprintf("      {%s, %s, %s, %s},  // %s", bound("least_solidity", "0.0"),
     bound("most_solidity", "unbounded"), bound("least_reynolds", "0.0"),
-    bound("most_reynolds", "unbounded"), c(before, law_names(of, forms)))
+    bound("most_reynolds", "unbounded"), c(before, drag_model_names(of, forms)))
   c(
     sprintf("inline LawRange range_of(%s law) {", name),
     "  constexpr LawRange ranges[] = {", values, "  };",
@@ -160,21 +167,21 @@ cpp_ranges <- function(name, of, forms, before = NULL) {
 
 laws_text <- function() {
   lines <- c(
-    "// Laws by name and the ranges that they are used in, made by `make schema` from",
-    sprintf("// %s: do not edit by hand.", laws_file),
+    "// Names and tested ranges of drag and wake models. Generated by `make schema` from",
+    sprintf("// %s; do not edit.", laws_file),
     "#pragma once", "", "// clang-format off",
     "#include <array>", "#include <cstddef>", "#include <limits>", "",
     "namespace codend {", "",
-    "// Solidities and Reynolds numbers beyond these are taken as the ends.",
+    "// Tested range. Solidities and Reynolds numbers are clamped to it.",
     "struct LawRange {", "  double least_solidity, most_solidity, least_reynolds, most_reynolds;",
     "};", "constexpr double unbounded = std::numeric_limits<double>::infinity();", "",
-    "// Of twines; `constant` has numbers of its own.",
+    "// Drag models of single twines. `constant`: constant coefficients.",
     cpp_names("CylinderLawKind", "twine", "formula", "constant"), "",
-    "// Of netting as a screen.",
+    "// Screen drag models of netting.",
     cpp_names("NettingScreenLaw", "netting", "screen"),
     cpp_ranges("NettingScreenLaw", "netting", "screen"), "",
-    "// Of netting in all.", cpp_names("NettingDrag", "netting"), "",
-    "// Of the speed of the water behind netting.",
+    "// All drag models of netting.", cpp_names("NettingDrag", "netting"), "",
+    "// Models of the water speed behind netting.",
     cpp_names("WakeLaw", "wake", "formula", "none"),
     cpp_ranges("WakeLaw", "wake", "formula", "none"), "", "}  // namespace codend"
   )
@@ -187,13 +194,13 @@ measures <- utils::read.csv(measures_file, na.strings = "")
 
 measures_text <- function() {
   lines <- c(
-    "// Kinds of measures and their natures, made by `make schema` from",
-    sprintf("// %s, which defines each: do not edit by hand.", measures_file),
+    "// Kinds of measures, their classes and their quantities. Generated by `make schema` from",
+    sprintf("// %s; do not edit.", measures_file),
     "#pragma once", "", "// clang-format off",
     "#include <array>", "#include <cstddef>", "",
     "namespace codend {", "",
     cpp_enumeration("MeasureKind", measures$kind), "",
-    "// Classes of measures whose relative errors are alike, and what they are numbers of.",
+    "// Measures of one class have similar relative errors. Quantity: the physical dimension.",
     sprintf("enum class MeasureClass { %s };", toString(unique(measures$class))),
     sprintf("enum class MeasureQuantity { %s };", toString(unique(measures$quantity))),
     "struct MeasureNature {", "  MeasureClass of;", "  MeasureQuantity in;", "};", "",
@@ -208,27 +215,28 @@ measures_text <- function() {
 
 # ---- definitions ------------------------------------------------------------------------------
 
-# Letters of all scripts, by the ranges that XML allows in names: \\p{L} is not known everywhere.
+# Letters of all scripts, as the ranges that XML allows in names. Some validators do not support
+# \\p{L}.
 letter <- paste0(
   "A-Za-z\u00c0-\u00d6\u00d8-\u00f6\u00f8-\u02ff\u0370-\u037d\u037f-\u1fff\u200c\u200d",
   "\u2070-\u218f\u2c00-\u2fef\u3001-\ud7ff\uf900-\ufdcf\ufdf0-\ufffd\U10000-\Ueffff"
 )
 name_pattern <- sprintf("[%s][%s0-9\u00b7\u0300-\u036f_-]*", letter, letter)
 
-# Truth values as YAML 1.1 reads them, where yes is one, and as YAML 1.2 does, where it is text.
+# Truth values in YAML 1.1, where yes is a truth value, and in YAML 1.2, where it is a string.
 truth <- list(
   type = list("boolean", "string"),
   enum = list(TRUE, FALSE, "yes", "Yes", "YES", "no", "No", "NO")
 )
 
-# What a text must begin with, where a quantity may not be negative, or neither that nor 0. Bounds
-# other than 0 say nothing of a text, as they would have to know its unit.
+# Returns the pattern for the start of a string if a quantity must be positive or not negative.
+# Other bounds need the unit, so they do not apply to strings.
 sign_pattern <- function(node) {
   if (identical(node$exclusiveMinimum, 0)) return("^\\s*[+]?[0.]*[1-9]")
   if (identical(node$minimum, 0)) "^\\s*[^-\\s]"
 }
 
-# A node with its abbreviations written out.
+# Returns a node with expanded abbreviations.
 whole_node <- function(node) {
   if (!is.list(node)) return(node)
   if (is.null(names(node))) return(lapply(node, whole_node))
@@ -241,7 +249,7 @@ whole_node <- function(node) {
     node <- c(node["description"], truth, node[setdiff(names(node), c("description", "type"))])
   }
   if (is.list(node$enum) && "$laws" %in% names(node$enum)) {
-    node$enum <- c(node$enum$and, as.list(law_names(node$enum$`$laws`)))
+    node$enum <- c(node$enum$and, as.list(drag_model_names(node$enum$`$laws`)))
   }
   if (is.character(node$`$ref`)) node$`$ref` <- paste0("#/$defs/", node$`$ref`)
   if (is.character(node$pattern)) {
@@ -254,7 +262,7 @@ whole_node <- function(node) {
   node
 }
 
-# A map: its fields, those of `fields.yaml` and of mix-ins among them, in order.
+# Returns a map with all its fields in order, including fields of `fields.yaml` and of mix-ins.
 whole_map <- function(node) {
   properties <- list()
   for (name in names(node$properties)) {
@@ -282,7 +290,7 @@ whole_map <- function(node) {
   )
 }
 
-# The map of a mix-in or of another definition, less what an option leaves out.
+# Returns the map of a mix-in or of another definition, without the fields that an option omits.
 mix_in <- function(name, options) {
   part <- c(mixins, parts)[[name]]
   if (is.null(part)) stop_part("no mix-in or definition `", name, "`")
@@ -298,11 +306,11 @@ mix_in <- function(name, options) {
   map
 }
 
-# A kind of plan says which it is; an assembly need not.
+# Adds the field `kind`. It is required except in an assembly.
 as_kind <- function(node, name) {
   kind <- list(
     description = paste(
-      "How the gear is described: as an assembly, or by a short form that expands into one."
+      "The form of the plan: an assembly, or a short form that expands into an assembly."
     ),
     type = "string", const = name
   )
@@ -315,20 +323,21 @@ as_kind <- function(node, name) {
   node
 }
 
-# What a measure is and in which unit, of every kind that R/measure-*.R defines: a text, by kind.
+# Returns the definition and unit of every kind of measure that a plan may request, named by kind.
 measure_meanings <- function() {
-  asked <- measures[!is.na(measures$asks), ]
+  asked <- measures[!is.na(measures$requires), ]
   unit <- ifelse(asked$unit == "%", "percent", asked$unit)
   stats::setNames(paste0(asked$definition, " In ", unit, "."), asked$kind)
 }
 
-# The definition `measure`, each of whose fields says first what is measured.
+# Returns the definition `measure`. The description of each field starts with the measure's
+# definition.
 with_meanings <- function(node) {
   meanings <- measure_meanings()
   kinds <- names(node$properties)
   odd <- c(setdiff(kinds, names(meanings)), setdiff(names(meanings), kinds))
   if (length(odd)) {
-    stop_part("measure `", odd[1], "` is not both in assembly.yaml and in ", measures_file)
+    stop_part("measure `", odd[1], "` must be both in assembly.yaml and in ", measures_file)
   }
   for (kind in kinds) {
     node$properties[[kind]]$description <-
@@ -356,9 +365,9 @@ known <- lapply(names(examples), known_quantity)
 names(known) <- paste0("known_", names(examples))
 definitions <- c(definitions, Map(quantity, names(examples), examples), known)
 
-# ---- text ---------------------------------------------------------------------------------------
+# ---- JSON ---------------------------------------------------------------------------------------
 
-# With as many digits as a number needs to read back the same; the writer stops at 15.
+# Writes numbers with up to 17 digits if needed for exact values; the JSON writer stops at 15.
 exact_numbers <- function(node) {
   if (is.list(node)) return(lapply(node, exact_numbers))
   if (!is.numeric(node) || as.double(format(node, digits = 15)) == node) return(node)
@@ -375,7 +384,7 @@ json <- function(node) {
 # ---- repeated nodes ---------------------------------------------------------------------------
 
 # Calls change(name, node) for every node inside `node` that a reference can replace: the fields of
-# a map, and the bounds of a map of how well a number is known.
+# a map, and the bounds of a map with an uncertainty.
 change_inside <- function(node, change) {
   if (!is.list(node)) return(node)
   for (key in names(node)) {
@@ -392,14 +401,14 @@ change_inside <- function(node, change) {
   node
 }
 
-# Returns the definitions with each node that several of them repeat as a definition of its own.
+# Returns the definitions with each repeated node as a separate definition.
 share_repeated <- function(definitions) {
   key <- function(node) paste(deparse(node, width.cutoff = 500L), collapse = "")
   keys <- character()
   collect <- function(name, node) {
     known <- key(node) %in% keys
     keys <<- c(keys, key(node))
-    # the nodes inside a repeated node are repeated by that node alone
+    # Nodes inside a repeated node are not counted again.
     if (known) node else change_inside(node, collect)
   }
   lapply(definitions, change_inside, collect)
@@ -408,7 +417,7 @@ share_repeated <- function(definitions) {
   shared <- list()
   share <- function(name, node) {
     place <- match(key(node), repeated)
-    # a reference is as long as a short node
+    # A reference to a short node saves nothing.
     if (is.na(place) || nchar(json(node)) < 60L) return(change_inside(node, share))
     if (!nzchar(names[place])) {
       taken <- c(names(definitions), names[nzchar(names)])
@@ -420,7 +429,7 @@ share_repeated <- function(definitions) {
   c(lapply(definitions, change_inside, share), shared)
 }
 
-# ---- the file ---------------------------------------------------------------------------------
+# ---- files ------------------------------------------------------------------------------------
 
 one_kind <- function(kind) {
   asked <- list(properties = list(kind = list(const = kind)))
@@ -432,9 +441,9 @@ schema <- list(
   `$schema` = "https://json-schema.org/draft/2020-12/schema",
   title = "Plan of a fishing gear",
   description = paste(
-    "The one table of fields of a plan file, made by `make schema` from tools/schema.",
-    "x-dimension says what a quantity measures; minimum, exclusiveMinimum, maximum and default of",
-    "a quantity are in SI, whatever its unit."
+    "All fields of a plan file. Generated by `make schema` from tools/schema.",
+    "x-dimension is the dimension of a quantity. Its minimum, exclusiveMinimum, maximum and",
+    "default are in SI."
   ),
   type = "object",
   properties = list(kind = list(enum = as.list(kinds), default = default_kind)),
@@ -442,8 +451,8 @@ schema <- list(
   `$defs` = share_repeated(definitions)
 )
 
-# One line for each definition: indents would double the size, and one line for all of them would
-# hide which definition a commit changes.
+# Writes one line per definition. Indents would double the size. A single line would hide the
+# changed definition in a commit.
 json_lines <- function(nodes) {
   lines <- sprintf("%s:%s", vapply(names(nodes), json, ""), vapply(nodes, json, ""))
   paste0("{\n", paste(lines, collapse = ",\n"), "\n}")
@@ -463,6 +472,6 @@ for (file in names(made)) {
     writeBin(charToRaw(made[[file]]), beside)
     invisible(file.rename(beside, file))
   } else if (!identical(read_bytes(file), charToRaw(made[[file]]))) {
-    stop(file, " is not what its parts give: run `make schema`.", call. = FALSE)
+    stop(file, " is outdated: run `make schema`.", call. = FALSE)
   }
 }

@@ -1,14 +1,14 @@
-# Builds the site, by pkgdown without asking the network, into `site` or the folder that is named:
+# Builds the site with pkgdown, without network access, into `site` or the given folder:
 #   Rscript tools/site.R [folder]
-# It needs codend installed from these sources. It fails where a link or a picture has no target, on
-# the site or in a Markdown file of the sources.
+# Needs codend installed from these sources. Fails if a link or a picture has no target, on the site
+# or in a Markdown file of the sources.
 
 folder <- c(commandArgs(TRUE), "site")[1]
 options(pkgdown.internet = FALSE)
 dir.create(folder, FALSE, TRUE)
 destination <- normalizePath(folder)
-# The sources with the guides that `make guides` knitted, so that pkgdown does not run them again.
-if (system2("make", c("-s", "guides")) != 0L) stop("The guides could not be knitted.")
+# Use the guides knitted by `make guides`, so that pkgdown does not run them again.
+if (system2("make", c("-s", "guides")) != 0L) stop("Knitting the guides failed.")
 sources <- tempfile("sources")
 dir.create(sources)
 linked <- setdiff(list.files("."), c("vignettes", "out", "site"))
@@ -18,9 +18,9 @@ invisible(file.copy(list.files("out/guides", full.names = TRUE), file.path(sourc
   recursive = TRUE))
 site <- pkgdown::as_pkgdown(sources, list(destination = destination))
 pkgdown::init_site(site)
-# pkgdown warns of pictures that it does not copy itself: the gallery's are copied here
+# pkgdown does not copy the gallery pictures and reports them as missing.
 invisible(file.copy("gallery", site$dst_path, recursive = TRUE))
-# every shipped gear as a page that settles it, and its picture with a link to that page
+# Write a live page for every shipped gear, and its picture with a link to the page.
 live <- file.path(site$dst_path, "live")
 dir.create(live, showWarnings = FALSE)
 shipped <- codend::gears()
@@ -46,8 +46,8 @@ pkgdown::build_reference(site, devel = FALSE)
 pkgdown::build_articles(site, quiet = TRUE)
 pkgdown::build_news(site)
 
-# Files of the sources that CONTRIBUTING.md links to are not on the site: words there, no links. A
-# link to what the sources do not have either stays, and fails below.
+# CONTRIBUTING.md links to source files that the site lacks: replace these links by their text.
+# Links to missing source files remain and fail below.
 in_sources <- function(targets) {
   file.exists(targets) | file.exists(sub("[.]html$", ".md", targets))
 }
@@ -70,7 +70,7 @@ attributes_of <- function(html, name) {
 }
 ids <- lapply(pages, attributes_of, "id")
 
-# Returns those targets of a page's links, pictures and scripts that the site does not have.
+# Returns the targets of links, pictures and scripts of a page that the site lacks.
 dead_targets <- function(page) {
   targets <- unlist(lapply(c("href", "src"), attributes_of, html = pages[[page]]))
   targets <- unique(targets[!grepl("^([a-z]+:|//)", targets)])
@@ -84,7 +84,7 @@ dead_targets <- function(page) {
   targets[!file.exists(file) | lacks_anchor]
 }
 
-# The same of a Markdown file of the sources, which need not be on the site.
+# Returns the targets of links of a Markdown file that the sources lack.
 dead_files <- function(file) {
   text <- paste(readLines(file, encoding = "UTF-8", warn = FALSE), collapse = "\n")
   links <- regmatches(text, gregexpr("\\]\\([^)#: ]+[)#]", text))[[1]]
@@ -92,7 +92,8 @@ dead_files <- function(file) {
   targets[!file.exists(file.path(dirname(file), targets))]
 }
 
-# The site's own first page links to pages of the site, where it is checked.
+# pkgdown/index.md is the front page of the site. It links to pages of the site and is checked
+# there.
 markdown <- setdiff(system2("git", c("ls-files", "'*.md'"), stdout = TRUE), "pkgdown/index.md")
 dead <- c(
   lapply(stats::setNames(nm = names(pages)), dead_targets),

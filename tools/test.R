@@ -1,18 +1,18 @@
-# Runs tests of the package; a test is a test_that() block. Prints failures and ends with
-# "N passed, N failed, N skipped".
+# Runs package tests; a test is a test_that() block. Prints failures, then "N passed, N failed,
+# N skipped".
 #   Rscript tools/test.R '^s'   the files test-*.R whose names match this regular expression
 #   Rscript tools/test.R fast   all files except the slow ones
 
-# Files, test-*.R, that `fast` leaves out: they take more than 4.5 s each.
+# Test files that `fast` skips, because each takes more than 4.5 s.
 slow <- c(
   "command", "command-line", "draw-gear", "engine-file", "export-vtk", "file-write", "finding",
-  "flume", "flume-form", "flume-shared", "flume-tow", "flume-words", "flume-worker", "gear",
+  "flume", "flume-form", "flume-shared", "flume-tow", "flume-translation", "flume-worker", "gear",
   "gear-check", "gear-new-plan", "input-current", "kind-beam-trawl", "kind-bottom-trawl",
   "kind-cage", "kind-demersal-seine", "kind-longline", "kind-midwater-trawl", "kind-purse-seine",
   "kind-set-nets", "kites", "measure-error", "measure-state", "measure-turn", "misuse",
   "operation-shooting", "operation-tow", "otter-boards", "paper-scheme", "plan-check",
   "plan-given", "plan-places", "plan-read", "plan-write", "plan-written", "report", "scene-drawn",
-  "settle-from", "settle-levels", "share", "shielding", "stiff-motion", "store-kept",
+  "settle-from", "settle-levels", "share", "shielding", "stiff-motion", "store-saved",
   "store-state", "store-trajectory", "store-versions", "study-calibrate", "study-effects",
   "study-futures", "study-optimise", "study-posterior", "study-sensitivities", "study-slurm",
   "study-store", "study-uncertainty", "study-vary", "table-tidy", "text-plain", "tow-catch",
@@ -35,7 +35,7 @@ results <- testthat::test_dir(
   "tests/testthat", package = "codend", load_package = "installed", filter = filter,
   reporter = testthat::CheckReporter$new(), stop_on_failure = FALSE
 )
-# R warns if `$` matches only the beginning of a name: a test in which it does so fails.
+# A test fails if R warns that `$` matched only the beginning of a name.
 partial_match <- vapply(results, function(test) {
   messages <- vapply(test$results, conditionMessage, "")
   partial <- grepl("^partial (argument )?match of ", messages)

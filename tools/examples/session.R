@@ -1,11 +1,11 @@
-# The R session in which tools/examples.R runs the blocks of R of a document, example.R.
+# R session in which tools/examples.R runs the R code of a document (example.R).
 
-# A block that installs packages must name packages that DESCRIPTION names.
+# Examples may install only packages that DESCRIPTION lists.
 assign("install.packages", function(packages) {
   known <- utils::packageDescription("codend", fields = c("Imports", "Suggests"))
   stopifnot(packages %in% unlist(strsplit(unlist(known), "[ ,\n]+")))
 })
-# The live tank ends as soon as a browser would open.
+# Stop the live tank when it would open a browser.
 options(shiny.launch.browser = function(url) later::later(shiny::stopApp))
 
 source("example.R", echo = TRUE, max.deparse.length = Inf, spaced = FALSE)

@@ -1,12 +1,12 @@
-# The shell in which tools/examples.R runs the shell lines of a document, example.sh.
+# Shell in which tools/examples.R runs the shell code of a document (example.sh).
 set -eu
 PATH=$HOME/.local/bin:$PATH
 
-# Targets of make and logins elsewhere are not run; a target must exist.
+# make and ssh are not run, but a target of make must exist.
 make() { { local -; set +x; } 2>/dev/null; command make --dry-run -C "$ROOT" "$@" >/dev/null; }
 ssh() { :; }
 
-# The tank serves on a free port until its page has loaded.
+# Run the tank on a free port until its page has loaded.
 codend() {
   { local -; set +x; } 2>/dev/null
   if [ "$1" != flume ]; then command codend "$@"; return; fi
@@ -24,7 +24,7 @@ codend() {
   wait $! || :
 }
 
-# Files that the lines read and do not write.
+# Input files of the examples.
 cat > boards.csv <<END
 otter_boards.area
 1.2 m2

@@ -1,5 +1,5 @@
-// What the viewer (inst/view/viewer.js) uses of three.js, delaunator and fflate; tools/three/build makes
-// inst/view/three.js of it.
+// Exports of three.js, delaunator and fflate that the viewer (inst/view/viewer.js) uses.
+// tools/three/build bundles them into inst/view/three.js.
 export {
   BoxGeometry, BufferAttribute, BufferGeometry, Color, ColorManagement, CylinderGeometry, DataTexture,
   DoubleSide, ExtrudeGeometry, FrontSide, InstancedBufferAttribute,

@@ -1,8 +1,10 @@
-// The engine for a page (inst/share/worker.js): named arrays in, a settled shape, what acts on it and its
-// measures out, by plain C calls. One gear at a time; a page has one engine in one worker.
+// C interface of the engine for a page (inst/share/worker.js). Input: named arrays. Output: the
+// equilibrium shape, forces and measures. A page has one worker with one engine and one gear at a
+// time.
 //
-// Arrays are those of `numbers` (GearNumbers), of `from`, the shape that it begins from (BegunShape, see
-// measure/settled_gear.hpp), and `page/strength`, breaking loads of all parts (N; 0: not known).
+// Arrays hold the fields of `numbers` (GearNumbers), the fields of `from`, the initial shape
+// (InitialShape, see measure/settled_gear.hpp), and `page/strength`: breaking loads of all parts (N;
+// 0: unknown).
 #include <algorithm>
 #include <exception>
 #include <map>
@@ -26,10 +28,11 @@ struct Array {
   int groups = 0;
 };
 
-// By path, such as numbers.gear.panels.deep; the k-th group of a list stands under its name and .k, from 1.
+// Arrays by path, such as numbers.gear.panels.deep. The k-th group of a list has the suffix .k,
+// from 1.
 std::map<std::string, Array> arrays;
 
-// The arrays as a source of fields (base/read_fields.hpp).
+// Reads the arrays as a source of fields (base/read_fields.hpp).
 class PageSource {
  public:
   static constexpr int first_place = 1;
@@ -78,11 +81,11 @@ class PageSource {
   std::string prefix_;
 };
 
-std::optional<codend::BegunShape> from;
-// The gear as it settled last.
+std::optional<codend::InitialShape> from;
+// Numbers and result of the last gear that converged.
 std::optional<codend::GearNumbers> numbers;
 std::optional<codend::SettledGear> settled;
-// What codend_evaluate() found.
+// Results of codend_evaluate().
 std::map<std::string, std::vector<double>> results;
 std::string error;
 
@@ -104,7 +107,7 @@ Array& fresh(const char* name, Type type) {
   return array;
 }
 
-// Axes at right angles, as columns, that three points fix.
+// Orthonormal axes defined by three points, as columns.
 codend::Matrix triad(const codend::Vector& a, const codend::Vector& b, const codend::Vector& c) {
   codend::Matrix out;
   out.col(0) = (b - a).normalized();
@@ -113,7 +116,7 @@ codend::Matrix triad(const codend::Vector& a, const codend::Vector& b, const cod
   return out;
 }
 
-// Corners of free boards: leading edge below and above, trailing edge above and below.
+// Corners of rigid boards (m): leading edge lower and upper, trailing edge upper and lower.
 std::vector<double> board_corners(const codend::LiftingPlates& plates, const double* x) {
   std::vector<double> out;
   for (const codend::LiftingPlate& plate : plates.plate) {
@@ -135,10 +138,10 @@ std::vector<double> board_corners(const codend::LiftingPlates& plates, const dou
 
 extern "C" {
 
-// What the last call that gave -1 threw.
+// Returns the message of the exception in the last call that returned -1.
 const char* codend_error() { return error.c_str(); }
 
-// Places to write an array of the gear into. They move when the array is asked for again.
+// Return memory to write an input array. The address changes if the array is requested again.
 double* codend_numbers(const char* name, int count) {
   Array& array = fresh(name, Type::numbers);
   array.numbers.resize(static_cast<std::size_t>(count));
@@ -150,7 +153,7 @@ int* codend_wholes(const char* name, int count) {
   return array.wholes.data();
 }
 void codend_groups(const char* name, int count) { fresh(name, Type::groups).groups = count; }
-// text: words parted by ends of lines; none where count is 0.
+// text: strings separated by line ends; empty if count is 0.
 void codend_words(const char* name, const char* text, int count) {
   Array& array = fresh(name, Type::words);
   const std::string all = text;
@@ -162,11 +165,12 @@ void codend_words(const char* name, const char* text, int count) {
   }
 }
 
-// Settles the gear of the arrays from where it settled last, at first from the shape of the arrays.
-// Returns 1 where it settled; 0 where it did not, and all is as before; -1: codend_error().
+// Solves for the equilibrium of the gear in the arrays. The initial guess is the last converged
+// state, in the first call the shape in the arrays. Returns 1 if it converged, 0 if not (the
+// previous state remains), -1 after an error (see codend_error()).
 int codend_settle(double tolerance, int iterations) {
   return guarded([&] {
-    if (!from) from = codend::read_fields<codend::BegunShape>(PageSource("from."));
+    if (!from) from = codend::read_fields<codend::InitialShape>(PageSource("from."));
     auto read = codend::read_fields<codend::GearNumbers>(PageSource("numbers."));
     read.gear.check();
     const double before = numbers ? numbers->questions.speed : 0.0, now = read.questions.speed;
@@ -181,12 +185,12 @@ int codend_settle(double tolerance, int iterations) {
     try {
       found = codend::settle_gear(read, how);
     } catch (const codend::InputError&) {
-      // Numbers between those of two gears may be those of no gear.
+      // Numbers between two valid gears may be invalid.
       if (!settled) throw;
       return 0;
     }
-    codend::LineMap lines = codend::line_map(read.gear, found.gear.lattice);
-    // What is drawn has the lines of the first shape.
+    codend::LineMap lines = codend::line_map(read.gear, found.gear.mesh);
+    // The drawing uses the lines of the first shape.
     if (!found.report.converged || !lines.alike(from->lines)) return 0;
     from->position = codend::all_points(found.gear.model, found.position);
     from->strain = found.strain;
@@ -200,19 +204,32 @@ int codend_settle(double tolerance, int iterations) {
   });
 }
 
-// What a page shows of the settled gear, by name for codend_found(). plates: attack, heel, trim (rad),
-// lift, drag (N) each; corners: of boards (m); drag: of every part along the flow (N); load: its largest
-// tension over its strength; opening (m), angle (rad): of meshes; flow: of the water past the gear's
-// middle (m/s); report: steps, and 1 where the balance is unstable.
+// Computes the results of the gear in equilibrium. codend_found() returns them by name.
+//
+// `plates`: attack, heel, trim (rad), lift and drag (N) of each plate.
+//
+// `corners`: corners of boards (m).
+//
+// `drag`: drag of every part along the flow (N).
+//
+// `load`: largest tension of every part over its strength.
+//
+// `opening` (m) and `angle` (rad) of meshes.
+//
+// `flow`: velocity of the water at the gear's mean depth (m/s).
+//
+// `report`: iterations, and 1 if the equilibrium is unstable.
+//
+// `points` (m), `bar_tension`, `u_tension`, `v_tension` (N), `measures` (SI).
 int codend_evaluate() {
   return guarded([] {
     const codend::Model& model = settled->gear.model;
-    const codend::Lattice& lattice = settled->gear.lattice;
+    const codend::Mesh& mesh = settled->gear.mesh;
     const std::vector<double>& position = settled->position;
     const std::vector<double> still(position.size(), 0.0);
     codend::Assembly assembly(model);
     const codend::Evaluation found = codend::evaluate(assembly, position.data(), still.data());
-    const codend::MeasureFrame frame = codend::measure_frame(numbers->gear, lattice);
+    const codend::MeasureFrame frame = codend::measure_frame(numbers->gear, mesh);
     results.clear();
     results["bar_tension"] = found.bar_tension;
     results["u_tension"] = found.u_tension;
@@ -233,8 +250,8 @@ int codend_evaluate() {
     const std::vector<double>& strength = arrays.at("page/strength").numbers;
     std::vector<double>& load = results["load"];
     load.resize(strength.size());
-    for (std::size_t k = 0; k < lattice.bar_part.size(); ++k) {
-      const auto part = static_cast<std::size_t>(lattice.bar_part[k]);
+    for (std::size_t k = 0; k < mesh.bar_part.size(); ++k) {
+      const auto part = static_cast<std::size_t>(mesh.bar_part[k]);
       if (strength[part] > 0) {
         load[part] = std::max(load[part], found.bar_tension[k] / strength[part]);
       }
@@ -258,7 +275,7 @@ int codend_evaluate() {
   });
 }
 
-// Numbers that were found, and how many; -1 of a name that is not known.
+// Return the numbers of a result, and their count (-1 for an unknown name).
 const double* codend_found(const char* name) { return results[name].data(); }
 int codend_count(const char* name) {
   const auto at = results.find(name);

@@ -1,4 +1,4 @@
-// Headers of other projects that the engine's sources include, for a precompiled header.
+// Third-party headers included by the engine's sources, for a precompiled header.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
