@@ -260,7 +260,7 @@ test('tank compares a stored design over, next to and in a table', async () => {
   await page.waitForFunction(() => document.querySelectorAll('.view-label-name').length === 2, null, patience);
   await page.click('.kept-row:nth-child(2) button:has-text("Compare with it")');
   await tab(page, 'Changes');
-  await page.waitForFunction(() => /is the kept one/.test(
+  await page.waitForFunction(() => /is the reference design/.test(
     document.getElementById('differences').textContent), null, patience);
   clean(page);
   await page.close();
