@@ -113,7 +113,7 @@ test_that("pieces with `end_to_end` are placed at both ends and evenly between",
       port = gear_point(c(0, -1, 0), "fixed"), starboard = gear_point(c(0, 1, 0), "fixed"),
       line = rope("port", "starboard", length = 3, diameter = 0.01, axial_stiffness = 1e5,
         mass_per_length = 0, segments = 6),
-      floats = piece(along = "line", share = share, number = number, end_to_end = TRUE,
+      floats = piece(along = "line", extent = share, number = number, end_to_end = TRUE,
         mass = 2, drag_area = 0.1)
     ))
     mesh <- build_mesh(si)
