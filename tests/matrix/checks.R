@@ -173,7 +173,7 @@ state_checks <- list(
   },
   "report" = function(state, folder) {
     body <- written(file.path(folder, "report.html"), function(file) report(state, file))
-    rows <- xml2::xml_find_all(body, "//table[contains(caption, 'measured')]/tbody/tr")
+    rows <- xml2::xml_find_all(body, "//section[h2 = 'Measures']//table/tbody/tr")
     if (length(rows) != length(measures(state))) stop_check("the report lacks measures")
   },
   "exports" = function(state, folder) {
