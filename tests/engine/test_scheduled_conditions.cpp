@@ -120,7 +120,7 @@ TEST_CASE("vessel motion combines course, waves and a prescribed record") {
   };
   turn(z, y, by[3]);  // starboard down: up turns to starboard
   turn(z, x, by[4]);  // sag up: up turns aft
-  turn(y, x, by[5]);  // sag to starboard: starboard turns aft
+  turn(y, x, by[5]);  // bow to starboard: starboard turns aft
   x += -10.0 - by[0];
   y += by[1];
   z += 2.0 + by[2];

@@ -26,7 +26,7 @@
 namespace codend {
 
 // Oscillation of a body about its path. The six components are surge (forwards), sway (to
-// starboard) and heave (up), m; roll (starboard down), pitch (sag up) and yaw (sag to starboard),
+// starboard) and heave (up), m; roll (starboard down), pitch (bow up) and yaw (bow to starboard),
 // rad. Rotations are applied in the order yaw, pitch, roll about `centre`.
 struct Swing {
   Vector centre = Vector::Zero();  // m from the body's origin
