@@ -95,7 +95,7 @@ moordyn_type <- function(rope, si) {
 # Returns the drag coefficients of a rope across and along the flow, on diameter times length. They
 # belong to the greatest of the towing and current speeds, and to 1 m/s in still water.
 rope_drag_coefficients <- function(rope, si) {
-  speed <- max(si$towing$speed, sqrt(si$water$current$x^2 + si$water$current$y^2))
+  speed <- flow_speed(si)
   reynolds <- (if (speed > 0) speed else 1) * rope$diameter / si$water$viscosity
   drag <- rope$coefficients
   coefficients <- if (drag$law == "constant") drag else drag$law

@@ -93,8 +93,7 @@ define_finding("Reynolds number", "state",
     rows <- screens_by_reynolds()
     law <- screened_panels(state)
     law <- law[law %in% rows$name]
-    current <- state$si$water$current
-    speed <- max(state$si$towing$speed, sqrt(current$x^2 + current$y^2))
+    speed <- flow_speed(state$si)
     if (!length(law) || speed == 0) return(list())
     rows <- rows[match(law, rows$name), ]
     diameter <- vapply(state$si$panels[names(law)], `[[`, 0, "twine_diameter")

@@ -80,7 +80,7 @@ define_finding("speed", "plan",
         template("the gear is towed at {speed}.", speed = knots),
         "Check the unit: a number without a unit is in m/s."))
     }
-    current <- sqrt(si$water$current$x^2 + si$water$current$y^2)
+    current <- current_speeds(si)
     if (max(current) > greatest_current) {
       label <- paste(figures(max(current)), "m/s")
       out <- c(out, list(finding("water.current", max(current), label,

@@ -413,3 +413,9 @@ si_seam <- function(seam, path, known) {
   }
   list(edges = edges, gathered_at = gathered, held_between = if (length(between)) between)
 }
+
+# Returns the speed of the current in each layer, m/s.
+current_speeds <- function(si) sqrt(si$water$current$x^2 + si$water$current$y^2)
+
+# Returns the greatest of the towing and current speeds, m/s.
+flow_speed <- function(si) max(si$towing$speed, current_speeds(si))

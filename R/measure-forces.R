@@ -14,7 +14,7 @@ part_drag <- function(state) matrix(engine_part_forces(state$mesh$model, shape_o
 flow_axes <- function(si) {
   flow <- c(1, 0)
   current <- si$water$current
-  speed <- sqrt(current$x^2 + current$y^2)
+  speed <- current_speeds(si)
   if (si$towing$speed == 0 && max(speed) > 0) {
     k <- which.max(speed)
     flow <- c(current$x[k], current$y[k]) / speed[k]

@@ -232,7 +232,7 @@ conditions_section <- function(state) {
 
 current_table <- function(si) {
   current <- si$water$current
-  speed <- sqrt(current$x^2 + current$y^2)
+  speed <- current_speeds(si)
   if (all(speed == 0)) return(NULL)
   toward <- in_unit(atan2(current$y, current$x), "deg") %% 360
   report_table(

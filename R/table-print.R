@@ -13,7 +13,7 @@ conditions_text <- function(si) {
   } else {
     "Held"
   }
-  current <- max(sqrt(si$water$current$x^2 + si$water$current$y^2))
+  current <- max(current_speeds(si))
   layers <- if (nrow(si$water$current) > 1) "up to " else ""
   paste0(motion, " ", water, if (current > 0) paste0(", current ", layers, short(current), " m/s"))
 }
