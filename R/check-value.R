@@ -29,8 +29,19 @@ remembered <- function(make) {
   }
 }
 
-# Returns the known name that is most similar to `name`, or NULL if none is similar.
+# Present names of fields, values and elements of results by their names in version 0.1.0.
+former_names <- list(
+  head_line = "headline", head_line_extensions = "headline_extensions", share = "extent",
+  place = "position", volume_share = "volume_fraction", twines = "morison",
+  pushes = c("lift_direction", "carries_compression"),
+  lattice = "mesh", aim = "objective", settles = "n_solves", narrow = "next_measurement"
+)
+
+# Returns the known name for a former name, else the known name that is most similar to `name`, or
+# NULL if none is similar.
 nearest <- function(name, known) {
+  now <- intersect(former_names[[as.character(name)]], known)
+  if (length(now)) return(now)
   if (length(known) == 0 || !nzchar(name) || nchar(name) > 100) return(NULL)
   distance <- utils::adist(name, known, ignore.case = TRUE)[1, ]
   best <- which.min(distance)

@@ -155,15 +155,12 @@ measure_help <- function() {
   field_of(x, name, "A trajectory", "as.data.frame(trajectory)")
 }
 
-# Present names of elements of results by their names in version 0.1.0.
-renamed_elements <- c(
-  lattice = "mesh", aim = "objective", settles = "n_solves", narrow = "next_measurement"
-)
-
-# Returns an element of a result, NULL if there is none. A former name is an error.
-result_element <- function(x, name) {
-  if (name %in% names(x) || !name %in% names(renamed_elements)) return(.subset2(x, name))
-  abort_argument("{.field {name}} is now called {.field {renamed_elements[[name]]}}.")
+# Returns an element of a result, NULL if there is none. known: names of all elements. A former
+# name is an error.
+result_element <- function(x, name, known = names(x)) {
+  now <- if (!name %in% known) intersect(former_names[[name]], known)
+  if (!length(now)) return(.subset2(x, name))
+  abort_argument("{.field {name}} is now called {.field {now}}.")
 }
 
 field_of <- function(x, name, what, call) {
@@ -171,7 +168,7 @@ field_of <- function(x, name, what, call) {
   if (name %in% c(standard_names(), names(standard_measures))) {
     abort_argument("{what} has no {.field {name}}; use {.code {call}} for the measures.")
   }
-  result_element(x, name)
+  result_element(x, name, c(names(x), computed_fields))
 }
 
 has_towing <- function(state) state$si$towing$speed != 0

@@ -1,10 +1,3 @@
-# Present names of fields by their names in version 0.1.0.
-renamed_fields <- list(
-  head_line = "headline", head_line_extensions = "headline_extensions", share = "extent",
-  place = "position", volume_share = "volume_fraction",
-  pushes = c("lift_direction", "carries_compression")
-)
-
 # Terms of net makers that are not plan fields, with advice: the field to use, or the reason why
 # plans do not support the part. An error about an unknown field includes the advice for its name.
 

@@ -129,18 +129,13 @@ check_size <- function(value, si, dimension, path) {
     value)))
 }
 
-# Current names of field values, by their names in version 0.1.0.
-renamed_values <- c(twines = "morison")
-
 check_text <- function(value, node, path) {
   good <- is_text(value) && (is.null(node$enum) || value %in% node$enum) &&
     (is.null(node$minLength) || nchar(value) >= node$minLength) &&
     (is.null(node$const) || value == node$const) &&
     (is.null(node$pattern) || fits(value, node$pattern))
   if (!good) {
-    abort_field(path, value, describe(node), hint = if (is_text(value)) {
-      if (value %in% names(renamed_values)) renamed_values[[value]] else nearest(value, node$enum)
-    })
+    abort_field(path, value, describe(node), hint = if (is_text(value)) nearest(value, node$enum))
   }
   value
 }

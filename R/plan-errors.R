@@ -29,8 +29,7 @@ abort_field <- function(path, value, must, is = paste("is", show_value(value)), 
 }
 
 abort_unknown <- function(path, name, known, value = NULL) {
-  near <- intersect(renamed_fields[[name]], known)
-  if (!length(near)) near <- nearest(name, known)
+  near <- nearest(name, known)
   where <- join(path, name)
   advice <- if (!length(near)) advice_on(name)
   abort_plan(
