@@ -232,6 +232,9 @@ with_mean_correction <- function(cases, others) {
   })
 }
 
+#' @rawNamespace S3method(base::"$",codend_calibration)
+`$.codend_calibration` <- result_element
+
 #' @export
 print.codend_calibration <- function(x, ...) {
   cat("Calibration of \"", x$gear$plan$name, "\" to ", nrow(x$task$data), " rows",
