@@ -1,5 +1,6 @@
 # New plans by kind, from `inst/new_plans.yaml`, which documents its fields. Returns for each kind:
 # `requests`: default strings of the required values, by name.
+# `tested`: smallest and largest tested value of the first argument.
 # `usual`: function of the headline length (m).
 # `numbers`, `scale`: expressions, by name.
 # `plan`: text of the plan.
@@ -30,19 +31,21 @@ read_new_plans <- function() {
 #' scale with the size of the gear. Mouth, spread, drag and rope loads are then within the ranges
 #' published for gear of this kind and size ([findings()]).
 #'
-#' | kind | arguments | tested sizes |
-#' |---|---|---|
-#' | `bottom_trawl` | `headline`, `mesh_size`, `codend_mesh_size`, `speed`, `depth` | 8 to 80 m |
-#' | `midwater_trawl` | the same; `mesh_size` is the front mesh | 15 to 250 m, meshes to 64 m |
-#' | `pair_trawl` | as `bottom_trawl` | 10 to 60 m |
-#' | `demersal_seine` | the same and `rope`, the length of each of the two ropes | 20 to 60 m |
-#' | `beam_trawl` | `beam`, `mesh_size`, `codend_mesh_size`, `speed`, `depth` | 2 to 12 m |
-#' | `gillnet` | `length`, `height` (hung), `mesh_size`, `depth`, `current` | |
-#' | `longline` | `baskets`, `branch_lines` per basket, lengths `main_line`, `branch_line` | |
-#' | `purse_seine` | `length`, `depth` (stretched), `mesh_size` | |
-#' | `stow_net` | `width`, `height`, `mesh_size`, `codend_mesh_size`, `current` | |
-#' | `cage` | `diameter`, `depth`, `mesh_size`, `current` | |
-#' | `dip_net` | any field of the plan by its path | |
+#' | kind | arguments |
+#' |---|---|
+#' | `bottom_trawl` | `headline`, `mesh_size`, `codend_mesh_size`, `speed`, `depth` |
+#' | `midwater_trawl` | the same; `mesh_size` is the front mesh |
+#' | `pair_trawl` | as `bottom_trawl` |
+#' | `demersal_seine` | the same and `rope`, the length of each of the two ropes |
+#' | `beam_trawl` | `beam`, `mesh_size`, `codend_mesh_size`, `speed`, `depth` |
+#' | `gillnet` | `length`, `height` (hung), `mesh_size`, `depth`, `current` |
+#' | `longline` | `baskets`, `branch_lines` per basket, lengths `main_line`, `branch_line` |
+#' | `purse_seine` | `length`, `depth` (stretched), `mesh_size` |
+#' | `stow_net` | `width`, `height`, `mesh_size`, `codend_mesh_size`, `current` |
+#' | `cage` | `diameter`, `depth`, `mesh_size`, `current` |
+#' | `dip_net` | any field of the plan by its path |
+#'
+#' Tested values of the first argument: `r tested_ranges()`; meshes of midwater trawls to 64 m.
 #'
 #' The last six kinds are scaled copies of a shipped plan. They also accept any other field by its
 #' path, such as `wall.twine.diameter`. A trawl without mesh sizes gets typical mesh sizes for its
@@ -85,25 +88,28 @@ new_plan <- function(kind, ..., file = NULL, ask = FALSE) {
   invisible(gear)
 }
 
-# Sizes of tested new plans: the first value of the kind.
-tested_sizes <- list(
-  bottom_trawl = c("8 m", "80 m"), midwater_trawl = c("15 m", "250 m"),
-  pair_trawl = c("10 m", "60 m"), demersal_seine = c("20 m", "60 m"), beam_trawl = c("2 m", "12 m")
-)
+# Returns the tested sizes of a kind as a string.
+tested_range <- function(kind) paste(new_plan_kinds()[[kind]]$tested, collapse = " to ")
+
+# Returns the tested sizes of all kinds as help text.
+tested_ranges <- function() {
+  kinds <- names(Filter(function(kind) length(kind$tested), new_plan_kinds()))
+  paste0("`", kinds, "` ", vapply(kinds, tested_range, ""), collapse = ", ")
+}
 
 # Rethrows an error about a generated plan. The user has not seen this plan: the message names the
 # given value and has no position in a file.
 abort_new_plan <- function(e, given, kind) {
   said <- sub(" \\(line [0-9]+, column [0-9]+\\)$", "", first_of(e$said, conditionMessage(e)))
-  tested <- tested_sizes[[kind]]
+  tested <- new_plan_kinds()[[kind]]$tested
   name <- names(new_plan_kinds()[[kind]]$requests)[1L]
   size <- if (length(tested)) given[[name]]
   if (is.null(size)) abort_plan(said, e$path, e$value)
   si <- quantity_si(size, "length")
   ends <- vapply(tested, quantity_si, 0, "length")
   if (is.na(si) || (si >= ends[1L] && si <= ends[2L])) abort_plan(said, e$path, e$value)
-  abort_plan(sprintf("`%s` is %s, outside the tested sizes from %s to %s. %s", name,
-    show_value(size), tested[1L], tested[2L], said), name, size)
+  abort_plan(sprintf("`%s` is %s, outside the tested sizes from %s. %s", name, show_value(size),
+    tested_range(kind), said), name, size)
 }
 
 # Prompts at the console for each missing value. An empty answer takes the default, a bare number
