@@ -55,7 +55,8 @@ describe_change <- function(asked, now, dimension, name) {
   }
   # a change at time 0 has no row before it, and a change within 0 s is a jump
   time <- c(0, if (from > 0) from, from + over)
-  data.frame(time = time, value = c(rep(now, length(time) - 1L), to))
+  table <- data.frame(time = time, value = c(rep(now, length(time) - 1L), to))
+  if (dimension == "angle") setNames(table, c("time", "value_rad")) else table
 }
 
 format_time <- function(said, name, low, high) {

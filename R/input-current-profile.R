@@ -10,8 +10,9 @@
 #'
 #' @param table A data frame with `depth` (m below the surface, 0 or more) and the current over
 #'   ground. Its columns are `eastward` and `northward` (m/s), or `speed` (m/s) and `toward`
-#'   (direction of flow, rad clockwise from north). [read_currents()] and [read_sensor_log()] return
-#'   such tables. Rows with `NA` are ignored.
+#'   (direction of flow, rad clockwise from north). A unit may follow the name: `toward_deg`. Values
+#'   may also be strings with a unit or objects of the package units. [read_currents()] and
+#'   [read_sensor_log()] return such tables. Rows with `NA` are ignored.
 #' @param course Towing direction, or heading of a held gear: a number in rad clockwise from north,
 #'   or a string such as `"230 deg"`. Default 0.
 #' @param least Minimum number of readings at a depth. Default 1.
@@ -32,7 +33,7 @@ current_profile <- function(table, course = 0, least = 1) {
     abort_argument("{.arg table} must be a data frame of numbers with {.field depth}, and
       {.field eastward} and {.field northward} or {.field speed} and {.field toward}.")
   }
-  bearing <- bearing_si(course)
+  bearing <- quantity_number(course, "angle", "course")
   check_count("least", least)
   east <- if (is.null(table$eastward)) table$speed * sin(table$toward) else table$eastward
   north <- if (is.null(table$northward)) table$speed * cos(table$toward) else table$northward
@@ -66,7 +67,7 @@ current_profile <- function(table, course = 0, least = 1) {
 # Upper limit of currents, m/s; the strongest known current (Saltstraumen) reaches about 10.
 fastest_current <- 11
 
-# Columns of a current table that may be units objects, with their dimension.
+# Columns of a current table with their dimension.
 current_columns <- c(
   depth = "length", eastward = "speed", northward = "speed", speed = "speed", toward = "angle"
 )
@@ -79,12 +80,3 @@ has_current <- function(table) {
 }
 
 plain_number <- function(x) with_plain_numbers(format(x, digits = 10, trim = TRUE))
-
-bearing_si <- function(course) {
-  si <- given_si(course, "angle", "course")
-  if (!is.finite(si)) {
-    abort_argument("{.arg course} is {show_value(course)}; it must be an angle clockwise from north
-      (units: {unit_examples('angle')}).")
-  }
-  si
-}

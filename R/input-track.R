@@ -8,12 +8,13 @@
 #' along the track with the least squared distance from the depths.
 #'
 #' @param log A data frame with `time` (s), `longitude` and `latitude` (rad) and, for a seabed,
-#'   `depth` (m). [read_sensor_log()] returns it if positions have the unit `deg`.
-#' @param from,to Start and end of the tow on the clock of `log`, s.
-#' @param every Time step of the schedule, s. Default 60.
+#'   `depth` (m). A unit may follow the name: `longitude_deg`. [read_sensor_log()] returns such a
+#'   table if positions have the unit `deg`.
+#' @param from,to Start and end of the tow on the clock of `log`, s or string.
+#' @param every Time step of the schedule, s or string. Default 60.
 #' @return A list. Wrong arguments are an error of class `codend_error_argument`. Elements:
-#' - `schedule`: data frames `speed` and `course` with `time` (s from `from`) and `value` (speed
-#'   over ground in m/s; course in rad to starboard of the initial course);
+#' - `schedule`: data frames `speed` and `course` with `time` (s from `from`). `speed` has `value`
+#'   (over ground, m/s); `course` has `value_rad` (to starboard of the initial course);
 #' - `bearing`: initial bearing (rad clockwise from north, for [current_profile()]);
 #' - `until`: duration (s);
 #' - `distance`: length of the track (m);
@@ -42,9 +43,9 @@ track_schedule <- function(log, from, to, every = 60) {
     abort_argument("{.arg log} must be a data frame with the numeric columns {.field {wanted}}, in s
       and rad.")
   }
-  check_between("from", from, -1e12, 1e12)
-  check_between("to", to, from, 1e12)
-  check_between("every", every, 1e-3, 1e6)
+  from <- quantity_number(from, "time", "from")
+  to <- quantity_number(to, "time", "to")
+  every <- quantity_number(every, "time", "every", positive = TRUE)
   log <- log[order(log$time), ]
   log <- log[!duplicated(log$time) & is.finite(log$longitude) & is.finite(log$latitude), ]
   rows <- sum(log$time >= from & log$time <= to)
@@ -52,9 +53,9 @@ track_schedule <- function(log, from, to, every = 60) {
     abort_argument("{.arg log} has {rows} position{?s} between {.arg from} and {.arg to}; a track
       needs at least 3 positions over at least {.arg every} seconds.")
   }
-  if (max(abs(log$latitude)) > pi / 2 || max(abs(log$longitude)) > 2 * pi) {
-    abort_argument("{.arg log} has an impossible latitude or longitude: positions must be in rad.
-      {.fn read_sensor_log} converts them from the unit {.val deg}.")
+  if (max(abs(log$latitude)) > pi / 2) {
+    abort_argument("{.arg log} has an impossible latitude: bare numbers must be in rad. Name the
+      columns {.field longitude_deg} and {.field latitude_deg} if they are in degrees.")
   }
   middle <- log$latitude[log$time >= from][1L]
   # Plane (m) tangential to the globe at the start of the tow, without a jump at the date line.
@@ -74,7 +75,7 @@ track_schedule <- function(log, from, to, every = 60) {
   found <- list(
     schedule = tow_schedule(
       speed = data.frame(time = at - from, value = speed),
-      course = data.frame(time = at - from, value = bearing - bearing[1L])
+      course = data.frame(time = at - from, value_rad = bearing - bearing[1L])
     ),
     bearing = bearing[1L] %% (2 * pi), until = to - from,
     distance = sum((speed[-1L] + speed[-length(speed)]) / 2 * diff(at))

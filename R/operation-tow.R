@@ -165,8 +165,9 @@ tow <- function(gear, schedule = NULL, until = NULL, every = NULL, scheme = NULL
   until <- asked("until", until)
   every <- asked("every", every)
   duration <- until
-  until <- tow_quantity(until, "until", "time")
-  every <- if (is.null(every)) until / 200 else tow_quantity(every, "every", "time")
+  until <- quantity_number(until, "time", "until", positive = TRUE)
+  if (is.null(every)) every <- until / 200
+  every <- quantity_number(every, "time", "every", positive = TRUE)
   before <- if (going_on) gear$given$control_every
   given$control_every <- first_of(given$control_every, first_of(before, usual_control_every))
   steered <- if (!is.null(given[["control"]])) given$control_every
@@ -235,7 +236,7 @@ tow_method <- function(scheme, accuracy, step) {
       # only a first guess: the engine shortens it for accuracy or stability
       if (implicit) 0.01 else 0.1
     } else {
-      tow_quantity(step, "step", "time")
+      quantity_number(step, "time", "step", positive = TRUE)
     },
     # Newton iterations end far below the step error; `substitution` compares velocities
     tolerance = if (implicit) 0.05 * accuracy else 1e-6 * accuracy,
@@ -265,10 +266,10 @@ tow_accuracy <- function(given) {
       "must be a length, or a list of {.field position} and {.field tension}.")
   }
   list(
-    position = tow_quantity(first_of(given$position, default_accuracy), "accuracy$position",
-      "length"),
+    position = quantity_number(first_of(given$position, default_accuracy), "length",
+      "accuracy$position", positive = TRUE),
     tension = if (is.null(given$tension)) Inf else {
-      tow_quantity(given$tension, "accuracy$tension", "number")
+      quantity_number(given$tension, "number", "accuracy$tension", positive = TRUE)
     }
   )
 }

@@ -105,6 +105,9 @@ check_quantity <- function(value, node, path) {
     si <- quantity_si(value, node[["x-dimension"]])
     if (is.finite(si) && in_bounds(si, node)) {
       check_size(value, si, node[["x-dimension"]], path)
+      if (in_bare_degrees(value, si, node[["x-dimension"]])) {
+        abort_field(path, value, bare_degrees_text(value))
+      }
       return(si)
     }
   }

@@ -85,6 +85,19 @@ quantity_si <- function(value, dimension) {
   number * plan_units[[dimension]][plain_unit(found[2])][[1]]
 }
 
+# TRUE for angles without a unit that are beyond a turn in rad: they are nearly always degrees.
+in_bare_degrees <- function(value, si, dimension) {
+  if (dimension != "angle") return(logical(length(si)))
+  bare <- is.numeric(value) | !grepl("[^-+0-9.eE[:space:]]", value)
+  bare & !is.na(si) & abs(si) > 2 * pi * (1 + 1e-9)
+}
+
+# Describes the allowed values in the error about such an angle.
+bare_degrees_text <- function(value) {
+  number <- trimws(if (is.numeric(value)) shortest_decimal(value) else value)
+  sprintf("from -2 pi to 2 pi without a unit (rad). Write \"%s deg\" for degrees", number)
+}
+
 # Returns the dimension of a quantity string from its unit, or NA.
 quantity_dimension <- function(text) {
   found <- split_quantity(text)

@@ -181,7 +181,7 @@ predict.codend_calibration <- function(object, newdata = NULL, level = 0.95, ...
   if (!is.data.frame(newdata) || !nrow(newdata)) {
     abort_argument("{.arg newdata} must be a data frame with one row per haul.")
   }
-  newdata <- as.data.frame(newdata)
+  newdata <- data_by_path(newdata, task$points$gear, "newdata")
   if (!old) {
     lost <- setdiff(object$conditions, names(newdata))
     if (length(lost)) {

@@ -45,7 +45,8 @@
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
 #' @param data A data frame: one row per haul or run. Columns named by the path of a field
 #'   (`towing.speed`, `warps.length`) set it, as in [update()][update.codend_gear]. Values are
-#'   numbers in SI, text with a unit, or objects of the package units.
+#'   numbers in SI, text with a unit, or objects of the package units. A unit may follow the path
+#'   (`towing.speed_knot`).
 #' @param change The fields to fit: a list of ranges, [value_range()] or [normal_value()] by path,
 #'   or a character vector of paths. See the section on fields and priors.
 #' @param match A formula or a list of formulas, data columns on the left and measures on the right.
@@ -115,7 +116,7 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting) {
   if (!is.data.frame(data) || !nrow(data)) {
     abort_argument("{.arg data} must be a data frame with one row per haul.")
   }
-  data <- as.data.frame(data)
+  data <- data_by_path(data, gear, "data")
   change <- change_with_priors(gear, change)
   points <- new_points(gear, free_fields(gear, change), nodes, netting)
   set <- condition_columns(gear, data, points$fields)
@@ -147,6 +148,15 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting) {
   named <- unlist(lapply(task$match, function(one) one$formula$names))
   task$of <- unique(task$words$column[task$words$name %in% named])
   task
+}
+
+# Returns data as a data frame, with the columns of fields named by path.
+data_by_path <- function(data, gear, name) {
+  data <- as.data.frame(data)
+  dotted <- grep(".", names(data), fixed = TRUE)
+  fields <- columns_by_path(data[dotted], gear, name)
+  data[dotted] <- fields
+  setNames(data, replace(names(data), dotted, names(fields)))
 }
 
 # Returns the names of the columns that set fields. A name that starts like a path must be a field.

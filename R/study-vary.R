@@ -42,7 +42,8 @@
 #'   `store`, a study in several processes uses the temporary folder of the session.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
-#' @param ... Designs from [designs()], or values by path: `towing.speed = paste(3:4, "knot")`.
+#' @param ... Designs from [designs()], or values by path: `towing.speed = paste(3:4, "knot")` or
+#'   `towing.speed_knot = 3:4`.
 #'   All their combinations are settled; the first field changes fastest. An unnamed data frame has
 #'   fields that change together; `NA` keeps the value of the plan.
 #' @param nodes,netting Number of nodes and kind of netting elements, as in [settle()].
@@ -104,7 +105,7 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = 
 new_study <- function(gear, given, nodes, netting) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
-  designs <- combined_designs(given)
+  designs <- columns_by_path(combined_designs(given), gear, "designs")
   check_designs(designs, gear)
   list(gear = gear, designs = designs, nodes = as.double(nodes), netting = netting)
 }
@@ -341,9 +342,26 @@ field_column <- function(values, path, gear) {
   list(value = value, unit = units)
 }
 
+# Returns a table with its columns of fields named by path: `towing.speed_knot` of numbers becomes
+# `towing.speed` of text in knot. `name`: argument in errors.
+columns_by_path <- function(table, gear, name) {
+  old <- names(table)
+  table <- with_named_units(table, function(column) {
+    field_dimension(gear, paths_of(column)[1L])
+  }, name)
+  if (!is.null(attr(table, "factors"))) {
+    factors <- strsplit(attr(table, "factors"), ", ", fixed = TRUE)
+    attr(table, "factors") <- vapply(factors, function(axis) {
+      paste(names(table)[match(axis, old)], collapse = ", ")
+    }, "")
+  }
+  table
+}
+
 # Returns the dimension of a plan field, or NA.
 field_dimension <- function(gear, path) {
   node <- path_node(gear$plan, path)
+  if (is.null(node)) return(NA_character_)
   if (node$shape == "any") {
     node <- first_of(Filter(function(choice) choice$shape == "quantity", node$choices)[1L][[1L]],
       node)

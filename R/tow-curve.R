@@ -12,7 +12,7 @@ function_step <- 0.1
 schedule_curve <- function(value, path, dimension, until) {
   if (is.function(value)) return(function_curve(value, path, dimension, until))
   if (is.data.frame(value)) return(table_curve(value, path, dimension))
-  constant_curve(schedule_number(value, path, dimension))
+  constant_curve(quantity_number(value, dimension, path))
 }
 
 constant_curve <- function(value) {
@@ -21,18 +21,15 @@ constant_curve <- function(value) {
 
 # Returns a piecewise linear curve; two rows with the same time define a jump.
 table_curve <- function(table, path, dimension) {
-  known <- c("time", "value")
-  if (!all(known %in% names(table)) || nrow(table) == 0L) {
+  table <- si_columns(table, c(time = "time", value = dimension), path)
+  time <- table$time
+  value <- table$value
+  if (!length(time) || !length(value)) {
     abort_schedule(path,
       "must be a data frame with rows and the columns {.field time} and {.field value}.")
   }
-  numbers <- function(column, of) {
-    vapply(seq_len(nrow(table)), function(k) {
-      schedule_number(table[[column]][k], sprintf("%s$%s[%d]", path, column, k), of)
-    }, 0)
-  }
-  time <- numbers("time", "time")
-  value <- numbers("value", dimension)
+  missing <- which(!is.finite(time) | !is.finite(value))
+  if (length(missing)) abort_schedule(path, "has a missing value in row {missing[1L]}.")
   if (is.unsorted(time)) abort_schedule(path, "must have its times in increasing order.")
   if (length(time) == 1L) return(constant_curve(value))
   straight_curve(time, value)
@@ -179,18 +176,6 @@ curve_breaks <- function(curve, kinks) {
   if (kinks) broken <- broken | differ(curve$end_rate[inner], curve$begin_rate[inner + 1L])
   ends <- if (kinks) c(curve$begin_rate[1L], curve$end_rate[n]) != 0 else c(FALSE, FALSE)
   c(curve$time[1L][ends[1]], curve$time[inner + 1L][broken], curve$time[n + 1L][ends[2]])
-}
-
-schedule_number <- function(value, path, dimension) {
-  value <- given_value(value, path)
-  si <- given_si(value, dimension, path)
-  if (!is.finite(si)) {
-    abort_schedule(path, paste0(
-      "is ", show_value(value), "; it must be ", noun(gsub("_", " ", dimension)),
-      if (dimension != "number") paste0(" (units: ", unit_examples(dimension), ")"), "."
-    ))
-  }
-  si
 }
 
 abort_schedule <- function(path, problem) {

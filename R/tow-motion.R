@@ -314,7 +314,7 @@ rupture_events <- function(si, mesh, given) {
         "needs a time for the rope ", event$rope, ": the plan does not give its breaking load."
       ))
     }
-    time <- if (is.null(event$time)) Inf else schedule_number(event$time, "breaking$time", "time")
+    time <- if (is.null(event$time)) Inf else quantity_number(event$time, "time", "breaking$time")
     list(
       rope = event$rope, bars = bars,
       at = rope_bar(mesh, event$rope, place), time = time,

@@ -5,7 +5,7 @@ tow_section <- function(gear) {
   tow <- gear_fields(gear)[["tow"]]
   if (is.null(tow)) return(list())
   for (name in intersect(c("speed", "course", "catch"), names(tow))) {
-    tow[[name]] <- schedule_table(tow[[name]])
+    tow[[name]] <- schedule_table(tow[[name]], name)
   }
   if (!is.null(tow$warp_out)) {
     by_rope <- !is.null(names(tow$warp_out))
@@ -18,7 +18,7 @@ tow_section <- function(gear) {
   if (!is.null(tow$current)) {
     one <- !is.null(names(tow$current))
     layers <- if (one) list(tow$current) else tow$current
-    tow$current <- lapply(layers, lapply, schedule_table)
+    tow$current <- lapply(layers, function(layer) Map(schedule_table, layer, names(layer)))
   }
   tow$heave <- if (!is.null(names(tow$heave))) {
     swell(tow$heave$amplitude, tow$heave$period)
@@ -39,12 +39,15 @@ rows_table <- function(rows) {
   }))
 }
 
-# Converts a list of list(time, value) to a data frame; numbers stay.
-schedule_table <- function(given) {
-  if (!is.list(given)) return(given)
-  data.frame(
+# Converts a list of list(time, value) in SI to a data frame. Angles get a unit, because they may
+# exceed a turn. `name`: of the argument.
+schedule_table <- function(given, name = "") {
+  unit <- if (name %in% c("course", "toward")) "rad" else ""
+  if (!is.list(given)) return(if (nzchar(unit)) with_bare_unit(given, unit) else given)
+  table <- data.frame(
     time = vapply(given, `[[`, 0, "time"), value = vapply(given, `[[`, 0, "value")
   )
+  setNames(table, with_unit(names(table), c("", unit)))
 }
 
 # Returns a function of time (s): height (m) of a regular swell, rising from 0.

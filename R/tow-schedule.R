@@ -5,9 +5,10 @@
 #'
 #' @section Values over time:
 #' A changing value is a constant, a table or a function:
-#' - Constant: a number in SI, a string with a unit, or an object of the package units.
-#' - Table: a data frame with columns `time` and `value`, linear between its rows. The last value
-#'   stays. Two rows with the same time define a jump. At time 0 the gear settles in the conditions
+#' - Constant: a number in SI, a string with a unit, or an object of the package units. An angle
+#'   without a unit is at most 2 pi (rad): write `"90 deg"`.
+#' - Table: a data frame with columns `time` and `value`, linear between its rows. A unit may follow
+#'   the name of a column (`value_deg`). The last value stays. Two rows with the same time define a jump. At time 0 the gear settles in the conditions
 #'   before the jump.
 #' - Function of time in s that returns SI. It is sampled every 0.1 s, and its jumps are located.
 #'   The interpolant is smooth between them.
@@ -72,7 +73,7 @@ tow_schedule <- function(speed = NULL, course = NULL, warp_out = NULL, winch = N
   given <- Map(given_value, given, names(given))
   given["winch"] <- list(checked_winch(given$winch))
   if (!is.null(control_every)) {
-    given$control_every <- tow_quantity(given$control_every, "control_every", "time")
+    given$control_every <- quantity_number(control_every, "time", "control_every", positive = TRUE)
   }
   structure(given, class = "codend_schedule")
 }
@@ -93,7 +94,8 @@ schedule_text <- function(value) {
   if (is.function(value)) {
     return(paste("function of", paste(names(formals(args(value))), collapse = " and ")))
   }
-  if (is.data.frame(value) && all(c("time", "value") %in% names(value))) {
+  if (is.data.frame(value)) {
+    value <- with_named_units(value, function(name) c(time = "time", value = "angle")[name], "")
     rows <- paste(value$value, "at", value$time)
     rows <- if (length(rows) > 4L) c(rows[1L], "...", rows[length(rows)]) else rows
     return(paste(rows, collapse = ", "))
@@ -119,19 +121,8 @@ checked_winch <- function(winch) {
   }
   of <- c(speed_limit = "speed", tension_limit = "force")
   for (name in names(winch)) {
-    winch[[name]] <- tow_quantity(winch[[name]], paste0("winch$", name), of[[name]])
+    path <- paste0("winch$", name)
+    winch[[name]] <- quantity_number(winch[[name]], of[[name]], path, positive = TRUE)
   }
   winch
-}
-
-tow_quantity <- function(value, name, dimension) {
-  value <- given_value(value, name)
-  si <- given_si(value, dimension, name)
-  if (!is.finite(si) || si <= 0) {
-    abort_argument(
-      "{.arg {name}} is {show_value(value)}; it must be a {dimension} greater than 0 (units:
-      {unit_examples(dimension)})."
-    )
-  }
-  si
 }

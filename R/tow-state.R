@@ -20,7 +20,7 @@
 state_at <- function(trajectory, time) {
   check_given("trajectory", "time")
   check_is_trajectory(trajectory)
-  wanted <- schedule_number(time, "time", "time")
+  wanted <- quantity_number(time, "time", "time")
   ends <- range(trajectory$time)
   # saved times are multiples of a step, with rounding errors
   if (wanted < ends[1L] - 1e-6 || wanted > ends[2L] + 1e-6) {

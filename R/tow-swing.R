@@ -20,14 +20,14 @@ vessel_swing <- function(given, waves) {
   at <- first_of(given$at, c(0, 0, 0))
   if (length(at) != 3L) abort_schedule("vessel_motion$at", "must be three lengths: x, y and z.")
   centre <- vapply(1:3, function(k) {
-    schedule_number(at[[k]], sprintf("vessel_motion$at[%d]", k), "length")
+    quantity_number(at[[k]], "length", sprintf("vessel_motion$at[%d]", k))
   }, 0)
   if (!is.null(given$response) && is.null(waves)) {
     abort_schedule("vessel_motion$response", "needs waves; the plan of this gear has no
       `water.waves`.")
   }
   answers <- if (!is.null(given$response)) wave_answers(given$response, waves)
-  rising <- schedule_number(first_of(given$rising, 10), "vessel_motion$rising", "time")
+  rising <- quantity_number(first_of(given$rising, 10), "time", "vessel_motion$rising")
   if (rising < 0) abort_schedule("vessel_motion$rising", "must not be below 0.")
   list(
     centre = centre,
@@ -36,20 +36,15 @@ vessel_swing <- function(given, waves) {
   )
 }
 
-# Returns a column of a table in SI; 0 if it is missing.
-swing_column <- function(table, name, dimension, path) {
-  if (is.null(table[[name]])) return(numeric(nrow(table)))
-  vapply(seq_len(nrow(table)), function(k) {
-    schedule_number(table[[name]][k], sprintf("%s$%s[%d]", path, name, k), dimension)
-  }, 0)
-}
-
-checked_swing_table <- function(table, first, more, path) {
+# Returns a table of a vessel's motion in SI with a column for each of `dimensions`, 0 if it is
+# missing. `first`: name of the column that it needs.
+swing_table <- function(table, first, dimensions, path) {
   if (is_text(table)) {
     if (!file.exists(table)) abort_file(table, "does not exist.", argument = path)
     table <- utils::read.csv(table, comment.char = "#")
   }
-  known <- c(first, names(swing_ways), more)
+  known <- names(dimensions)
+  if (is.data.frame(table)) table <- si_columns(table, dimensions, path)
   if (!is.data.frame(table) || nrow(table) == 0L || !first %in% names(table) ||
     !all(names(table) %in% known)) {
     abort_schedule(path, paste0(
@@ -57,6 +52,8 @@ checked_swing_table <- function(table, first, more, path) {
       word_list(setdiff(known, first)), "."
     ))
   }
+  if (!all(is.finite(unlist(table)))) abort_schedule(path, "has missing values.")
+  table[setdiff(known, names(table))] <- 0
   table
 }
 
@@ -64,8 +61,11 @@ checked_swing_table <- function(table, first, more, path) {
 # periods of the table and constant beyond them.
 wave_answers <- function(table, waves) {
   path <- "vessel_motion$response"
-  table <- checked_swing_table(table, "period", paste0(names(swing_ways), "_lag"), path)
-  period <- swing_column(table, "period", "time", path)
+  # lengths per metre are dimensionless
+  ways <- replace(swing_ways, swing_ways == "length", "number")
+  lags <- setNames(rep("angle", length(ways)), paste0(names(ways), "_lag"))
+  table <- swing_table(table, "period", c(period = "time", ways, lags), path)
+  period <- table$period
   if (is.unsorted(period, strictly = TRUE) || period[1L] <= 0) {
     abort_schedule(path, "must have positive periods in increasing order, without duplicates.")
   }
@@ -75,10 +75,8 @@ wave_answers <- function(table, waves) {
     stats::approx(period, values, of_waves, rule = 2)$y
   }
   both <- lapply(names(swing_ways), function(way) {
-    # lengths per metre are dimensionless
-    dimension <- if (swing_ways[[way]] == "angle") "angle" else "number"
-    size <- swing_column(table, way, dimension, path)
-    lag <- swing_column(table, paste0(way, "_lag"), "angle", path)
+    size <- table[[way]]
+    lag <- table[[paste0(way, "_lag")]]
     # the phase of a wave decreases with time and is 0 at a crest
     list(even = at(size * cos(lag)), odd = at(-size * sin(lag)))
   })
@@ -91,15 +89,14 @@ wave_answers <- function(table, waves) {
 # Returns a record as six curves that start smoothly within `rising` seconds.
 record_curves <- function(table, rising) {
   path <- "vessel_motion$record"
-  table <- checked_swing_table(table, "time", character(), path)
-  time <- swing_column(table, "time", "time", path)
+  table <- swing_table(table, "time", c(time = "time", swing_ways), path)
+  time <- table$time
   if (length(time) < 2L || is.unsorted(time, strictly = TRUE)) {
     abort_schedule(path, "must have at least two times in increasing order, without duplicates.")
   }
   if (time[1L] > 0) abort_schedule(path, "must start at time 0 or earlier.")
   share <- if (rising > 0) pmin(pmax(time / rising, 0), 1) else as.double(time > 0)
   lapply(names(swing_ways), function(way) {
-    value <- swing_column(table, way, swing_ways[[way]], path)
-    smooth_curve(time, share^2 * (3 - 2 * share) * value)
+    smooth_curve(time, share^2 * (3 - 2 * share) * table[[way]])
   })
 }

@@ -46,7 +46,7 @@ test_that("describe_tow() pays out warps from their length and allows jumps", {
     expect_identical(given$warp_out[[name]],
       data.frame(time = c(0, 20), value = warps[[name]]$length - c(0, 50)))
   }
-  expect_equal(given$course, data.frame(time = c(0, 10, 10), value = c(0, 0, pi / 2)))
+  expect_equal(given$course, data.frame(time = c(0, 10, 10), value_rad = c(0, 0, pi / 2)))
 })
 
 test_that("page rejects an invalid tow and keeps the last one", {

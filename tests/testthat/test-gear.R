@@ -139,7 +139,7 @@ test_that("check reuses panel edges only while shapes are the same", {
 test_that("update() converts changed parts to their plain form", {
   gear <- assembly(read_gear("midwater_trawl"))
   changed <- update(gear,
-    panels.belly_section_2.twine = list(diameter = 0.004, material = factor("PA"), double = FALSE),
+    panels.belly_section_2.twine = list(diameter = 0.004, material = "PA", double = FALSE),
     points = c(gear$plan$points, list(spare = list(position = list(1L, 2L, 3L), held = "moved"))),
     points.spare.load = 1:3
   )

@@ -125,7 +125,7 @@ test_that("current_profile() averages readings as vectors and drops sparse depth
   fast <- data.frame(depth = 10, eastward = 30, northward = 0)
   expect_wrong(current_profile(fast), "Row 1 of `table` has 30.00 m/s")
   expect_wrong(current_profile(log[c("depth", "eastward")]), "northward")
-  expect_wrong(current_profile(log, course = "3 knot"), "clockwise from north")
+  expect_wrong(current_profile(log, course = "3 knot"), "must be an angle")
 })
 
 test_that("gear accepts the current of a file", {
@@ -165,7 +165,7 @@ test_that("track_schedule() returns speed, turn and distance of a circle", {
   expect_lt(max(abs(speed$value[inner] - 1.5)), 6 / 120 + 0.005)
   expect_lt(max(abs(speed$value - 1.5)), 6 / 60 + 0.005)
   # it turns to port by 1.5 / 2000 rad/s; the first chord is 30 s ahead of its middle
-  turn <- course$value - course$value[2L]
+  turn <- course$value_rad - course$value_rad[2L]
   expect_lt(max(abs(turn[inner] + 1.5 / 2000 * (speed$time[inner] - 60))), 12 / 180)
   expect_equal(found$distance, 2700, tolerance = 0.01)
   expect_lt(abs(found$bearing - (pi / 2 - 1.5 * 330 / 2000)), 6 / 90)
@@ -195,7 +195,8 @@ test_that("track_schedule() rejects a log without positions or in degrees", {
   }
   refused("longitude", log["time"], 0, 60)
   refused("0 positions", log, 9000, 9600)
-  refused("impossible latitude", transform(log, latitude = 60), 0, 600)
+  refused("latitude\\[1\\]` is 60; .* \"60 deg\"", transform(log, latitude = 60), 0, 600)
+  refused("impossible latitude", transform(log, latitude = 2), 0, 600)
   refused("to", log, 600, 0)
 })
 

@@ -28,7 +28,7 @@ test_that("gear in a steady circle keeps its spread and sweeps less", {
   rate <- 0.05  # rad/s: a circle of 40 m radius on which everything soon moves as one body
   found <- tow(towed_frame(), until = 240, every = 120, accuracy = 1e-4,
     schedule = tow_schedule(
-      course = data.frame(time = c(0, 10, 1010), value = c(0, 0, 1000 * rate))))
+      course = data.frame(time = c(0, 10, 1010), value_rad = c(0, 0, 1000 * rate))))
   state <- state_at(found, 240)
   straight <- measures(settle(towed_frame()))
   turning <- measures(state)

@@ -44,7 +44,7 @@ test_that("update() rejects units objects of another dimension", {
   expect_wrong(tow(cable, until = in_units(1, "m")), "`until` is 1 m; it must be a time")
   expect_wrong(tow(cable, until = 2,
     schedule = tow_schedule(speed = data.frame(time = 0, value = in_units(1, "kg")))),
-    "`speed\\$value\\[1\\]` is 1 kg; it must be a speed")
+    "`speed\\$value` is 1 kg; it must be a speed")
   expect_wrong(value_range(in_units(1, "m"), in_units(2, "kg")), "must have the same dimension")
 })
 
@@ -72,10 +72,87 @@ test_that("values of any other class are rejected", {
     "speed\\$time.* the class .*difftime")
   expect_wrong(tow(cable, until = 2,
     schedule = tow_schedule(speed = function(time) day)), "speed.* the class .*Date")
-  # classes that only decorate a string
-  plain <- update(cable, towing.speed = "4 knot")
-  expect_identical(update(cable, towing.speed = noquote("4 knot")), plain)
-  expect_identical(update(cable, towing.speed = factor("4 knot")), plain)
+  # a class that only decorates a string
+  expect_identical(update(cable, towing.speed = noquote("4 knot")),
+    update(cable, towing.speed = "4 knot"))
+})
+
+test_that("factors, complex numbers, lists and logicals are rejected", {
+  cable <- read_gear("towed_cable")
+  profile <- function(...) current_profile(data.frame(depth = 0, ..., toward = 0))
+  for (value in list(factor("4 knot"), 4i)) {
+    class <- class(value)
+    expect_wrong(update(cable, towing.speed = value), paste0("towing.speed.* the class .*", class))
+    expect_wrong(vary(cable, towing.speed = value), paste0("towing.speed.* the class .*", class))
+    expect_wrong(tow_schedule(speed = value), paste0("speed.* the class .*", class))
+    expect_wrong(value_range(value, 5), paste0("low.* the class .*", class))
+    expect_wrong(profile(speed = value), paste0("table\\$speed.* the class .*", class))
+  }
+  expect_refused(update(cable, towing.speed = list(4)), "towing.speed` is a list of 1; .* a speed")
+  expect_wrong(vary(cable, towing.speed = list(4)), "towing.speed.*must be a vector")
+  expect_refused(update(cable, towing.speed = TRUE), "towing.speed` is yes; .* a speed")
+  expect_wrong(tow(cable, until = TRUE), "until` is yes; .* a time")
+  expect_wrong(profile(speed = TRUE), "table\\$speed` is yes; .* a speed")
+})
+
+test_that("a bare angle beyond a turn is an error that suggests degrees", {
+  cable <- read_gear("towed_cable")
+  turn <- function(value) {
+    tow(cable, until = 2, nodes = 20, schedule = tow_schedule(
+      course = data.frame(time = c(0, 1), value = value)))
+  }
+  expect_wrong(turn(c(0, 90)), "`course\\$value\\[2\\]` is 90; .* Write \"90 deg\" for degrees")
+  expect_wrong(turn(c("0", "-6.3")), "Write \"-6.3 deg\"")
+  measured <- data.frame(depth = c(0, 20), speed = 1, toward = c(0, 270))
+  expect_wrong(current_profile(measured), "`table\\$toward\\[2\\]` is 270; .* Write \"270 deg\"")
+  expect_wrong(current_profile(measured[1L, ], course = 270), "`course` is 270; .*\"270 deg\"")
+  expect_refused(update(cable, water.current = list(speed = 1, toward = 270)),
+    "`water.current.toward` is 270; .* Write \"270 deg\"")
+  expect_identical(
+    gear_si(update(cable, water.current = list(speed = 1, toward = 2 * pi)))$water,
+    gear_si(update(cable, water.current = list(speed = 1, toward = "360 deg")))$water
+  )
+})
+
+test_that("columns take the unit at the end of their name", {
+  measured <- data.frame(depth_fathom = c(10, 20), speed_knot = 1:2, toward_deg = c(270, 90))
+  said <- data.frame(depth = c("18.288 m", "36.576 m"), speed = c("1 knot", "2 knot"),
+    toward = c("270 deg", "90 deg"))
+  expect_equal(current_profile(measured), current_profile(said))
+  expect_wrong(current_profile(cbind(measured, toward = 0)), "only one of them")
+
+  log <- data.frame(time_min = 0:10, longitude_deg = 4.58, latitude_deg = 60 + (0:10) / 1000)
+  si <- data.frame(time = 60 * log$time_min, longitude = log$longitude_deg * pi / 180,
+    latitude = log$latitude_deg * pi / 180)
+  expect_equal(track_schedule(log, 0, "10 min"), track_schedule(si, 0, 600))
+
+  cable <- read_gear("towed_cable")
+  tow_to <- function(course) {
+    tow(cable, until = 10, every = 5, nodes = 20, schedule = tow_schedule(course = course))$position
+  }
+  expect_identical(tow_to(data.frame(time_min = c(0, 0.1), value_deg = c(0, 450))),
+    tow_to(data.frame(time = c(0, 6), value = c("0 deg", "450 deg"))))
+
+  found <- vary(cable, towing.speed_knot = 3:4, ropes.cable.length = "600 m", nodes = 20)
+  expect_identical(found,
+    vary(cable, towing.speed = c("3 knot", "4 knot"), ropes.cable.length = "600 m", nodes = 20))
+  expect_identical(vary(cable, found[1:2], nodes = 20)$total_drag_kN, found$total_drag_kN)
+
+  hauls <- data.frame(towing.speed_knot = c(3, 4), Tension = c(12, 13.3))
+  fit <- function(data) {
+    calibrate(cable, data, list(ropes.cable.length = c("800 m", "1500 m")),
+      Tension ~ ship_tension_kN, error = 0.2, nodes = 20, accuracy = NULL)
+  }
+  knots <- data.frame(towing.speed = c("3 knot", "4 knot"), Tension = hauls$Tension)
+  expect_identical(coef(fit(hauls)), coef(fit(knots)))
+  expect_identical(predict(fit(hauls), hauls)$fit, predict(fit(knots), knots)$fit)
+})
+
+test_that("tow() turns by more than a turn of the plan's section", {
+  gear <- update(read_gear("towed_cable"), tow = list(until = "4 s", every = "2 s",
+    course = list(list(time = 0, value = "0 deg"), list(time = "4 s", value = "400 deg"))))
+  found <- tow(gear, nodes = 20)
+  expect_equal(found$conditions$course[found$time == 4], 400 * pi / 180)
 })
 
 test_that("studies convert units objects to SI", {
@@ -188,7 +265,7 @@ test_that("other functions accept units objects for their quantities", {
     longitude = in_units(log$longitude, "degree"), latitude = in_units(log$latitude, "degree"))
   log[2:3] <- log[2:3] * pi / 180
   expect_equal(track_schedule(shown, 0, 600), track_schedule(log, 0, 600))
-  expect_wrong(track_schedule(log, 0, in_units(10, "min")), "to")
+  expect_identical(track_schedule(log, 0, in_units(10, "min")), track_schedule(log, 0, 600))
   expect_wrong(settle("towed_cable", nodes = in_units(50, "m")), "nodes")
   expect_equal(gear_si(new_plan("gillnet", depth = in_units(20, "m")))$seabed$depth,
     gear_si(new_plan("gillnet", depth = "20 m"))$seabed$depth)
