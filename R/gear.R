@@ -125,8 +125,8 @@ print.codend_gear <- function(x, ...) {
 #' @param object A gear of class `codend_gear`.
 #' @param ... Fields by their path in the plan, such as `towing.speed = "5 knot"` or
 #'   `ropes.warp.length = 300`. `NULL` removes a field. Use numbers in SI, strings with a unit, or
-#'   objects of the package units. An angle without a unit is at most 2 pi (rad). Address a list item
-#'   by its number (`water.current.1.speed`).
+#'   objects of the package units. An angle without a unit is at most 2 pi (rad). Address a list
+#'   item by its number (`water.current.1.speed`).
 #' @return A gear of class `codend_gear`. An unknown path is an error of class `codend_error_plan`.
 #'   A value of an unsupported class, such as a date, is an error of class `codend_error_argument`.
 #' @seealso [vary()] to solve a gear for a range of values, [settle()] for the new shape.

@@ -98,13 +98,3 @@ yaml_quoted <- function(text) {
   characters[control] <- sprintf("\\u%04x", codes[control])
   paste(characters, collapse = "")
 }
-
-# Returns the shortest decimal that reads back as the same number, independent of R's options.
-shortest_decimal <- function(x) {
-  for (digits in c(6L, 15L, 16L, 17L)) {
-    shown <- sprintf("%.*g", digits, x)
-    if (as.double(shown) == x) break
-  }
-  # YAML 1.1 accepts an exponent only after a decimal point.
-  if (grepl("^-?[0-9]+e", shown)) sub("e", ".0e", shown) else shown
-}

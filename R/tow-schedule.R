@@ -8,8 +8,8 @@
 #' - Constant: a number in SI, a string with a unit, or an object of the package units. An angle
 #'   without a unit is at most 2 pi (rad): write `"90 deg"`.
 #' - Table: a data frame with columns `time` and `value`, linear between its rows. A unit may follow
-#'   the name of a column (`value_deg`). The last value stays. Two rows with the same time define a jump. At time 0 the gear settles in the conditions
-#'   before the jump.
+#'   the name of a column (`value_deg`). The last value stays. Two rows with the same time define a
+#'   jump. At time 0 the gear settles in the conditions before the jump.
 #' - Function of time in s that returns SI. It is sampled every 0.1 s, and its jumps are located.
 #'   The interpolant is smooth between them.
 #'
