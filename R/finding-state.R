@@ -89,7 +89,7 @@ define_finding("idle rope", "state",
   function(gear, state) {
     if (!has_towing(state)) return(list())
     table <- tension_table(state)
-    drag <- drag_table(state)
+    drag <- part_force_table(state)
     counts <- abs(drag$drag_kN) + abs(drag$lift_kN) + abs(drag$weight_in_water_kN)
     table$counts <- counts[match(table$part, drag$part)]
     free <- names(Filter(function(rope) is.null(rope$along) && !rope$strut, state$si$ropes))

@@ -193,10 +193,9 @@ drag_html <- function(state, say = make_translator()) {
   drag <- drag_table(state)
   totals <- drag_totals(drag)
   total <- totals$drag_kN[nrow(totals)]
-  share <- function(x) if (total == 0) "" else formatC(100 * x / total, format = "f", digits = 1)
   cells <- function(name, drag, side, lift) {
-    data.frame(name, trimws(column_figures(drag)), share(drag), trimws(column_figures(side)),
-      trimws(column_figures(lift)))
+    data.frame(name, trimws(column_figures(drag)), share_text(drag, total),
+      trimws(column_figures(side)), trimws(column_figures(lift)))
   }
   last <- nrow(totals)
   of_groups <- text_rows(cells(totals$group, totals$drag_kN, totals$side_kN, totals$lift_kN))

@@ -57,10 +57,23 @@ part_weight <- function(state) {
   gear_gravity * unname(each) * length
 }
 
+# Returns the forces that belong to no part [N]: a row per cause, without rows of zeros. In motion,
+# the supports also pull the free nodes' inertia.
+outer_forces <- function(state) {
+  loads <- vapply(state$si$points, function(point) as.double(point$load), numeric(3))
+  free <- !state$mesh$model$held
+  forces <- rbind(
+    loads = rowSums(loads), sea_bed = total_force(state, "ground"),
+    out_of_water = total_force(state, "surface"),
+    inertia = if (!is.null(state$time)) -rowSums(state$force[, free, drop = FALSE])
+  )
+  forces[rowSums(forces != 0) > 0, , drop = FALSE]
+}
+
 # Returns a data frame: one row per rope, panel and piece, and for the catch in netting. Columns:
 # part, kind (rope, netting, piece, catch), role, and forces in kN. drag: along the flow; side: to
 # starboard; lift: up; weight in water.
-drag_table <- function(state) {
+part_force_table <- function(state) {
   force <- in_unit(t(flow_axes(state$si)) %*% part_drag(state), "kN")
   data.frame(
     part = state$mesh$parts$name, kind = state$mesh$parts$kind,
@@ -70,16 +83,27 @@ drag_table <- function(state) {
   )
 }
 
+# Returns the same with a row per outer force. The sum of `drag_kN` is the total drag.
+drag_table <- function(state) {
+  outer <- outer_forces(state)
+  force <- in_unit(outer %*% flow_axes(state$si), "kN")
+  cause <- gsub("_", " ", rownames(outer))
+  rbind(part_force_table(state), data.frame(
+    part = cause, kind = cause, role = rep(NA_character_, length(cause)), drag_kN = force[, 1],
+    side_kN = force[, 2], lift_kN = force[, 3], weight_in_water_kN = rep(0, length(cause)),
+    row.names = NULL
+  ))
+}
+
 # Returns totals of a drag table by group and overall. Pieces other than otter boards and catch are
 # "fittings".
 drag_totals <- function(drag) {
-  group <- c(
-    netting = "netting", rope = "ropes", piece = "fittings", catch = "catch"
-  )[drag$kind]
+  of_kind <- c(netting = "netting", rope = "ropes", piece = "fittings")
+  group <- ifelse(drag$kind %in% names(of_kind), of_kind[drag$kind], drag$kind)
   group[drag$role %in% "otter_board"] <- "otter boards"
   group[drag$role %in% "catch"] <- "catch"
   forces <- c("drag_kN", "side_kN", "lift_kN", "weight_in_water_kN")
-  groups <- intersect(c("netting", "ropes", "otter boards", "catch", "fittings"), group)
+  groups <- intersect(c("netting", "ropes", "otter boards", "catch", "fittings", group), group)
   sums <- rowsum(as.matrix(drag[forces]), factor(group, levels = groups))
   total <- rbind(sums, total = colSums(sums))
   data.frame(group = rownames(total), total, row.names = NULL)
@@ -113,14 +137,11 @@ reaction_table <- function(state) {
 # Returns a data frame of all forces on the gear [kN] and their sum, `remainder`. The remainder is
 # zero within the solver's tolerance.
 balance_table <- function(state) {
-  loads <- rowSums(vapply(state$si$points, function(point) as.double(point$load), numeric(3)))
   forces <- rbind(
     reactions = rowSums(support_forces(state)),
     hydrodynamic = rowSums(part_drag(state)),
     weight_in_water = c(0, 0, -sum(part_weight(state))),
-    loads = loads,
-    sea_bed = if (!is.null(state$si$ground)) total_force(state, "ground"),
-    out_of_water = if (state$si$water$free_surface) total_force(state, "surface")
+    outer_forces(state)
   )
   forces <- in_unit(forces, "kN")
   forces <- rbind(forces, remainder = colSums(forces))

@@ -130,10 +130,9 @@ netting_columns <- function(netting, slack) {
 }
 
 drag_columns <- function(totals, names) {
-  share <- 100 * totals$drag_kN / totals$drag_kN[nrow(totals)]
   list(
     ` group` = names, `drag kN` = column_numbers(totals$drag_kN),
-    `share %` = one_decimal(share),
+    `share %` = share_text(totals$drag_kN, totals$drag_kN[nrow(totals)]),
     `side kN` = column_numbers(totals$side_kN), `lift kN` = column_numbers(totals$lift_kN),
     `weight in water kN` = column_numbers(totals$weight_in_water_kN)
   )
@@ -145,12 +144,16 @@ reported_parts <- 15L
 drag_part_columns <- function(drag, totals) {
   groups <- by_role(drag)
   forces <- c("drag_kN", "side_kN", "lift_kN", "weight_in_water_kN")
-  sums <- do.call(rbind, lapply(groups, function(g) colSums(g[forces])))
-  first <- utils::head(order(-sums[, "drag_kN"]), reported_parts)
-  first <- first[sums[first, "drag_kN"] > 0]
+  sums <- list2DF(lapply(setNames(nm = forces), function(force) {
+    vapply(groups, function(group) sum(group[[force]]), 0)
+  }))
+  first <- utils::head(order(-sums$drag_kN), reported_parts)
+  first <- first[sums$drag_kN[first] > 0]
   if (length(first) < 2L) return(list(character()))
-  rows <- rbind(as.data.frame(sums[first, , drop = FALSE]), totals[nrow(totals), forces])
-  columns <- drag_columns(rows, c(gsub("_", " ", names(groups)[first]), "total of all parts"))
+  others <- colSums(sums[-first, , drop = FALSE])
+  rows <- rbind(sums[first, ], if (any(others != 0)) as.list(others), totals[nrow(totals), forces])
+  names <- c(gsub("_", " ", names(groups)[first]), if (any(others != 0)) "other parts", "total")
+  columns <- drag_columns(rows, names)
   names(columns)[1L] <- " part"
   columns
 }

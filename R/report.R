@@ -259,8 +259,8 @@ drag_section <- function(said) {
   tangential <- said$tangential
   report_section("Drag",
     report_table(drag_columns(said$drag_totals, said$drag_totals$group), paste(
-      "Hydrodynamic forces by group: drag along the flow with its percentage, side force to",
-      "starboard, lift upwards, and weight in water."
+      "Forces by group: drag along the flow with its percentage of the total drag, side force to",
+      "starboard, lift upwards, and weight in water. The sea bed adds friction and support."
     )),
     report_table(
       drag_part_columns(said$drag, said$drag_totals), "The parts with the largest drag."

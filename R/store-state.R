@@ -49,7 +49,7 @@ state_numbers <- function(state) {
     )
     setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
   })
-  drag <- drag_table(state)
+  drag <- part_force_table(state)
   plain <- c("si", "recipe", "report", "time", "compared", "step_accuracy")
   kept <- c(
     Filter(Negate(is.null), lapply(setNames(nm = plain), function(name) .subset2(state, name))),

@@ -271,24 +271,27 @@ budget_of <- function(found, level, draws = NULL) {
     freedom = freedom, smooth = !rough, row.names = NULL
   )
   list(
-    measures = table, sources = source_table(found, value, combined),
+    measures = table, sources = source_table(found, value, diag(covariance) + own),
     next_measurement = best_measurements(found, base, covariance, own)
   )
 }
 
-source_table <- function(found, value, combined) {
+# variance: of each measure in the linear estimate. The percentages of all sources, the mesh and the
+# model add up to 100.
+source_table <- function(found, value, variance) {
   names <- vapply(found$sources, `[[`, "", "name")
   rows <- lapply(seq_along(value), function(m) {
     one <- found$spread[m, ]
     whole <- sqrt(one^2 + found$off[m, ]^2)
     order <- order(-whole)
     order <- order[whole[order] > 0]
+    own <- one * drop(found$correlation %*% one) + found$off[m, ] * sum(found$off[m, ])
     data.frame(
       measure = rep(names(value)[m], length(order)), source = names[order],
       group = vapply(found$sources[order], `[[`, "", "group"),
       share = vapply(found$sources[order], `[[`, 0, "share"),
       contribution = sign(one[order]) * whole[order],
-      percent = 100 * whole[order]^2 / combined[m]^2
+      percent = 100 * own[order] / variance[m]
     )
   })
   table_rows(do.call(rbind, rows))

@@ -52,14 +52,22 @@
 #' - `"nodes"`: `node`, `x_m`, `y_m`, `z_m`, `parts` (ropes and panels that meet there) and `held`
 #'   (fixed nodes).
 #' - `"measures"`: `measure`, `value`, `unit` and discretisation `error` ([measures()]).
-#' - `"drag"`: one row per rope, panel and piece, and for catch in netting. Columns: `part`, `kind`,
-#'   `role`, hydrodynamic force as `drag_kN` (along the flow), `side_kN` (to starboard) and
-#'   `lift_kN` (up), and `weight_in_water_kN` (weight minus buoyancy).
+#' - `"drag"`: one row per rope, panel and piece, and for catch in netting, with the hydrodynamic
+#'   force on it. Further rows are listed below. Columns: `part`, `kind`, `role`, `drag_kN` (along
+#'   the flow), `side_kN` (to starboard), `lift_kN` (up) and `weight_in_water_kN` (weight minus
+#'   buoyancy). `drag_kN` adds up to the measure `total_drag_kN`.
 #' - `"pieces"`: one row per piece and position, such as every hook of a longline. Columns: `part`,
 #'   `role`, `number` (of pieces there), `x_m`, `y_m`, `z_m` and `depth_m`.
 #' - `"boards"`: one row per free otter board and per kite or depressor, see below.
 #' - `"reactions"`: force of every support on the gear: `point`, `x_kN`, `y_kN`, `z_kN`. Two points
 #'   at the ends of a fixed edge share its load like the supports of a beam.
+#'
+#' @section Rows of the table of drag without a part:
+#' The table has these rows if their forces are not zero:
+#' - `sea bed`: friction and support from the sea bed;
+#' - `loads`: loads on points of the plan;
+#' - `out of water`: buoyancy lost above the surface, as a negative lift;
+#' - `inertia`: minus mass times acceleration, in a state of a tow.
 #'
 #' @section Columns of the table of boards:
 #' - `board`, `attack_deg`, and `stall_deg`, the angle of attack at the largest lift of its polar;

@@ -13,7 +13,8 @@
 #'   - `measures`: named numbers ([measures()]);
 #'   - `findings`: warnings ([findings()]);
 #'   - `drag`: data frame by part (see [as.data.frame.codend_state()]);
-#'   - `drag_totals`: the same by `group` (netting, ropes, otter boards, catch, fittings, total);
+#'   - `drag_totals`: the same by `group` (netting, ropes, otter boards, catch, fittings, sea bed,
+#'     loads, out of water, inertia, total). The total drag is the measure `total_drag_kN`;
 #'   - `tangential`: sensitivity of total drag, see below;
 #'   - `tensions`: data frame by rope and panel, see below;
 #'   - `slack`: data frame by panel: `twine_m` (length of twine) and `slack_percent` (percentage
@@ -21,7 +22,7 @@
 #'   - `boards`: data frame by free otter board ([as.data.frame()][as.data.frame.codend_state]);
 #'   - `reactions`: data frame by support;
 #'   - `balance`: data frame of the sums of `reactions`, `hydrodynamic` forces, `weight_in_water`
-#'     and `loads`, and their `remainder`, kN;
+#'     and of all forces without a part ([as.data.frame.codend_state()]), and their `remainder`, kN;
 #'   - `report`: the solver's report, with `nodes`, `bars` and `cells`;
 #'   - `uncertainty`: the argument, if given.
 #'
@@ -116,11 +117,10 @@ finding_lines <- function(found) {
 }
 
 drag_lines <- function(totals) {
-  share <- 100 * totals$drag_kN / totals$drag_kN[nrow(totals)]
   align_columns(list(
     c("", totals$group),
     c("drag kN", column_figures(totals$drag_kN)),
-    c("share %", ifelse(is.finite(share), formatC(share, format = "f", digits = 1), "")),
+    c("share %", share_text(totals$drag_kN, totals$drag_kN[nrow(totals)])),
     c("side kN", column_figures(totals$side_kN)),
     c("lift kN", column_figures(totals$lift_kN)),
     c("weight in water kN", column_figures(totals$weight_in_water_kN))

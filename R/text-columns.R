@@ -39,6 +39,11 @@ interval_ends <- function(x, uncertainty) {
   format_each(round(x, decimals), pmax(0, decimals))
 }
 
+# Returns the percentages of a total with one decimal; "" without a total.
+share_text <- function(x, total) {
+  if (total == 0) rep("", length(x)) else formatC(100 * x / total, format = "f", digits = 1)
+}
+
 # The largest number of the column determines the decimals that give it four digits.
 column_figures <- function(x) {
   size <- max(abs(x), 0, na.rm = TRUE)

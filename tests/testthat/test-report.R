@@ -62,7 +62,7 @@ test_that("report has the numbers of the state", {
   # steel wire of 32 mm: 630 MPa of its diameter squared
   expect_equal(as_number(ropes[1, 6]), 630e6 * 0.032^2 / 1000, tolerance = 1e-3)
   expect_equal(as_number(ropes[1, 8]), 645.1 / warp$max_kN, tolerance = 0.05)
-  drag <- report_rows(body, "Hydrodynamic forces")
+  drag <- report_rows(body, "Forces by group")
   expect_equal(as_number(drag[nrow(drag), 2]), found[["total_drag_kN"]], tolerance = 1e-3)
 })
 

@@ -49,7 +49,7 @@ test_that("saved state is plain NetCDF with CF units", {
       ))
     }
   }
-  expect_identical(get("part_drag"), as.data.frame(state, what = "drag")$drag_kN)
+  expect_identical(get("part_drag"), part_force_table(state)$drag_kN)
   expect_identical(get("part_name"), parts_of(state)$name)
 })
 
