@@ -14,7 +14,8 @@
 #' 3. Read the result: [measures()], [summary()][summary.codend_state], [plot()][plot.codend_state].
 #' 4. Check it: [findings()] lists unusual values, and [uncertainty()] estimates intervals.
 #' 5. Change the plan with [update()][update.codend_gear], then settle again from the last state.
-#' 6. Compare designs ([vary()]) or search for the best one ([optimise_gear()]).
+#' 6. Find the value that gives a required result ([find_value()]), compare designs ([vary()]), or
+#'    search for the best one ([optimise_gear()]).
 #' 7. Share it: [report()], [share()], [write_gear()], [write_result()].
 #'
 #' @section Plans:
@@ -43,6 +44,7 @@
 #' @section Designs and uncertainty:
 #' - Effect of each field: [sensitivities()], [uncertainty()].
 #' - Many designs: [vary()], [designs()], [effects()][effects.codend_variations].
+#' - Value for a required result: [find_value()].
 #' - Best design: [optimise_gear()], [trade_off()].
 #' - Studies in files: [write_study()], [run_study()], [study_status()], [read_study()].
 #' - Guides: `vignette("how-sure", "codend")`, `vignette("optimise-a-trawl", "codend")`.

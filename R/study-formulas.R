@@ -74,8 +74,9 @@ ready_expression <- function(call, what, words, paths, within = NULL) {
   used <- setdiff(all.names(call, unique = TRUE), named)
   other <- setdiff(used, formula_functions)
   if (length(other)) {
-    abort_argument("{.arg {what}} is {.code {text}}, but {.code {other[1]}} is not supported: use
-      + - * / ^, sqrt, exp, log, sin, cos and tan.")
+    hint <- if (other[1L] == "abs") " For a required value of a measure, use {.fn find_value}."
+    abort_argument(paste0("{.arg {what}} is {.code {text}}, but {.code {other[1]}} is not
+      supported: use + - * / ^, sqrt, exp, log, sin, cos and tan.", hint))
   }
   slopes <- lapply(setNames(named, named), function(name) {
     tryCatch(stats::D(call, name), error = function(e) {

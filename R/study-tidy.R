@@ -108,3 +108,16 @@ glance.codend_variations <- function(x, ...) {
   found <- summary(x)
   as.data.frame(found[c("name", "designs", "done", "settled", "warned")])
 }
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_found <- function(x, ...) as.data.frame(x)
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::glance
+glance.codend_found <- function(x, ...) {
+  data.frame(
+    name = x$gear$plan$name, reached = all(x$targets$reached), n_solves = x$n_solves,
+    nodes = x$state$mesh$nodes
+  )
+}

@@ -4,8 +4,8 @@
 #' and \pkg{parsnip} also export. They are available if generics, broom or parsnip is installed.
 #'
 #' @param x A state ([settle()]), trajectory ([tow()]), sensitivities ([sensitivities()]),
-#'   calibration ([calibrate()]), posterior ([sample_posterior()]), optimum ([optimise_gear()]) or
-#'   variations ([vary()]).
+#'   calibration ([calibrate()]), posterior ([sample_posterior()]), optimum ([optimise_gear()]),
+#'   found values ([find_value()]) or variations ([vary()]).
 #' @param conf.int `TRUE` adds `conf.low` and `conf.high`, the ends of a confidence interval from
 #'   the covariance.
 #' @param conf.level Probability of the interval.
@@ -22,6 +22,7 @@
 #'   - field of a posterior: its mean, with `std.error` (standard deviation), `conf.low`,
 #'     `conf.high` (quantiles) and `effective` (effective number of independent draws);
 #'   - field of an optimum, with `begun` (initial value), `low` and `high` (bounds) and `at`;
+#'   - field of found values, with the columns of `fields` of [find_value()];
 #'   - design and measure of variations, with the number of the `design`, its fields and `error`.
 #'
 #'   `glance()` has one row, see below. `augment()` of a calibration has one row per haul and match:
@@ -38,6 +39,7 @@
 #' - Posterior: `draws`, `accepted` (fraction of steps) and `effective` (minimum over all fields).
 #' - Optimum: `name`, `objective` (string), `begun`, `value`, `kept` (`TRUE` if all conditions
 #'   hold), `optimality` (0 at an optimum), `converged` and `n_solves`.
+#' - Found values: `name`, `reached` (`TRUE` if all targets are reached), `n_solves` and `nodes`.
 #' - Variations: `name`, `designs`, `done`, `settled` and `warned`.
 #'
 #' @name codend_tidy

@@ -63,10 +63,15 @@ shipped_state <- function(name) {
   if (name == "midwater_trawl") settled(name, nodes = 500) else settled(name)
 }
 
+# Runs code with another value of an object of the package.
+with_package_value <- function(name, value, code) {
+  before <- getFromNamespace(name, "codend")
+  on.exit(assignInNamespace(name, before, "codend"))
+  assignInNamespace(name, value, "codend")
+  code
+}
+
 # Runs code with a limit of iterations per mesh level.
 with_settle_iterations <- function(iterations, code) {
-  allowed <- getFromNamespace("settle_iterations", "codend")
-  on.exit(assignInNamespace("settle_iterations", allowed, "codend"))
-  assignInNamespace("settle_iterations", iterations, "codend")
-  code
+  with_package_value("settle_iterations", iterations, code)
 }

@@ -61,6 +61,15 @@ test_that("tidy() covers a calibration and its posterior", {
   expect_identical(glance.codend_posterior(draws)$draws, 20L)
 })
 
+test_that("tidy() and glance() return the fields and targets of find_value()", {
+  found <- find_value("towed_cable", towing.speed = c("3 knot", "5 knot"),
+    target = list(body_depth = "400 m"), nodes = 20)
+  expect_identical(tidy.codend_found(found), found$fields)
+  expect_identical(as.data.frame(found), found$fields)
+  expect_identical(glance.codend_found(found)[c("reached", "n_solves")],
+    data.frame(reached = found$targets$reached, n_solves = found$n_solves))
+})
+
 test_that("tidy() covers an optimum and variations", {
   best <- optimise_gear("towed_cable", minimise = ~ total_drag, nodes = 20,
     change = list(ropes.cable.length = c("900 m", "1100 m")))

@@ -1,0 +1,51 @@
+# Largest numbers of fields and of targets in a print.
+most_printed_values <- 5L
+
+#' @export
+print.codend_found <- function(x, ...) {
+  cat(if (all(x$targets$reached)) "Found" else "Nearest", " for \"", x$gear$plan$name, "\"\n",
+    sep = "")
+  fields <- utils::head(x$fields, most_printed_values)
+  targets <- utils::head(x$targets, most_printed_values)
+  cat_columns(list(
+    c(fields$field, targets$measure),
+    c(sensitivity_digits(fields$value), sensitivity_digits(targets$value)),
+    c(fields$unit, targets$unit),
+    c(paste("before", sensitivity_digits(fields$start)),
+      paste("target", sensitivity_digits(targets$target))),
+    c(end_text(fields), ifelse(targets$reached, "reached", "not reached"))
+  ), left = c(1L, 3L, 4L, 5L))
+  left <- nrow(x$fields) - nrow(fields) + nrow(x$targets) - nrow(targets)
+  if (left) cat("  ... and ", left, " more: see `fields` and `targets`\n", sep = "")
+  if (!all(x$targets$reached)) cat(strwrap(not_reached_text(x), 78, 2, 2), sep = "\n")
+  cat("  ", x$n_solves, " gears settled with ",
+    mesh_size_text(x$state$mesh$nodes, main_error(measures(x$state))), "\n", sep = "")
+  invisible(x)
+}
+
+end_text <- function(fields) {
+  ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
+}
+
+# Returns sentences about missed targets and the limits of the search.
+not_reached_text <- function(x) {
+  if (nrow(x$targets) > nrow(x$fields)) {
+    return(paste(nrow(x$targets), "targets need as many fields. The result is the compromise with",
+      "the smallest squared relative differences."))
+  }
+  missed <- x$targets[!x$targets$reached, ]
+  ended <- x$fields[x$fields$at != "", ]
+  with_unit <- function(value) trimws(paste(sensitivity_digits(value), missed$unit))
+  paste0(
+    paste0("The target ", missed$measure, " = ", with_unit(missed$target),
+      " is out of reach. The nearest value found is ", with_unit(missed$value), ".",
+      collapse = " "),
+    if (nrow(ended)) paste0(" ", paste(ended$field, "is", end_text(ended), collapse = ", "), ".")
+  )
+}
+
+#' @rawNamespace S3method(base::"$",codend_found)
+`$.codend_found` <- result_element
+
+#' @export
+as.data.frame.codend_found <- function(x, row.names = NULL, optional = FALSE, ...) x$fields
