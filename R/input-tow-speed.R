@@ -1,12 +1,13 @@
 #' Compute the towing speed for an engine power
 #'
 #' Returns the state in which the drag of a gear equals the pull of the vessel at a given engine
-#' power (see [vessel]). The gear is settled at a sequence of speeds, each from the last shape.
+#' power (see [vessel]). The gear is settled at about 8 speeds, each from the last shape.
 #'
 #' @param gear A gear of class `codend_gear` with a `vessel`, or the name or file of a plan.
 #' @param power Engine power: a number in W, a string with a unit (`"1500 kW"`), or a fraction of
 #'   full power (`"80 %"`). Default `NULL`: full power.
-#' @param nodes,netting As in [settle()].
+#' @param nodes,netting,accuracy As in [settle()]. The gear as given determines the number of nodes
+#'   for all speeds.
 #' @return The settled state at this speed (class `codend_state`). The speed (m/s) is
 #'   `si$towing$speed`; [measures()] include the engine measures. The relative error of the speed is
 #'   1e-4. An error of class `codend_error_argument` is thrown for a gear without a vessel, a power
@@ -21,7 +22,7 @@
 #' ))
 #' state <- tow_speed(trawl, "60 %", nodes = 300)
 #' measures(state)[c("engine_power_kW", "fuel_rate_l_per_h")]
-tow_speed <- function(gear, power = NULL, nodes = 1500, netting = NULL) {
+tow_speed <- function(gear, power = NULL, nodes = NULL, netting = NULL, accuracy = NULL) {
   check_given("gear")
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
@@ -32,7 +33,11 @@ tow_speed <- function(gear, power = NULL, nodes = 1500, netting = NULL) {
   # Excess of the gear's required pull over the requested pull, as a fraction of the available pull.
   excess <- function(speed) {
     at <- update(gear, towing.speed = speed)
-    state <<- settle(at, nodes, netting, from = state)
+    state <<- if (is.null(state)) {
+      settle(at, nodes, netting, accuracy = accuracy)
+    } else {
+      settle(at, netting = netting, from = state)
+    }
     measures(state)[["pull_used_percent"]] / 100 - share^(2 / 3)
   }
   least <- 0.2

@@ -6,6 +6,14 @@ extra_ratio <- 2.6
 most_growth <- 7
 least_growth <- 2
 
+# Settles a gear on the mesh that the arguments of settle() define, without warnings about the gear.
+accurate_state <- function(gear, nodes, netting, accuracy, from = NULL) {
+  accuracy <- accuracy_share(accuracy)
+  state <- settled_state(gear, first_of(nodes, nodes_of(from)), netting, from)
+  if (!is.null(accuracy)) return(settle_accurately(state, accuracy, netting))
+  if (is.null(nodes) && is.null(from)) refine_to_accuracy(state, netting) else state
+}
+
 # Refines the mesh of a gear until the main measures have the required relative accuracy.
 settle_accurately <- function(state, accuracy, netting) {
   repeat {
@@ -80,8 +88,9 @@ finer_state <- function(state, netting, extra) {
 # Tolerance of 10 %, because errors are not known more precisely.
 is_reached <- function(error, asked) error <= 1.1 * asked
 
-# Converts an accuracy such as "1 %" or 0.01 to a fraction.
+# Converts an accuracy such as "1 %" or 0.01 to a fraction; NULL stays NULL.
 accuracy_share <- function(accuracy) {
+  if (is.null(accuracy)) return(NULL)
   share <- given_si(accuracy, "number", "accuracy")
   if (!(is.finite(share) && share > 0 && share < 1)) {
     abort_argument(

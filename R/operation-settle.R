@@ -116,20 +116,10 @@
 settle <- function(gear, nodes = NULL, netting = NULL, from = NULL, accuracy = NULL) {
   check_given("gear")
   if (is.character(gear)) gear <- read_gear(gear)
-  if (is.null(nodes) && !is.null(from)) nodes <- nodes_of(from)
-  check_settle_arguments(gear, first_of(nodes, usual_nodes), netting)
+  check_settle_arguments(gear, first_of(nodes, nodes_of(from)), netting)
   state <- accurate_state(gear, nodes, netting, accuracy, from)
   warn_of_doubts(state, swings = is.null(from))
   state
-}
-
-# Settles a gear with a number of nodes, or else with the required or the usual accuracy. Gives no
-# warnings about the gear.
-accurate_state <- function(gear, nodes, netting, accuracy, from = NULL) {
-  if (!is.null(accuracy)) accuracy <- accuracy_share(accuracy)
-  state <- settled_state(gear, first_of(nodes, usual_nodes), netting, from)
-  if (!is.null(accuracy)) return(settle_accurately(state, accuracy, netting))
-  if (is.null(nodes)) refine_to_accuracy(state, netting) else state
 }
 
 settle_gear <- function(gear, nodes, netting, from) {
@@ -167,6 +157,7 @@ settled_state <- function(gear, nodes, netting, from) {
 }
 
 check_settle_arguments <- function(gear, nodes, netting) {
+  if (is.null(nodes)) nodes <- usual_nodes
   if (!inherits(gear, "codend_gear")) {
     abort_argument("{.arg gear} must be a gear or the name of a plan, not {.cls {class(gear)}}.")
   }

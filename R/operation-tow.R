@@ -118,8 +118,8 @@
 #'   tension limit, see the section on accuracy. `NULL` (default): as in the plan, or 0.01 m.
 #' @param step Fixed step length, s or string, instead of an accuracy. `NULL` (default): adaptive
 #'   for implicit schemes, 0.9 of the longest stable step for the others.
-#' @param nodes,netting As in [settle()], for a gear that is not yet a state. `nodes` is 1,500 by
-#'   default.
+#' @param nodes,netting As in [settle()], for a gear that is not yet a state. By default the gear is
+#'   first settled on up to 3 meshes for an error of 1 %; a gear that is shot has 1,500 nodes.
 #' @param file `NULL` (default), or a file ending in `.nc`. Each saved state is written at once, so
 #'   [read_result()] can read an interrupted run. See [write_result()].
 #' @return A trajectory of class `codend_trajectory`, which [as.data.frame.codend_trajectory()]
@@ -136,7 +136,7 @@
 #' measures(state_at(trajectory, 60))[["total_drag_kN"]]
 #' @export
 tow <- function(gear, schedule = NULL, until = NULL, every = NULL, scheme = NULL,
-                accuracy = NULL, step = NULL, nodes = 1500, netting = NULL, file = NULL) {
+                accuracy = NULL, step = NULL, nodes = NULL, netting = NULL, file = NULL) {
   check_given("gear")
   if (!is.null(file)) {
     check_netcdf()
@@ -180,7 +180,8 @@ tow <- function(gear, schedule = NULL, until = NULL, every = NULL, scheme = NULL
     settled_trajectory(gear, given, until, nodes, netting)
   }
   if (!going_on && starts_elsewhere(trajectory)) {
-    trajectory$compared <- moments_elsewhere(gear, given, until, every, method, nodes, netting,
+    asked <- trajectory$mesh$counts$asked$nodes
+    trajectory$compared <- moments_elsewhere(gear, given, until, every, method, asked, netting,
       trajectory$mesh$nodes)
   }
   record <- if (!is.null(file)) function(what, frames) record_trajectory(what, frames, file)
@@ -282,15 +283,22 @@ default_accuracy <- 0.01
 settled_trajectory <- function(gear, given, until, nodes, netting) {
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
-  if (!is.null(si$shooting)) return(shot_trajectory(gear, si, given, until, nodes, netting))
+  if (!is.null(si$shooting)) {
+    return(shot_trajectory(gear, si, given, until, first_of(nodes, usual_nodes), netting))
+  }
   if (!is.null(si$laid)) {
     return(laid_trajectory(settle(gear, nodes, netting), given, until))
   }
+  planned <- tryCatch(
+    accurate_state(gear, nodes, netting, NULL), codend_error_not_converged = function(e) NULL
+  )
+  if (is.null(nodes)) nodes <- nodes_of(planned)
   what <- tow_start(gear, si, build_mesh(si, nodes, netting), given, until)
   now <- conditions_at(what, 0, before = 0 %in% what$breaks)
   first <- si_at(what, now)
   if (identical(first, si) && !length(what$schedule$growing) && now$heave == 0) {
-    state <- settle(gear, nodes, netting)
+    state <- if (is.null(planned)) settle(gear, nodes, netting) else planned
+    warn_of_doubts(state, swings = TRUE)
     return(started_trajectory(state, given, until, compared_meshes(state)))
   }
   # A short warp gets few bars, so its shape is transferred to the mesh of the full warp.
@@ -317,9 +325,6 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   if (!settled$converged) abort_unsettled(settled, start, settled$position)
   what$mesh$model <- changed_model(what$mesh$model, settled["wake"])
   # assume the relative errors from the gear in its plan's conditions
-  what$compared <- tryCatch(
-    compared_meshes(settled_state(gear, nodes, netting, NULL)),
-    codend_error_not_converged = function(e) NULL
-  )
+  if (!is.null(planned)) what$compared <- compared_meshes(planned)
   add_start(what, settled$position, c(-now$speed, 0, 0))
 }

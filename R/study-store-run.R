@@ -21,7 +21,7 @@
 #' prints the finished designs as CSV. Submit the same array again to run the missing designs. A
 #' task should take a minute or more, because submitting a job takes some seconds.
 #'
-#' @param gear,nodes,netting As in [vary()].
+#' @param gear,nodes,netting,accuracy As in [vary()].
 #' @param designs A table of designs, from [designs()].
 #' @param store Path of the folder of the study. All machines must have access to it.
 #' @param task,of Number of this task and of all tasks. Design `k` is in task `(k - 1) %% of + 1`.
@@ -52,9 +52,9 @@ NULL
 
 #' @rdname studies
 #' @export
-write_study <- function(gear, designs, store, nodes = 1500, netting = NULL) {
+write_study <- function(gear, designs, store, nodes = NULL, netting = NULL, accuracy = NULL) {
   check_given("gear", "designs", "store")
-  study <- new_study(gear, list(designs), nodes, netting)
+  study <- new_study(gear, list(designs), nodes, netting, accuracy)
   create_store(study, store)
   invisible(store)
 }

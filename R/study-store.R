@@ -74,7 +74,8 @@ study_text <- function(study) {
       codend_study = one(study_file_version),
       codend = one(as.character(utils::packageVersion("codend"))),
       plan = one(enc2utf8(format(study$gear))), plan_file = one(first_of(study$gear$file, NA)),
-      nodes = one(study$nodes), netting = one(first_of(study$netting, NA)),
+      nodes = one(first_of(study$nodes, NA)), netting = one(first_of(study$netting, NA)),
+      accuracy = one(first_of(study$accuracy, NA)),
       chosen = lapply(kept, one), factors = as.list(attr(designs, "factors")),
       distributions = lapply(as.list(attr(designs, "distributions")), one), columns = columns
     ),
@@ -88,7 +89,8 @@ check_same_study <- function(study, store) {
   # The file of the plan is ignored.
   parts <- c(
     codend = "was created by another version of codend", plan = "has another plan",
-    columns = "has other designs", nodes = "has other `nodes`", netting = "has another `netting`"
+    columns = "has other designs", nodes = "has other `nodes`", netting = "has another `netting`",
+    accuracy = "has another `accuracy`"
   )
   for (part in names(parts)) {
     if (!identical(here[[part]], there[[part]])) {
@@ -119,7 +121,7 @@ read_store <- function(store) {
   )
   list(
     gear = gear_of_text(kept$plan, kept$plan_file, NULL), designs = designs,
-    nodes = as.double(kept$nodes), netting = kept$netting
+    nodes = number_of(kept$nodes), netting = kept$netting, accuracy = number_of(kept$accuracy)
   )
 }
 
@@ -260,7 +262,7 @@ store_base <- function(store, study) {
   file <- store_file(store, "base.nc")
   none <- store_file(store, "base.none")
   if (!file.exists(file) && !file.exists(none)) {
-    found <- settle_one(study$gear, study$nodes, study$netting, NULL)
+    found <- settle_first(study)
     if (is.null(found$state)) write_text(c(found$problem, ""), none) else {
       write_state(found$state, file)
     }

@@ -6,10 +6,11 @@
 #'
 #' @details
 #' # Initial state
-#' The gear itself is settled first, and every design starts from this state, never from another
-#' design. If this start does not converge, the design is settled from scratch. Results are
-#' therefore identical for any number of workers, any order and after interruptions. Processors of
-#' other kinds may round differently.
+#' The gear itself is settled first, as by [settle()] with the same arguments. All designs have its
+#' number of nodes, so a design equal to the gear has the same measures. Every design starts from
+#' this state, never from another design. If this start does not converge, the design is settled
+#' from scratch. Results are therefore identical for any number of workers, any order and after
+#' interruptions. Processors of other kinds may round differently.
 #'
 #' # Where it runs
 #' A study runs in this session, unless the package future has another plan:
@@ -46,7 +47,8 @@
 #'   `towing.speed_knot = 3:4`.
 #'   All their combinations are settled; the first field changes fastest. An unnamed data frame has
 #'   fields that change together; `NA` keeps the value of the plan.
-#' @param nodes,netting Number of nodes and kind of netting elements, as in [settle()].
+#' @param nodes,netting,accuracy As in [settle()], for the gear as given. By default this gear is
+#'   settled on up to 3 meshes, for an error of 1 %. Each design is one more solve.
 #' @param store Path of a folder for the study. It is created, or continued if it contains the same
 #'   study. Default `NULL`: no store.
 #' @param tasks Number of tasks for the workers. Default `NULL`: automatic.
@@ -70,9 +72,10 @@
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:6, "knot"))
 #' found[c("towing.speed_knot", "total_drag_kN")]
-vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = NULL) {
+vary <- function(gear, ..., nodes = NULL, netting = NULL, accuracy = NULL, store = NULL,
+                 tasks = NULL) {
   check_given("gear")
-  study <- new_study(gear, list(...), nodes, netting)
+  study <- new_study(gear, list(...), nodes, netting, accuracy)
   if (!is.null(tasks)) check_count("tasks", tasks, 1)
   if (!is.null(store)) {
     open_or_create(study, store)
@@ -91,7 +94,7 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = 
     vary_stored(store, tasks)
     return(read_study(store))
   }
-  base <- settle_one(study$gear, study$nodes, study$netting, NULL)$state
+  base <- settle_first(study)$state
   show <- study_progress(nrow(study$designs))
   rows <- vapply(seq_len(nrow(study$designs)), function(k) {
     row <- run_design(study, base, k)
@@ -101,13 +104,17 @@ vary <- function(gear, ..., nodes = 1500, netting = NULL, store = NULL, tasks = 
   study_table(study, read_rows(rows))
 }
 
-# Returns a checked study: list(gear, designs, nodes, netting). given: designs as in `vary()`.
-new_study <- function(gear, given, nodes, netting) {
+# Returns a checked study: list(gear, designs, nodes, netting, accuracy (a fraction)).
+# given: designs as in `vary()`.
+new_study <- function(gear, given, nodes, netting, accuracy = NULL) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
   designs <- columns_by_path(combined_designs(given), gear, "designs")
   check_designs(designs, gear)
-  list(gear = gear, designs = designs, nodes = as.double(nodes), netting = netting)
+  list(
+    gear = gear, designs = designs, nodes = number_of(nodes), netting = netting,
+    accuracy = accuracy_share(accuracy)
+  )
 }
 
 # Returns the given designs, or every combination of several axes.
@@ -186,19 +193,29 @@ run_design <- function(study, base, k, mark = NULL) {
     {
       gear <- do.call(update, c(list(study$gear), fields))
       from <- if (!is.null(base) && is.null(odd_parts(gear_si(gear), base))) base
-      settle_one(gear, study$nodes, study$netting, from)
+      settle_one(gear, study_nodes(study, base), study$netting, from)
     },
     error = function(e) list(problem = plain_message(e))
   )
   row_text(k, found, mark)
 }
 
-settle_one <- function(gear, nodes, netting, from) {
+# Settles the gear of a study as given, the initial state of every design.
+settle_first <- function(study) {
+  settle_one(study$gear, study$nodes, study$netting, NULL, study$accuracy)
+}
+
+# Returns the number of nodes of all designs. base: the settled gear as given, or NULL.
+study_nodes <- function(study, base) {
+  if (is.null(base)) first_of(study$nodes, usual_nodes) else nodes_of(base)
+}
+
+settle_one <- function(gear, nodes, netting, from, accuracy = NULL) {
   warned <- NULL
   tryCatch(
     withCallingHandlers(
       {
-        state <- settle(gear, nodes, netting, from)
+        state <- settle(gear, nodes, netting, from, accuracy)
         list(state = state, measures = measures(state), warning = warned)
       },
       codend_warning = function(w) {

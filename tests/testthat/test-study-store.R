@@ -149,7 +149,7 @@ test_that("read_study() omits a damaged row and reads all others", {
   expect_identical(read_study(store), whole)
   study <- file.path(store, "study.json")
   text <- readLines(study, warn = FALSE)
-  writeLines(sub("1500", "1501", text), study)
+  writeLines(sub("towed_cable", "towed_cables", text), study)
   expect_error(read_study(store), "damaged", class = "codend_error_file")
 })
 

@@ -92,3 +92,18 @@ test_that("vary() keeps the plan's value for NA and joins fields", {
   expect_equal(found[["towing.speed_knot"]], c(4, 3, 5, 4, 4))
   expect_equal(found[["ropes.cable.length_m"]], c(1000, 1000, 1000, 300, 500))
 })
+
+test_that("vary() gives the same measures as settle() by default", {
+  speed <- gear_si(read_gear("beam_trawl"))$towing$speed
+  state <- settle("beam_trawl")
+  expect_gt(state$mesh$nodes, 2500)
+  found <- measures(state)
+  by <- vary("beam_trawl", towing.speed = speed)
+  expect_equal(unlist(as.data.frame(by)[names(found)]), plain_measures(found), tolerance = 1e-9)
+  skip_if_not_installed("RNetCDF")
+  store <- withr::local_tempfile(fileext = ".study")
+  write_study("beam_trawl", designs(towing.speed = speed), store)
+  run_study(store)
+  stored <- as.data.frame(read_study(store))
+  expect_equal(unlist(stored[names(found)]), plain_measures(found), tolerance = 1e-9)
+})
