@@ -5,10 +5,6 @@
 # each side, with an optional jib at its front for a middle bridle. The side line follows the wing
 # end from the headline to the footrope.
 
-bottom_trawl_rings <- list(
-  `2` = c("back", "belly"), `4` = c("back", "side_starboard", "belly", "side_port")
-)
-
 expand_bottom_trawl <- function(fields, plan) {
   check_bottom_trawl(fields)
   rig <- bottom_trawl_rig(fields, plan)
@@ -170,160 +166,75 @@ check_middle_bridle <- function(fields) {
   }
 }
 
-panels_around <- function(fields) bottom_trawl_rings[[as.character(fields$panels)]]
-
+# Returns list(panels, seams, points, ropes) of the net of a bottom trawl.
 bottom_trawl_net <- function(fields, plan) {
-  around <- panels_around(fields)
-  net <- trawl_sections(plan, around)
-  first <- names(plan$sections)[1L]
-  behind <- c(back = section_panel_name("back", first), belly = section_panel_name("belly", first))
-  across <- c(
-    back = section_panel(fields$sections[[first]], "back")$meshes$upper,
-    belly = section_panel(fields$sections[[first]], "belly")$meshes$upper
+  net <- trawl_net(bottom_trawl_grid(fields, plan), fields, plan)
+  if (is.null(fields$wings$jib)) return(net)
+  tips <- list(
+    middle_port = list(at = "side_port_jib.upper_left"),
+    middle_starboard = list(at = "side_starboard_jib.upper_left")
   )
-  panels <- seams <- list()
-  if (!is.null(plan$square)) {
-    panels$back_square <- c(plan$square, list(part = "square"))
-    seams$back_square <- list(edges = c("back_square.lower", paste0(behind[["back"]], ".upper")))
-    behind[["back"]] <- "back_square"
-    across[["back"]] <- fields$square$meshes$upper
-  }
-  # Without upper wings the headline follows the whole front of the back.
-  tiers <- c(back = "upper", belly = "lower")
-  tiers <- tiers[tiers %in% names(plan$wings)]
-  pairs <- Map(function(panel, tier) {
-    given <- plan$wings[[tier]]
-    wing_pair(panel, behind[[panel]], across[[panel]], given[names(given) != "flying"],
-      fields$wings[[tier]]$meshes, paste0("wings.", tier, ".meshes"))
-  }, stats::setNames(nm = names(tiers)), tiers)
-  sides <- if (fields$panels == 4) side_wings(fields, plan, first) else NULL
-  square <- if (!is.null(plan$square)) c(left = "back_square.left", right = "back_square.right")
-
-  # Edges along the seams ahead of the first section, from the front, by panel.
-  outer <- function(panel, side) {
-    part <- if (panel %in% names(tiers)) {
-      flying_edge(fields$wings[[tiers[[panel]]]], pairs[[panel]][[side]], side)
-    }
-    c(part$joined, if (panel == "back" && !is.null(square)) square[[side]])
-  }
-  left <- c(list(back = outer("back", "left"), belly = outer("belly", "left")), sides$left)
-  right <- c(list(back = outer("back", "right"), belly = outer("belly", "right")), sides$right)
-  after <- panel_after(around)
-  for (k in seq_along(around)) {
-    seams[[paste("wings", around[k], after[k], sep = "_")]] <-
-      list(edges = list(right[[around[k]]], left[[after[k]]]))
-  }
-
-  net$panels <- c(pairs$back$panels, pairs$belly$panels, sides$panels, panels, net$panels)
-  net$seams <- c(pairs$back$seams, pairs$belly$seams, sides$seams, seams, net$seams)
-  net$points <- c(
-    list(
-      upper_port = list(at = first_of(tip_corner(pairs$back, "left"),
-        paste0(behind[["back"]], ".upper_left"))),
-      upper_starboard = list(at = first_of(tip_corner(pairs$back, "right"),
-        paste0(behind[["back"]], ".upper_right"))),
-      lower_port = list(at = tip_corner(pairs$belly, "right")),
-      lower_starboard = list(at = tip_corner(pairs$belly, "left"))
-    ),
-    if (!is.null(fields$wings$jib)) {
-      list(
-        middle_port = list(at = "side_port_jib.upper_left"),
-        middle_starboard = list(at = "side_starboard_jib.upper_left")
-      )
-    },
-    net$points
-  )
-  # Wing end: tip and free outer edge, from port to starboard above and back below.
-  end <- function(panel, side) {
-    if (!panel %in% names(tiers)) return(NULL)
-    tier <- tiers[[panel]]
-    wing <- fields$wings[[tier]]
-    free <- flying_edge(wing, pairs[[panel]][[side]], side)$free
-    tip <- if (wing$meshes$tip > 0) paste0(pairs[[panel]][[side]], ".upper")
-    if (side == "right") c(tip, free) else c(if (!is.null(free)) paste0("-", free), tip)
-  }
-  mouth <- list(
-    headline = first_of(pairs$back$inner, paste0(behind[["back"]], ".upper")),
-    side_line_starboard = c(end("back", "right"), sides$end$starboard, end("belly", "left")),
-    footrope = pairs$belly$inner,
-    side_line_port = c(end("belly", "right"), sides$end$port, end("back", "left"))
-  )
-  # Separate the hanging of headline and footrope into bosom and wings.
-  for (line in c("headline", "footrope")) {
-    plan[[line]] <- hung_line(fields, plan, line, length(mouth[[line]]))
-  }
-  net$ropes <- trawl_lines(plan, around, mouth, left)
-  if (!is.null(plan$ground_gear)) {
-    net$ropes$ground_gear <- ground_gear_rope(fields, plan, mouth$footrope, plan$footrope$lengths)
-  }
+  net$points <- append(net$points, tips, match("codline", names(net$points)) - 1L)
   net
 }
 
-# Returns the corner of a wing tip at the end of the mouth line, or NULL without wings.
-tip_corner <- function(pair, side) {
-  if (is.null(pair)) return(NULL)
-  paste0(pair[[side]], if (side == "left") ".upper_right" else ".upper_left")
-}
-
-# Splits a wing's outer edge: list(free = its flying part, or NULL; joined = the rest).
-flying_edge <- function(wing, name, side) {
-  edge <- paste0(name, ".", side)
-  if (wing$flying == 0) return(list(free = NULL, joined = edge))
-  split <- format(wing$flying, digits = 15)
-  list(
-    free = paste0(edge, "[0:", split, "]"),
-    joined = paste0(edge, "[", split, ":", format(wing$meshes$deep, digits = 15), "]")
+# Returns the grid of a bottom trawl: wings, jibs and square ahead of the sections.
+bottom_trawl_grid <- function(fields, plan) {
+  grid <- section_grid(fields, plan, panels_around(fields))
+  # Returns a tier's pair of wings ahead of a cell, or NULL without wings.
+  wings <- function(panel, tier, behind) {
+    wing <- fields$wings[[tier]]
+    if (is.null(wing)) return(NULL)
+    given <- plan$wings[[tier]]
+    counts <- wing_counts(wing$meshes, behind$counts$upper, paste0("wings.", tier, ".meshes"))
+    wing_cell(paste0(panel, "_wing"), given[setdiff(names(given), c("flying", "meshes"))], counts,
+      wing$flying)
+  }
+  square <- if (!is.null(plan$square)) {
+    new_cell(list(back_square = c(plan$square, list(part = "square"))), fields$square$meshes)
+  }
+  first <- lapply(stats::setNames(nm = names(grid$columns)), function(panel) {
+    column_cells(grid, panel)[[1L]]
+  })
+  ahead <- list(
+    back_upper_wings = wings("back", "upper", first_of(square, first$back)),
+    belly_lower_wings = wings("belly", "lower", first$belly)
   )
+  if (fields$panels == 4) {
+    ahead <- c(ahead, side_cells(fields, plan, "port"), side_cells(fields, plan, "starboard"))
+  }
+  ahead <- Filter(Negate(is.null), c(ahead, list(back_square = square)))
+  for (panel in names(grid$columns)) {
+    rows <- paste(panel, c("upper_wings", "lower_wings", "jib", "wing", "square"), sep = "_")
+    rows <- sub(paste0(panel, "_"), "", intersect(rows, names(ahead)), fixed = TRUE)
+    grid$columns[[panel]] <- c(rows, grid$columns[[panel]])
+  }
+  grid$cells <- c(ahead, grid$cells)
+  grid
 }
 
-# Returns the side wings of a net of four panels and their jibs. A side wing has the width of the
-# side panel behind it. A jib is pointed and has one straight edge in line with the upper seam.
-# Returns list(panels, seams, left, right = edges along seams by panel, end = wing end by side).
-side_wings <- function(fields, plan, first) {
-  out <- list(panels = list(), seams = list(), left = list(), right = list(), end = list())
+# Returns the side wing of one side of a net of four panels and its jib. A side wing has the width
+# of the side panel behind it. A jib is pointed and has one straight edge in line with the upper
+# seam.
+side_cells <- function(fields, plan, side) {
   wing <- fields$wings$side
   given <- plan$wings$side
+  name <- paste0("side_", side, c("_wing", "_jib"))
+  piece <- function(name, given) stats::setNames(list(c(given, list(part = "wings"))), name)
+  cells <- stats::setNames(list(new_cell(piece(name[1L], given), wing$meshes)), name[1L])
+  deep <- fields$wings$jib$deep
+  if (is.null(deep)) return(cells)
   depth <- front_depth(fields)
   # Meshes of the jib along the upper seam, behind the headline end.
   seamed <- max(depth[["upper"]] - depth[["side"]], 0) / wing$mesh_size
-  for (side in trawl_sides) {
-    panel <- paste0("side_", side)
-    name <- paste0(panel, "_wing")
-    out$panels[[name]] <- c(given, list(part = "wings"))
-    out$seams[[name]] <- list(edges = c(
-      paste0(name, ".lower"), paste0(section_panel_name(panel, first), ".upper")
-    ))
-    edges <- list(left = paste0(name, ".left"), right = paste0(name, ".right"))
-    end <- paste0(name, ".upper")
-    if (!is.null(fields$wings$jib)) {
-      jib <- paste0(panel, "_jib")
-      deep <- fields$wings$jib$deep
-      straight <- if (side == "starboard") "left" else "right"
-      slanted <- setdiff(c("left", "right"), straight)
-      own <- given[setdiff(names(given), c("meshes", "cutting"))]
-      out$panels[[jib]] <- c(own, list(
-        meshes = list(upper = 0, lower = wing$meshes$upper, deep = deep), tapered = slanted,
-        part = "wings"
-      ))
-      out$seams[[jib]] <- list(edges = c(paste0(jib, ".lower"), paste0(name, ".upper")))
-      free <- format(deep - seamed, digits = 15)
-      if (seamed > 0) {
-        edges[[straight]] <- c(
-          paste0(jib, ".", straight, "[", free, ":", format(deep), "]"), edges[[straight]]
-        )
-      }
-      upper <- paste0(jib, ".", straight, if (seamed > 0) paste0("[0:", free, "]"))
-      end <- if (side == "starboard") {
-        c(paste0("-", upper), paste0(jib, ".right"))
-      } else {
-        c(paste0("-", jib, ".left"), upper)
-      }
-    }
-    out$left[[panel]] <- edges$left
-    out$right[[panel]] <- edges$right
-    out$end[[side]] <- end
-  }
-  out
+  free <- c(left = deep, right = deep)
+  free[[if (side == "starboard") "left" else "right"]] <- deep - seamed
+  counts <- list(upper = 0, lower = wing$meshes$upper, deep = deep)
+  jib <- c(given[setdiff(names(given), c("meshes", "cutting"))], list(
+    meshes = counts, tapered = if (side == "starboard") "right" else "left"
+  ))
+  cells[[name[2L]]] <- new_cell(piece(name[2L], jib), counts, free)
+  cells
 }
 
 # Mass in air over mass in water of steel, for ground gear with only the mass in water.

@@ -3,8 +3,8 @@
 
 expand_stow_net <- function(fields, plan) {
   check_stow_net(fields)
-  around <- trawl_rings$`4`$panels
-  net <- trawl_sections(plan, around)
+  around <- panels_by_number$`4`
+  net <- joined_grid(section_grid(fields, plan, around))
   first <- names(plan$sections)[1L]
   edge <- function(panel) paste0(section_panel_name(panel, first), ".upper")
   width <- fields$mouth$width

@@ -30,8 +30,6 @@ shared_fields <- function(plan, fields) {
   out
 }
 
-panel_after <- function(around) c(around[-1L], around[1L])
-
 section_panel_name <- function(panel, section) paste0(panel, "_", section)
 
 # Returns a panel of a section: the fields of the section, overridden by the fields of its side.
@@ -56,123 +54,51 @@ covers_of <- function(section, panel, name) {
   covers
 }
 
-# Returns list(panels, seams, points): the panels of all sections, joined around the net and end to
-# end, and gathered at the point `codline`. Every edge of a cover is joined to its panel.
-trawl_sections <- function(plan, around) joined_sections(plan$sections, around)
-
-joined_sections <- remembered(join_sections)
-
-join_sections <- function(given, around) {
-  panels <- seams <- list()
-  n <- length(around)
-  after <- panel_after(around)
-  sections <- names(given)
-  id <- section_panel_name
-  # Returns an edge of a panel and of its covers.
-  edges <- function(panel, section, edge) {
-    name <- id(panel, section)
-    paste0(c(name, names(covers_of(given[[section]], panel, name))), ".", edge)
-  }
-  for (section in sections) {
+# Returns the grid of the sections.
+section_grid <- function(fields, plan, around) {
+  cells <- list()
+  for (section in names(plan$sections)) {
+    given <- plan$sections[[section]]
     for (panel in around) {
-      name <- id(panel, section)
-      panels[[name]] <- c(section_panel(given[[section]], panel), list(part = section))
-      covers <- covers_of(given[[section]], panel, name)
-      panels[names(covers)] <- Map(function(cover, part) c(cover, list(part = part)),
-        covers, sub(paste0(name, "_"), "", names(covers), fixed = TRUE))
-    }
-    for (k in seq_len(n)) {
-      seams[[paste(section, around[k], after[k], sep = "_")]] <- list(edges = c(
-        edges(around[k], section, "right"), edges(after[k], section, "left")
-      ))
+      name <- section_panel_name(panel, section)
+      covers <- covers_of(given, panel, name)
+      covers <- Map(function(cover, part) c(cover, list(part = part)), covers,
+        sub(paste0(name, "_"), "", names(covers), fixed = TRUE))
+      piece <- c(section_panel(given, panel), list(part = section))
+      cells[[name]] <- new_cell(stats::setNames(list(piece), name),
+        section_panel(fields$sections[[section]], panel)$meshes, covers = covers)
     }
   }
-  for (k in seq_along(sections)[-1L]) {
-    for (panel in around) {
-      seams[[paste(panel, sections[k - 1L], sections[k], sep = "_")]] <- list(edges = c(
-        edges(panel, sections[k - 1L], "lower"), edges(panel, sections[k], "upper")
-      ))
-    }
-  }
-  last <- sections[length(sections)]
-  seams$codline_gathered <- list(
-    edges = unlist(lapply(around, edges, section = last, edge = "lower")), gathered_at = "codline"
-  )
-  list(panels = panels, seams = seams, points = list(codline = nothing))
+  columns <- lapply(stats::setNames(nm = around), function(panel) names(plan$sections))
+  list(columns = columns, cells = cells, gathered = FALSE)
 }
 
-# Returns two wings ahead of the front edge of a panel, one at each end.
-#
-# `panel`: prefix of their names; `behind`: the panel behind them; `across`: meshes of its front
-# edge. `given`: fields of the wings as in the plan; `meshes`: their counts (tip, base, deep);
-# `path`: path of the counts in the plan.
-#
-# Returns list(panels, seams, inner, left, right). `inner` is the chain of front edges from the left
-# to the right wing tip; `left` and `right` are the names of the wings.
-wing_pair <- function(panel, behind, across, given, meshes, path) {
+# Returns list(upper, lower, deep): the counts of a wing. Throws an error if two wings are wider
+# than the `across` meshes behind them. `path`: path of the counts in the plan.
+wing_counts <- function(meshes, across, path) {
   if (2 * meshes$base > across) {
     abort_field(paste0(path, ".base"), meshes$base,
       paste("at most half the", format(across), "meshes of the front edge behind"))
   }
-  wing <- paste0(panel, "_wing_", c(left = "left", right = "right"))
-  own <- given[setdiff(names(given), "meshes")]
-  counts <- list(upper = meshes$tip, lower = meshes$base, deep = meshes$deep)
-  panels <- lapply(c(left = "right", right = "left"), function(inner) {
-    c(own, list(meshes = counts, tapered = inner, part = "wings"))
-  })
-  names(panels) <- wing
-  edge <- paste0(behind, ".upper")
-  base <- format(meshes$base)
-  from <- format(across - meshes$base)
-  seams <- list(
-    list(edges = c(paste0(wing[1L], ".lower"), paste0(edge, "[0:", base, "]"))),
-    list(edges = c(
-      paste0(wing[2L], ".lower"), paste0(edge, "[", from, ":", format(across), "]")
-    ))
-  )
-  names(seams) <- wing
-  list(
-    panels = panels, seams = seams, left = wing[1L], right = wing[2L],
-    inner = c(
-      paste0(wing[1L], ".right"),
-      if (2 * meshes$base < across) paste0(edge, "[", base, ":", from, "]"),
-      paste0("-", wing[2L], ".left")
-    )
-  )
+  list(upper = meshes$tip, lower = meshes$base, deep = meshes$deep)
 }
 
-# Returns ropes along the mouth, along the seams between panels and around the net.
-#
-# `mouth`: chain of edges for each line of the mouth; `outer`: for each panel, the edges of its left
-# seam ahead of the first section.
-trawl_lines <- function(plan, around, mouth, outer) {
-  sections <- names(plan$sections)
-  id <- section_panel_name
-  after <- panel_after(around)
-  ropes <- list()
-  line <- function(given, role, along) c(list(along = along), given, list(role = role))
-  for (name in names(mouth)) {
-    role <- sub("_(port|starboard)$", "", name)
-    given <- if (role == "side_line") plan$side_lines else plan[[name]]
-    ropes[[name]] <- line(given, role, unlist(mouth[[name]], use.names = FALSE))
+# Returns list(panels, seams, points, ropes) of the net of a trawl.
+trawl_net <- function(grid, fields, plan) {
+  net <- joined_grid(grid)
+  mouth <- mouth_chains(grid)
+  fronts <- c(headline = "back", footrope = "belly", side_lines = "side_port")
+  for (line in intersect(names(fronts), names(plan))) {
+    chain <- mouth[[if (line == "side_lines") "side_line_port" else line]]
+    wings <- if (fronts[[line]] %in% names(grid$columns)) panel_front(grid, fronts[[line]])$wings
+    plan[[line]] <- hung_line(fields, plan, line, length(chain), wings)
   }
-  if (!is.null(plan$belly_lines)) {
-    until <- first_of(plan$belly_lines$until, sections[length(sections)])
-    covered <- sections[seq_len(match(until, sections))]
-    given <- plan$belly_lines[setdiff(names(plan$belly_lines), "until")]
-    for (k in seq_along(around)) {
-      panel <- after[k]
-      along <- c(outer[[panel]], paste0(vapply(covered, id, "", panel = panel), ".left"))
-      ropes[[paste("belly_line", around[k], panel, sep = "_")]] <-
-        line(given, "belly_line", unname(along))
-    }
+  if (!grid$gathered) net$points <- c(wing_end_points(grid), net$points)
+  net$ropes <- grid_ropes(grid, plan, mouth)
+  if (!is.null(plan$ground_gear)) {
+    net$ropes$ground_gear <- ground_gear_rope(fields, plan, mouth$footrope, plan$footrope$lengths)
   }
-  for (name in names(plan$cross_ropes)) {
-    given <- plan$cross_ropes[[name]]
-    along <- paste0(vapply(around, id, "", section = given$behind), ".lower")
-    ropes[[name]] <- line(given[setdiff(names(given), "behind")], "cross_rope", along)
-  }
-  ropes
+  net
 }
 
 # Number of positions around the net that share a grid's weight and drag.
@@ -180,7 +106,7 @@ places_of_grid <- 12
 
 trawl_grids <- function(fields, around) {
   lapply(fields$grids, function(grid) {
-    along <- paste0(vapply(around, section_panel_name, "", section = grid$behind), ".lower")
+    along <- rear_edges(around, grid$behind)
     density <- if (is.null(grid$density) && is.null(grid$material) && is.null(grid$volume)) 7850
     own <- grid[names(grid) != "behind"]
     for (field in intersect(c("mass", "volume", "area", "drag_area"), names(own))) {
@@ -214,19 +140,19 @@ check_section_names <- function(fields) {
 }
 
 # Returns a line of the mouth with its length or hanging ratio along each edge, if the plan gives
-# the bosom separately. `edges`: number of edges.
-hung_line <- function(fields, plan, line, edges) {
+# the bosom separately. `edges`: number of edges; `wings`: cells of wings along it, from the front.
+hung_line <- function(fields, plan, line, edges, wings) {
   given <- plan[[line]]
   field <- intersect(c("bosom", "bosom_hanging_ratio"), names(fields[[line]]))
   if (!length(field)) return(given)
   path <- paste(line, field, sep = ".")
-  if (edges != 3L) {
+  if (!length(wings) || edges != 2L * length(wings) + 1L) {
     abort_field(path, given[[field]],
       "omitted if the line does not follow a wing, the front and the other wing")
   }
+  along <- function(wing, bosom) c(wing, bosom, rev(wing))
   if (field == "bosom_hanging_ratio") {
-    wing <- given$hanging_ratio
-    ratios <- list(wing, given$bosom_hanging_ratio, wing)
+    ratios <- along(rep(given$hanging_ratio, length(wings)), given$bosom_hanging_ratio)
     return(c(
       given[setdiff(names(given), c("hanging_ratio", field))], list(hanging_ratios = ratios)
     ))
@@ -236,8 +162,9 @@ hung_line <- function(fields, plan, line, edges) {
   if (bosom >= whole) {
     abort_field(path, given$bosom, paste("less than its whole length,", format_si(whole, "length")))
   }
+  long <- vapply(wings, `[[`, 0, "inner")
   c(
     given[setdiff(names(given), c("length", "bosom"))],
-    list(lengths = c((whole - bosom) / 2, bosom, (whole - bosom) / 2))
+    list(lengths = along((whole - bosom) / 2 * long / sum(long), bosom))
   )
 }

@@ -54,7 +54,7 @@ test_that("findings() reports an omitted number of panels", {
   gear <- read_gear("midwater_trawl")
   found <- expect_finding(update(gear, panels = NULL), "number of panels", "panels")
   # the number that the plan expands to
-  expect_equal(found$value, length(trawl_rings[["4"]]$panels))
+  expect_equal(found$value, length(panels_by_number[["4"]]))
 })
 
 test_that("findings() reports seam edges that do not fit", {

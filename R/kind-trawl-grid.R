@@ -1,0 +1,278 @@
+# The netting of a trawl as a grid of pieces.
+#
+# Panels are in clockwise order as seen from the vessel's deck looking aft: back, starboard sides
+# from top to bottom, belly, port sides from bottom to top. Seen from outside with its front edge
+# up, each panel's left edge is joined to the previous panel.
+#
+# A grid is list(columns, cells, gathered):
+# `columns`: for each panel, the names of its rows from front to rear. Neighbouring panels are
+# joined from end to end of each row that both have, and along the rows in between.
+# `cells`: the cell of each panel and row, named "panel_row".
+# `gathered`: TRUE if each wing tip is gathered at a point, FALSE if a line is laced along the tips.
+
+# Returns a cell of one piece, or of a pair of wings.
+#
+# `pieces`: panels of the assembly from left to right, by name; `counts`: meshes `upper`, `lower`
+# and `deep` of a piece; `free`: meshes of the left and the right edge without a seam, from the
+# front; `covers`: netting over the piece, by name; `inner`: stretched length of a wing's inner edge
+# relative to the other wings of the panel.
+new_cell <- function(pieces, counts, free = c(left = 0, right = 0), covers = list(), inner = 1) {
+  list(pieces = pieces, counts = counts, free = free, covers = covers, inner = inner)
+}
+
+# Returns a cell of two wings, `name`_left and `name`_right, with straight outer edges. `given`:
+# their fields except their counts; `flying`: meshes of the outer edges without a seam.
+wing_cell <- function(name, given, counts, flying = 0) {
+  pieces <- lapply(c(left = "right", right = "left"), function(inner) {
+    c(given, list(meshes = counts, tapered = inner, part = "wings"))
+  })
+  names(pieces) <- paste(name, names(pieces), sep = "_")
+  new_cell(pieces, counts, c(left = flying, right = flying))
+}
+
+is_pair <- function(cell) length(cell$pieces) == 2L
+
+panel_after <- function(around) c(around[-1L], around[1L])
+
+column_cells <- function(grid, panel) {
+  grid$cells[paste(panel, grid$columns[[panel]], sep = "_")]
+}
+
+# Returns an edge of a piece between two meshes of its `whole` meshes; NULL without meshes.
+edge_range <- function(piece, edge, from, to, whole) {
+  if (to - from <= 0) return(NULL)
+  name <- paste0(piece, ".", edge)
+  if (from == 0 && to == whole) return(name)
+  count <- function(x) format(x, digits = 15)
+  paste0(name, "[", count(from), ":", count(to), "]")
+}
+
+# Returns the parts of a cell's outer edge on one side: list(free, joined).
+cell_edge <- function(cell, side) {
+  piece <- names(cell$pieces)[if (side == "left") 1L else length(cell$pieces)]
+  deep <- cell$counts$deep
+  free <- cell$free[[side]]
+  list(
+    free = edge_range(piece, side, 0, free, deep),
+    joined = edge_range(piece, side, free, deep, deep)
+  )
+}
+
+# Returns the free or joined outer edges of cells on one side, from front to rear.
+outer_edges <- function(cells, side, part) {
+  unlist(lapply(unname(cells), function(cell) cell_edge(cell, side)[[part]]))
+}
+
+backwards <- function(edges) if (length(edges)) paste0("-", rev(edges))
+
+# Returns the front of a panel from its left to its right end: list(left, inner, right, wings).
+# `left`, `right`: chains of wing tips and free outer edges; `inner`: chain of the inner edges of
+# wings and of the front between them; `wings`: cells of wings.
+panel_front <- function(grid, panel) {
+  cells <- unname(column_cells(grid, panel))
+  wings <- cells[seq_len(match(FALSE, vapply(cells, is_pair, NA)) - 1L)]
+  behind <- cells[[length(wings) + 1L]]
+  front <- behind$counts$upper
+  base <- if (length(wings)) wings[[length(wings)]]$counts$lower else 0
+  piece <- function(k) vapply(wings, function(wing) names(wing$pieces)[k], "")
+  tip <- function(k) {
+    if (!length(wings) || grid$gathered) return(NULL)
+    across <- cells[[1L]]$counts$upper
+    edge_range(piece(k)[1L], "upper", 0, across, across)
+  }
+  list(
+    left = c(backwards(outer_edges(cells, "left", "free")), tip(1L)),
+    inner = c(
+      if (length(wings)) paste0(piece(1L), ".right"),
+      edge_range(names(behind$pieces), "upper", base, front - base, front),
+      if (length(wings)) backwards(paste0(piece(2L), ".left"))
+    ),
+    right = c(tip(2L), outer_edges(cells, "right", "free")),
+    wings = wings
+  )
+}
+
+# Returns the lines around the mouth as chains of edges, by name. Lines without edges are omitted.
+mouth_chains <- function(grid) {
+  around <- names(grid$columns)
+  fronts <- lapply(stats::setNames(nm = around), panel_front, grid = grid)
+  belly <- match("belly", around)
+  side <- function(k) {
+    unlist(lapply(fronts[k], `[`, c("left", "inner", "right")), use.names = FALSE)
+  }
+  Filter(length, list(
+    headline = fronts$back$inner,
+    side_line_starboard = c(fronts$back$right, side(seq_len(belly)[-c(1L, belly)]),
+      fronts$belly$left),
+    footrope = fronts$belly$inner,
+    side_line_port = c(fronts$belly$right, side(seq_along(around)[-seq_len(belly)]),
+      fronts$back$left)
+  ))
+}
+
+# Returns the wing ends as points at the ends of headline and footrope.
+wing_end_points <- function(grid) {
+  end <- function(panel, side) {
+    cell <- column_cells(grid, panel)[[1L]]
+    piece <- names(cell$pieces)[if (side == "left") 1L else length(cell$pieces)]
+    # The headline starts at the inner corner of a wing tip.
+    corner <- if (is_pair(cell)) setdiff(c("left", "right"), side) else side
+    list(at = paste0(piece, ".upper_", corner))
+  }
+  list(
+    upper_port = end("back", "left"), upper_starboard = end("back", "right"),
+    lower_port = end("belly", "right"), lower_starboard = end("belly", "left")
+  )
+}
+
+# Returns the edges of the pieces of a cell and of their covers.
+whole_edges <- function(cell, edge) paste0(c(names(cell$pieces), names(cell$covers)), ".", edge)
+
+# Returns list(panels, seams, points) of a grid: its pieces and covers, joined around the net and
+# end to end, and gathered at the point `codline`.
+join_grid <- function(grid) {
+  joints <- cell_joints(grid)
+  sides <- side_seams(grid)
+  ring <- vapply(joints, `[[`, NA, "ring")
+  joined <- function(joints) do.call(c, lapply(unname(joints), rear_seams))
+  last <- lapply(names(grid$columns), function(panel) {
+    whole_edges(rev(column_cells(grid, panel))[[1L]], "lower")
+  })
+  tips <- unlist(lapply(unname(sides), `[[`, "gathered_at"))
+  list(
+    panels = do.call(c, lapply(unname(grid$cells), function(cell) c(cell$pieces, cell$covers))),
+    seams = c(joined(joints[!ring]), sides, joined(joints[ring]),
+      list(codline_gathered = list(edges = unlist(last), gathered_at = "codline"))),
+    points = stats::setNames(rep(list(nothing), length(tips) + 1L), c(tips, "codline"))
+  )
+}
+
+joined_grid <- remembered(join_grid)
+
+# Returns the joints between cells and the cells behind them, in the order of the cells: list(cell,
+# behind, ring, name) each. `ring`: TRUE for a piece of a row that all panels have.
+cell_joints <- function(grid) {
+  rings <- Reduce(intersect, grid$columns)
+  joints <- lapply(names(grid$columns), function(panel) {
+    rows <- grid$columns[[panel]]
+    cells <- paste(panel, rows, sep = "_")
+    lapply(stats::setNames(seq_along(rows)[-1L], cells[-length(cells)]), function(k) {
+      cell <- grid$cells[[cells[k - 1L]]]
+      ring <- rows[k - 1L] %in% rings && !is_pair(cell)
+      list(cell = cell, behind = grid$cells[[cells[k]]], ring = ring,
+        name = if (ring) paste(cells[k - 1L], rows[k], sep = "_") else names(cell$pieces))
+    })
+  })
+  joints <- unlist(joints, recursive = FALSE)
+  joints[intersect(names(grid$cells), names(joints))]
+}
+
+# Returns the seams of a joint. A pair of wings is joined to the pair behind it, or to both ends of
+# the front edge behind it.
+rear_seams <- function(joint) {
+  cell <- joint$cell
+  behind <- joint$behind
+  rear <- whole_edges(cell, "lower")
+  front <- whole_edges(behind, "upper")
+  edges <- if (!is_pair(cell)) {
+    list(c(rear, front))
+  } else if (is_pair(behind)) {
+    Map(c, rear, front)
+  } else {
+    base <- cell$counts$lower
+    across <- behind$counts$upper
+    range <- function(from, to) edge_range(names(behind$pieces), "upper", from, to, across)
+    list(c(rear[1L], range(0, base)), c(rear[2L], range(across - base, across)))
+  }
+  stats::setNames(lapply(unname(edges), function(edges) list(edges = edges)), joint$name)
+}
+
+# Returns the seams along the sides of neighbouring panels, row by row from the front. Those of the
+# wings are followed by the seams of gathered wing tips.
+side_seams <- function(grid) {
+  around <- names(grid$columns)
+  after <- panel_after(around)
+  stretches <- Map(seam_stretches, around, after, MoreArgs = list(grid = grid))
+  seams <- list()
+  for (row in unique(c("wings", unlist(lapply(stretches, names))))) {
+    for (k in seq_along(around)) {
+      # In a gathered net of two panels, upper and lower wings have separate ends.
+      apart <- row == "wings" && grid$gathered && length(around) == 2L
+      edges <- if (!apart) stretches[[k]][[row]]
+      if (length(edges)) {
+        seams[[paste(row, around[k], after[k], sep = "_")]] <- list(edges = edges)
+      }
+      if (row == "wings") seams <- c(seams, tip_seams(grid, around[k], after[k]))
+    }
+  }
+  seams
+}
+
+# Returns the joined stretches of the seam between a panel and the next one, as lists of chains:
+# each row that both have, and the rows in between. Stretches are named after their row; "wings" is the
+# stretch ahead of the first common row.
+seam_stretches <- function(panel, after, grid) {
+  rows <- grid$columns[c(panel, after)]
+  both <- intersect(rows[[1L]], rows[[2L]])
+  between <- c("wings", paste0("behind_", both))
+  stretch <- lapply(rows, function(rows) {
+    ifelse(rows %in% both, rows, between[cumsum(rows %in% both) + 1L])
+  })
+  chains <- function(name) {
+    sides <- Map(function(panel, stretch, side) {
+      cells <- column_cells(grid, panel)[stretch == name]
+      covers <- names(do.call(c, lapply(unname(cells), `[[`, "covers")))
+      chain <- outer_edges(cells, side, "joined")
+      if (length(chain)) c(list(chain), paste0(covers, rep(paste0(".", side), length(covers))))
+    }, names(rows), stretch, c("right", "left"))
+    if (all(lengths(sides))) unlist(unname(sides), recursive = FALSE)
+  }
+  lapply(stats::setNames(nm = unique(unlist(stretch, use.names = FALSE))), chains)
+}
+
+# Returns the seams that gather the wing tips between a panel and the next one: at one wing end, or
+# in a net of two panels at two.
+tip_seams <- function(grid, panel, after) {
+  if (!grid$gathered) return(list())
+  first <- lapply(c(panel, after), function(panel) names(column_cells(grid, panel)[[1L]]$pieces))
+  tips <- paste0(c(first[[1L]][2L], first[[2L]][1L]), ".upper")
+  ends <- c(
+    switch(panel, back = "upper_starboard", belly = "lower_port"),
+    switch(after, back = "upper_port", belly = "lower_starboard")
+  )
+  seams <- lapply(unique(ends), function(end) list(edges = tips[ends == end], gathered_at = end))
+  stats::setNames(seams, paste0("tip_", unique(ends)))
+}
+
+# Returns the ropes along the mouth (chains of edges by name), along the seams between panels and
+# around the net.
+grid_ropes <- function(grid, plan, mouth) {
+  around <- names(grid$columns)
+  line <- function(given, role, along) c(list(along = along), given, list(role = role))
+  ropes <- list()
+  for (name in names(mouth)) {
+    role <- sub("_(port|starboard)$", "", name)
+    given <- if (role == "side_line") plan$side_lines else plan[[name]]
+    ropes[[name]] <- line(given, role, mouth[[name]])
+  }
+  if (!is.null(plan$belly_lines)) {
+    given <- plan$belly_lines[setdiff(names(plan$belly_lines), "until")]
+    for (k in seq_along(around)) {
+      panel <- panel_after(around)[k]
+      rows <- grid$columns[[panel]]
+      until <- match(first_of(plan$belly_lines$until, rows[length(rows)]), rows)
+      cells <- column_cells(grid, panel)[seq_len(until)]
+      ropes[[paste("belly_line", around[k], panel, sep = "_")]] <-
+        line(given, "belly_line", outer_edges(cells, "left", "joined"))
+    }
+  }
+  for (name in names(plan$cross_ropes)) {
+    given <- plan$cross_ropes[[name]]
+    ropes[[name]] <- line(given[setdiff(names(given), "behind")], "cross_rope",
+      rear_edges(around, given$behind))
+  }
+  ropes
+}
+
+# Returns the rear edges of a row, around the net.
+rear_edges <- function(around, row) paste0(section_panel_name(around, row), ".lower")
