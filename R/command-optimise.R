@@ -27,7 +27,7 @@ option_formula <- function(text, option) {
 
 # Converts "a = 1 m .. 2 m; b = 3 .. 4" to ranges by path.
 option_ranges <- function(text) {
-  changed_fields(text, "ranges", ".+[.][.].+", "FIELD = FROM .. TO", function(range) {
+  named_parts(text, "--change", ".+[.][.].+", "FIELD = FROM .. TO", function(range) {
     ends <- trimws(strsplit(range, "..", fixed = TRUE)[[1L]])
     if (length(ends) != 2L) abort_usage("--change has ", range, "; it must be FROM .. TO.")
     lapply(ends, plan_value)

@@ -50,14 +50,14 @@ parts_of <- function(text) {
   if (!is.null(text)) Filter(nzchar, trimws(strsplit(text, ";", fixed = TRUE)[[1L]]))
 }
 
-# Returns the values in --change by path. `read` converts the text after an equals sign, which has
-# the pattern `values`. `what`, `form`: strings for error messages.
-changed_fields <- function(text, what, values, form, read) {
+# Returns the values of an option such as "a = 3 m; b = 4" by name. `read` converts the text after an
+# equals sign, which has the pattern `values`. `form`: string for error messages.
+named_parts <- function(text, option, values, form, read) {
   parts <- parts_of(text)
-  if (!length(parts)) abort_usage("--change is empty; it must list fields with their ", what, ".")
+  if (!length(parts)) abort_usage(option, " is empty; it must be ", form, ".")
   wrong <- grep(paste0("^[^=]+=", values, "$"), parts, invert = TRUE, value = TRUE)
-  if (length(wrong)) abort_usage("--change has ", wrong[1L], "; it must be ", form, ".")
-  setNames(lapply(sub("^[^=]+=", "", parts), read), trimws(sub("=.*", "", parts)))
+  if (length(wrong)) abort_usage(option, " has ", wrong[1L], "; it must be ", form, ".")
+  setNames(lapply(trimws(sub("^[^=]+=", "", parts)), read), trimws(sub("=.*", "", parts)))
 }
 
 read_csv_option <- function(file, option) {

@@ -56,7 +56,7 @@ study_designs <- function(options) {
 # Converts "a = 1 m .. 2 m; b = 3, 4" to ranges and values by path.
 study_axes <- function(text) {
   form <- "FIELD = FROM .. TO or FIELD = A, B"
-  changed_fields(text, "ranges or values", ".+", form, function(said) {
+  named_parts(text, "--change", ".+", form, function(said) {
     ends <- trimws(strsplit(said, "..", fixed = TRUE)[[1L]])
     if (length(ends) == 2L) return(value_range(plan_value(ends[1L]), plan_value(ends[2L])))
     if (length(ends) > 2L) abort_usage("--change has ", said, "; it must be FROM .. TO.")

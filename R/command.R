@@ -41,8 +41,8 @@ command_runs <- function() {
   list(
     check = run_check, gears = run_gears, settle = run_settle, tow = run_tow, report = run_report,
     share = run_share, export = run_export, draw = run_draw, study = run_study_command,
-    optimise = run_optimise, calibrate = run_calibrate, sensitivities = run_sensitivities,
-    flume = run_flume, new = run_new,
+    find = run_find, optimise = run_optimise, calibrate = run_calibrate,
+    sensitivities = run_sensitivities, flume = run_flume, new = run_new,
     expand = function(plan, options) cat(format(assembly(read_gear(plan))))
   )
 }

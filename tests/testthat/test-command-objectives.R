@@ -13,6 +13,30 @@ test_that("optimise command finds an optimum and writes its plan", {
     tolerance = 1e-3)
 })
 
+test_that("find command prints found values and writes them as JSON and a plan", {
+  out <- tempfile(fileext = ".yaml")
+  status <- NULL
+  run <- function(json, target) {
+    capture.output(status <<- suppressMessages(run_command(c("find", "towed_cable", "--change",
+      "ropes.cable.length = 500 m .. 1200 m; towing.speed = 3 knot .. 5 knot", "--target", target,
+      "--nodes", "50", "--json", json, "--out", out))))
+  }
+  json <- tempfile(fileext = ".json")
+  said <- run(json, "body_depth=450 m")
+  expect_identical(status, 0L)
+  expect_match(said, "ropes.cable.length", all = FALSE)
+  record <- jsonlite::fromJSON(json)
+  expect_true(record$reached)
+  expect_identical(record$fields$field, c("ropes.cable.length", "towing.speed"))
+  expect_identical(record$targets$measure, "body_depth_m")
+  found <- measures(settle(read_gear(out), nodes = 50))[["body_depth_m"]]
+  expect_equal(found, 450, tolerance = 1e-3)
+  expect_equal(record$targets$value, found, tolerance = 1e-6)
+  # two targets, only JSON on standard output
+  record <- jsonlite::fromJSON(run("-", "body_depth = 450 m; ship_tension_kN = 9"))
+  expect_equal(record$targets$target, c(450, 9))
+})
+
 test_that("calibrate command fits hauls of a CSV file and predicts others", {
   data <- tempfile(fileext = ".csv")
   others <- tempfile(fileext = ".csv")
