@@ -25,6 +25,10 @@
 #' - [calibrate()]: `codend_warning_hauls_left_out`;
 #' - [sample_posterior()]: `codend_warning_few_draws`.
 #'
+#' @section Messages:
+#' [update()][update.codend_gear] and studies raise messages of class `codend_message_units`. They
+#' report how a number without a unit is read, once per session and field.
+#'
 #' @section Files:
 #' All files are written atomically: codend writes a new file in the same folder, forces it to the
 #' disk and renames it. If this fails, for example on a full disk, the old file remains.

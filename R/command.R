@@ -23,6 +23,8 @@ run_command <- function(arguments) {
         command_runs()[[name]](given$plan, given$options)
         0L
       },
+      # The message would be repeated by every command.
+      codend_message_units = function(m) invokeRestart("muffleMessage"),
       warning = function(w) {
         write_output(0L, "Warning: ", conditionMessage(w))
         invokeRestart("muffleWarning")

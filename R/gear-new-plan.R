@@ -231,14 +231,13 @@ requested_numbers <- function(about, given) {
   shown <- as.list(default_requests(about$requests, given, about$usual))
   shown[names(given)] <- given
   si <- lapply(stats::setNames(nm = names(shown)), function(name) {
-    # A count has no unit.
     dimension <- quantity_dimension(about$requests[[name]])
-    if (is.na(dimension)) dimension <- "number"
-    value <- shown[[name]]
-    number <- given_si(value, dimension, name)
-    if (is.na(number) || number <= 0) {
-      abort_argument("{.arg {name}} is {.val {value}}; it must be a {dimension} greater than 0.")
+    if (!is.na(dimension)) {
+      return(quantity_number(shown[[name]], dimension, name, positive = TRUE))
     }
+    # A count has no unit.
+    number <- quantity_number(shown[[name]], "number", name, positive = TRUE)
+    check_count(name, number)
     number
   })
   si$shown <- Map(function(value, usual) {

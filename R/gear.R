@@ -127,8 +127,10 @@ print.codend_gear <- function(x, ...) {
 #'   `ropes.warp.length = 300`. `NULL` removes a field. Use numbers in SI, strings with a unit, or
 #'   objects of the package units. An angle without a unit is at most 2 pi (rad). Address a list
 #'   item by its number (`water.current.1.speed`).
-#' @return A gear of class `codend_gear`. An unknown path is an error of class `codend_error_plan`.
-#'   A value of an unsupported class, such as a date, is an error of class `codend_error_argument`.
+#' @return A gear of class `codend_gear`. If the plan gives a field in another unit than SI, a message
+#'   of class `codend_message_units` reports once how a number is read. An unknown path is an error
+#'   of class `codend_error_plan`. A value of an unsupported class, such as a date, is an error of
+#'   class `codend_error_argument`.
 #' @seealso [vary()] to solve a gear for a range of values, [settle()] for the new shape.
 #' @importFrom stats update
 #' @export
@@ -145,7 +147,11 @@ update.codend_gear <- function(object, ...) {
   if (length(twice)) abort_argument("{.arg {twice[1]}} is given twice.")
   plan <- object$plan
   for (path in names(fields)) plan <- set_plan_field(plan, path, fields[[path]])
-  as_gear(plan, file = object$file, like = object, changed = changed_steps(object, names(fields)))
+  gear <- as_gear(plan, file = object$file, like = object,
+    changed = changed_steps(object, names(fields)))
+  # codend itself updates gears in loops
+  if (!identical(topenv(parent.frame()), topenv())) note_bare_numbers(object$plan, fields)
+  gear
 }
 
 #' @export

@@ -110,8 +110,8 @@
 #' @param schedule Changes over time, from [tow_schedule()]. The section `tow` of the plan fills its
 #'   gaps.
 #' @param until End time, s, or a string such as `"10 min"`. `NULL` (default): as in the plan.
-#' @param every Time between saved states, s or string. `NULL` (default): as in the plan, or
-#'   `until / 200`.
+#' @param every Time between saved states, s or string, at most `until`. `NULL` (default): as in the
+#'   plan, or `until / 200`.
 #' @param scheme Name of the time scheme, see the section on schemes. `NULL` (default): as in the
 #'   plan, or `"bdf2"`.
 #' @param accuracy Largest position error of one implicit step, m, or string; or a list with a
@@ -162,12 +162,20 @@ tow <- function(gear, schedule = NULL, until = NULL, every = NULL, scheme = NULL
     first_of(asked("accuracy", accuracy), default_accuracy), step
   )
   warn_of_scheme(method)
+  # a tow may be shorter than the interval in the plan
+  shortened <- !is.null(until) && is.null(every)
   until <- asked("until", until)
   every <- asked("every", every)
   duration <- until
   until <- quantity_number(until, "time", "until", positive = TRUE)
   if (is.null(every)) every <- until / 200
+  shown <- show_value(every)
   every <- quantity_number(every, "time", "every", positive = TRUE)
+  if (every > until && !shortened) {
+    abort_argument("{.arg every} is {shown}; it must be at most {.arg until},
+      {show_value(duration)}.")
+  }
+  every <- min(every, until)
   before <- if (going_on) gear$given$control_every
   given$control_every <- first_of(given$control_every, first_of(before, usual_control_every))
   steered <- if (!is.null(given[["control"]])) given$control_every

@@ -41,14 +41,17 @@ quantities_si <- function(value, dimension, name, must = "") {
   }
   if (!quantities && length(value)) abort_quantity(name, value, dimension, must)
   degrees <- in_bare_degrees(value, si, dimension)
-  wrong <- which(degrees | is.na(si) & !is.na(value))
+  most <- plan_largest[[dimension]]
+  wrong <- which(degrees | is.na(si) & !is.na(value) | abs(si) > most)
   if (!length(wrong)) return(si)
   k <- wrong[1L]
   if (length(value) > 1L) name <- sprintf("%s[%d]", name, k)
   value <- value[[k]]
-  if (!degrees[k]) abort_quantity(name, value, dimension, must)
-  must <- bare_degrees_text(value)
-  abort_argument("{.arg {name}} is {value}; it must be {must}.")
+  if (is.na(si[k])) abort_quantity(name, value, dimension, must)
+  must <- if (degrees[k]) bare_degrees_text(value) else {
+    paste("at most", format_like(most, dimension, value))
+  }
+  abort_argument("{.arg {name}} is {show_value(value)}; it must be {must}.")
 }
 
 # Returns one quantity in SI. `positive`: TRUE if it must be above 0.
@@ -65,6 +68,23 @@ abort_quantity <- function(name, value, dimension, must) {
   units <- if (dimension != "number") paste0(" (units: ", unit_examples(dimension), ")")
   abort_argument("{.arg {name}} is {show_value(value)}; it must be
     {noun(gsub('_', ' ', dimension))}{must}{units}.")
+}
+
+# Reports, once per session and field, how a number without a unit is read if the plan gives this
+# field in another unit than SI. `values`: by path.
+note_bare_numbers <- function(plan, values) {
+  bare <- vapply(values, function(value) is.numeric(value) && !is.object(value), NA)
+  for (path in names(values)[bare]) {
+    written <- plan_field(plan, path)$value
+    if (!is_text(written) || is.na(dimension <- quantity_dimension(written))) next
+    unit <- plain_unit(split_quantity(written)[2L])
+    if (unit_size(unit) == 1 || !is.finite(number <- values[[path]][1L])) next
+    read <- format_si(number, dimension)
+    other <- paste(figures(in_unit(number, unit)), unit)
+    cli::cli_inform("{.field {path}} = {number} is read as {read} ({other}). Write
+      {.val {paste(number, unit)}} for {unit}.",
+      class = "codend_message_units", .frequency = "once", .frequency_id = paste0("codend_", path))
+  }
 }
 
 # Returns a table whose columns of quantities are in SI. `dimensions`: named by column. A unit may

@@ -42,9 +42,10 @@ plan_units <- list(
   number = c("%" = 0.01, percent = 0.01)
 )
 
-# Largest allowed quantities, SI: far beyond any gear, so that forces cannot overflow.
+# Largest allowed quantities, SI: far beyond any gear, so that forces cannot overflow. Towed sonars,
+# the fastest gears, reach 15 m/s.
 plan_largest <- c(
-  length = 1e7, area = 1e12, volume = 1e15, mass = 1e12, force = 1e18, speed = 1e12, density = 1e6,
+  length = 1e7, area = 1e12, volume = 1e15, mass = 1e12, force = 1e18, speed = 30, density = 1e6,
   mass_per_length = 1e9, bending_stiffness = 1e15, viscosity = 1e3, power = 1e12,
   consumption = 1, stress = 1e15, angle = 1e3, time = 1e10, number = 1e12
 )

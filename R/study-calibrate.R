@@ -121,6 +121,7 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting) {
   points <- new_points(gear, free_fields(gear, change), nodes, netting)
   set <- condition_columns(gear, data, points$fields)
   data[set] <- given_value(data[set], "data")
+  note_bare_numbers(gear$plan, data[set])
   cases <- new_cases(points, data, set)
   task <- list(
     points = points, cases = cases$cases, case_of = cases$case_of, conditions = set, data = data,

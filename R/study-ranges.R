@@ -36,6 +36,7 @@ free_field <- function(gear, paths, range, what) {
     range <- numbers_in_units(distribution_ends(range), range)
   }
   range <- given_value(range, name)
+  note_bare_numbers(gear$plan, setNames(list(unlist(range)), paths[1L]))
   ends <- vapply(as.list(range), range_end, 0, field = field, what = what)
   if (length(ends) != 2L || !(ends[1L] < ends[2L])) {
     said <- paste(unlist(range), collapse = ", ")

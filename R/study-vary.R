@@ -111,6 +111,7 @@ new_study <- function(gear, given, nodes, netting, accuracy = NULL) {
   check_settle_arguments(gear, nodes, netting)
   designs <- columns_by_path(combined_designs(given), gear, "designs")
   check_designs(designs, gear)
+  note_bare_numbers(gear$plan, designs[!grepl("+", names(designs), fixed = TRUE)])
   list(
     gear = gear, designs = designs, nodes = number_of(nodes), netting = netting,
     accuracy = accuracy_share(accuracy)

@@ -79,8 +79,7 @@ as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALS
       )
     })
   )
-  if (!is.null(row.names)) row.names(table) <- row.names
-  table
+  with_row_names(table, row.names)
 }
 
 by_time <- function(trajectory, table_at) {

@@ -85,9 +85,9 @@ test_that("settle command without convergence exits with 1 and writes JSON", {
   file <- tempfile(fileext = ".json")
   out <- tempfile()
   on.exit(unlink(file))
-  # faster than any sea
+  # heavier than any gear
   ran <- command(
-    "settle", "towed_cable", "--set", "towing.speed=1e9", "--json", file, "--out", out
+    "settle", "towed_cable", "--set", "pieces.sphere.mass=1e12", "--json", file, "--out", out
   )
   expect_one_message(ran, 1L, "did not settle: after [0-9]+ iterations")
   record <- jsonlite::fromJSON(file)

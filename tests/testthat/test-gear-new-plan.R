@@ -179,3 +179,8 @@ test_that("prompt_for_values() adds the usual unit and repeats invalid questions
     all = FALSE)
   expect_length(grep("is not a length", said), 4L)
 })
+
+test_that("new_plan() rejects counts that are not whole", {
+  expect_wrong(new_plan("longline", baskets = "2.5"), "`baskets` is 2.5; it must be a whole number")
+  expect_wrong(new_plan("longline", branch_lines = 0), "`branch_lines` is 0")
+})

@@ -16,7 +16,7 @@ shot_chain <- function() {
 }
 
 test_that("shot rope sinks at the terminal speed of its drag", {
-  chain <- update(shot_chain(), shooting.speed = 100)
+  chain <- update(shot_chain(), shooting.speed = 30)
   sunk <- tow(chain, until = 12, every = 12, accuracy = 0.001)
   weight <- 9.81 * (1 - 1025 * 0.0003)
   terminal <- sqrt(weight / (0.5 * 1025 * 1.2 * 0.02))

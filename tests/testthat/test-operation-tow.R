@@ -356,3 +356,11 @@ test_that("jump at time 0 acts like any other jump", {
     schedule = tow_schedule(speed = data.frame(time = c(0, 0), value = c(2, 3))))
   expect_gt(max(abs(state_at(moved, 1)$position - settled$position)), 1)
 })
+
+test_that("tow() rejects an interval longer than the tow", {
+  expect_wrong(tow("towed_cable", until = "10 s", every = "20 s"),
+    "`every` is 20 s; it must be at most `until`, 10 s")
+  # the interval of the plan does not limit a shorter tow
+  gear <- short_cable(until = 40, every = 20)
+  expect_identical(tow(gear, until = 5)$time, c(0, 5))
+})

@@ -270,3 +270,95 @@ test_that("other functions accept units objects for their quantities", {
   expect_equal(gear_si(new_plan("gillnet", depth = in_units(20, "m")))$seabed$depth,
     gear_si(new_plan("gillnet", depth = "20 m"))$seabed$depth)
 })
+
+# Returns all quantities with a unit in the shipped plans: data frame of gear, path, text, dimension.
+shipped_quantities <- function() {
+  do.call(rbind, lapply(names(shipped_plans()), function(name) {
+    leaves <- plan_leaves(read_gear(name)$plan)
+    text <- vapply(leaves$value, function(value) if (is_text(value)) value else "", "")
+    paths <- grepl("[0-9]", text) & !grepl("^(tow|notes|sources|name|uncertain)", leaves$path)
+    paths[paths] <- !is.na(vapply(text[paths], quantity_dimension, ""))
+    data.frame(gear = name, path = leaves$path[paths], text = text[paths],
+      dimension = vapply(text[paths], quantity_dimension, ""), row.names = NULL)
+  }))
+}
+
+test_that("text, units objects and numbers in SI give the same gear", {
+  skip_if_not_installed("units")
+  known <- shipped_quantities()
+  expect_gt(nrow(known), 400)
+  # %, and units that the package units does not know or defines differently
+  units <- vapply(known$text, function(text) split_quantity(text)[2L], "")
+  known <- known[!units %in% c("kgf", "tf", "%", "kg/100 m"), ]
+  rows <- with_seed(3, sample(nrow(known), 60))
+  gears <- lapply(setNames(nm = unique(known$gear[rows])), read_gear)
+  for (row in rows) {
+    one <- known[row, ]
+    parts <- split_quantity(one$text)
+    si <- quantity_si(one$text, one$dimension)
+    forms <- list(one$text, paste(si, names(plan_units[[one$dimension]])[1L]), si,
+      in_units(as.double(parts[1L]), parts[2L]))
+    found <- lapply(forms, function(value) {
+      changed <- suppressMessages(classes = "codend_message_units",
+        do.call(update, c(list(gears[[one$gear]]), setNames(list(value), one$path))))
+      gear_si(changed)
+    })
+    # paste() keeps 15 digits
+    for (other in found[-1L]) expect_equal(other, found[[1L]], tolerance = 1e-12, info = one$path)
+  }
+})
+
+test_that("a wrong dimension is an error with field, value and units", {
+  skip_if_not_installed("units")
+  known <- shipped_quantities()
+  rows <- with_seed(4, sample(nrow(known), 40))
+  for (row in rows) {
+    one <- known[row, ]
+    gear <- read_gear(one$gear)
+    wrong <- if (one$dimension == "mass") "7 m" else "7 kg"
+    parts <- split_quantity(wrong)
+    for (value in list(wrong, in_units(7, parts[2L]))) {
+      e <- expect_refused(do.call(update, c(list(gear), setNames(list(value), one$path))))
+      said <- plain_message(e)
+      expect_match(dotted_path(said), one$path, fixed = TRUE)
+      expect_match(said, wrong, fixed = TRUE)
+      if (one$dimension == "number") next
+      expect_match(said, names(plan_units[[one$dimension]])[1L], fixed = TRUE)
+    }
+  }
+})
+
+test_that("a number for a field in knot gives one message per session", {
+  said <- function(code) {
+    messages <- character()
+    withCallingHandlers(eval(code, globalenv()), codend_message_units = function(m) {
+      messages <<- c(messages, strsplit(plain_message(m), " This message")[[1L]][1L])
+      invokeRestart("muffleMessage")
+    })
+    messages
+  }
+  rlang::reset_message_verbosity("codend_towing.speed")
+  cable <- read_gear("towed_cable")
+  knots <- bquote(codend::settle(update(.(cable), towing.speed = 3), nodes = 20))
+  expect_identical(said(knots),
+    "towing.speed = 3 is read as 3 m/s (5.832 knot). Write \"3 knot\" for knot.")
+  expect_identical(said(knots), character())
+  rlang::reset_message_verbosity("codend_towing.speed")
+  for (quiet in list("3 knot", "3 m/s")) {
+    expect_identical(said(bquote(update(.(cable), towing.speed = .(quiet)))), character())
+  }
+  # the plan gives the length in m
+  expect_identical(said(bquote(update(.(cable), ropes.cable.length = 900))), character())
+  expect_length(said(bquote(codend::vary(.(cable), towing.speed = 2:3, nodes = 20))), 1L)
+  rlang::reset_message_verbosity("codend_towing.speed")
+  expect_no_message(capture.output(run_command(c("optimise", "towed_cable",
+    "--minimise=total_drag", "--change=towing.speed=1..3", "--nodes=20"))))
+})
+
+test_that("speeds beyond all gear are an error", {
+  cable <- read_gear("towed_cable")
+  expect_refused(update(cable, towing.speed = "1e3 knot"),
+    "`towing.speed` is 1e3 knot; it must be at most 58.3153 knot")
+  expect_wrong(tow(cable, until = 2, schedule = tow_schedule(speed = 1e3)),
+    "`speed` is 1000; it must be at most 30 m/s")
+})
