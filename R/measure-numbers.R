@@ -74,6 +74,18 @@ measure_labels <- function(measures) {
   )
 }
 
+# Returns names of at most nine measures for short prints, in the order of `measures`: two main
+# measures of each kind (spreads, heights, areas, volumes), total drag and one tension. The first
+# measures of further kinds fill the rest.
+printed_measures <- function(measures) {
+  kind <- attr(measures, "kind")
+  main <- attr(measures, "main") | kind == "total_drag"
+  position <- stats::ave(seq_along(kind), kind, FUN = seq_along)
+  first <- position == 1
+  rank <- ifelse(main & position <= 2, 1, ifelse(first & kind == "tension", 2, 4 - first))
+  names(measures)[sort(utils::head(order(rank), 9L))]
+}
+
 definitions_of <- function(measures) {
   measure_strings(all_kinds()[attr(measures, "kind")])
 }
