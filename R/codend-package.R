@@ -29,7 +29,7 @@
 #' @section Shape and forces:
 #' - Settle a gear: [settle()], [tow_speed()].
 #' - Numbers: [measures()], [findings()], [summary()][summary.codend_state],
-#'   [as.data.frame()][as.data.frame.codend_state].
+#'   [as.data.frame()][as.data.frame.codend_state]; in other units: [in_units()].
 #' - Along the gear: [tensions_along()], [mesh_openings()].
 #' - Boards: [board_modes()], [force_coefficients()].
 #' - Guides: `vignette("measures", "codend")`, `vignette("forces", "codend")`,

@@ -5,9 +5,16 @@
 new_measures <- function(values, kinds, errors, light) {
   units <- measure_units(kinds)
   kind <- vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE)
-  structure(numbers_in_display_units(values, units), unit = setNames(units, names(values)),
-    kind = setNames(kind, names(values)), error = numbers_in_display_units(errors, units),
-    main = setNames(main_measures(kind, units, light), names(values)),
+  measures_of(
+    numbers_in_display_units(values, units), setNames(units, names(values)),
+    setNames(kind, names(values)), numbers_in_display_units(errors, units),
+    setNames(main_measures(kind, units, light), names(values))
+  )
+}
+
+# Values, units, kinds, errors and main measures, all named by measure.
+measures_of <- function(values, unit, kind, error, main) {
+  structure(values, unit = unit, kind = kind, error = error, main = main,
     class = c("codend_measures", "numeric"))
 }
 
@@ -21,8 +28,8 @@ plain_measures <- function(x) setNames(as.double(x), names(x))
 `[.codend_measures` <- function(x, i) {
   if (!missing(i) && is.character(i)) check_measure_names(i, names(x))
   some <- plain_measures(x)[i]
-  structure(some, unit = attr(x, "unit")[names(some)], kind = attr(x, "kind")[names(some)],
-    error = attr(x, "error")[names(some)], main = attr(x, "main")[names(some)], class = class(x))
+  of <- function(name) attr(x, name)[names(some)]
+  measures_of(some, of("unit"), of("kind"), of("error"), of("main"))
 }
 
 #' @export
@@ -49,20 +56,65 @@ check_measure_names <- function(wanted, known) {
 #' @export
 as.list.codend_measures <- function(x, ...) as.list(plain_measures(x))
 
+# data.frame() sets `optional` and gets one column.
 #' @export
 as.data.frame.codend_measures <- function(x, row.names = NULL, optional = FALSE, ...) {
-  as.data.frame(plain_measures(x), row.names, optional, ..., nm = "value")
+  if (optional) return(as.data.frame(plain_measures(x), row.names, optional, ..., nm = "value"))
+  data.frame(
+    measure = names(x), value = as.double(x), error = unname(attr(x, "error")),
+    unit = unname(attr(x, "unit")), row.names = row.names
+  )
+}
+
+#' @rawNamespace S3method(utils::.DollarNames,codend_measures)
+.DollarNames.codend_measures <- function(x, pattern = "") {
+  grep(pattern, names(x), value = TRUE)
+}
+
+# Returns plain numbers. Operands with several names are matched by name. 0 / 0 is left out.
+#' @export
+Ops.codend_measures <- function(e1, e2) {
+  operate <- get(.Generic)
+  if (missing(e2)) return(operate(plain_measures(e1)))
+  sides <- lapply(list(e1, e2), function(x) if (is_measures(x)) plain_measures(x) else x)
+  both <- intersect(names(e1), names(e2))
+  if (length(both) && all(lengths(sides) > 1L)) sides <- lapply(sides, `[`, both)
+  found <- operate(sides[[1L]], sides[[2L]])
+  if (.Generic == "/") found[!(sides[[1L]] %in% 0 & sides[[2L]] %in% 0)] else found
+}
+
+is_measures <- function(x) inherits(x, "codend_measures")
+
+#' @export
+Math.codend_measures <- function(x, ...) get(.Generic)(plain_measures(x), ...)
+
+#' @export
+Summary.codend_measures <- function(..., na.rm = FALSE) {
+  do.call(.Generic, c(lapply(list(...), as.double), na.rm = na.rm))
 }
 
 # Renamed values lose their units and errors and become plain numbers.
 #' @export
 `names<-.codend_measures` <- function(x, value) setNames(as.double(x), value)
 
+#' @param x Measures.
+#' @param n Largest number of lines below the heading. `Inf` prints all measures.
+#' @param ... Not used.
+#' @rdname measures
 #' @export
-print.codend_measures <- function(x, digits = getOption("digits"), ...) {
-  force(digits)
-  with_plain_numbers(print(plain_measures(x), digits = digits, ...))
+print.codend_measures <- function(x, n = 29, ...) {
+  x <- main_first(in_preferred_units(x))
+  values <- align_points(figures(plain_measures(x), attr(x, "error")))
+  said <- measure_labels(x)
+  lines <- align_columns(Map(c, c("measure", "value", "unit", "error"),
+    list(names(x), values, said$unit, said$error)), left = c(1L, 3L))
+  cat(lines[1L], limited_lines(lines[-1L], n), sep = "\n")
   invisible(x)
+}
+
+# Sorts the measures for short prints to the front.
+main_first <- function(measures) {
+  measures[order(!names(measures) %in% printed_measures(measures))]
 }
 
 # Returns list(words, unit, error) for display; error is a string such as "0.6", or "".

@@ -41,18 +41,25 @@
 #'
 #' @param state A state, from [settle()] or [state_at()]; for `measure_definitions()` also `NULL`.
 #' @return `measures()` returns named numbers of class `codend_measures`. Each name ends in its
-#'   unit. Attributes, all named by measure:
+#'   unit. The print lists the main measures first, with the digits that their errors allow.
+#'   [as.data.frame()] has the columns `measure`, `value`, `error` and `unit`. Attributes, all named
+#'   by measure:
 #'   - `unit`: the unit as printed, such as `"m3/h"`.
 #'   - `error`: the standard discretisation error, in the unit of the measure.
 #'   - `main`: `TRUE` for the main measures, which `settle(accuracy = )` refers to.
-#' @seealso [settle()]; [findings()] for values that need attention; [mesh_openings()] and
+#'
+#'   Arithmetic returns plain named numbers. `measures(a) / measures(b)` contains the measures of
+#'   both states, without ratios of two zeros.
+#' @seealso [settle()]; [in_units()] for other units; [findings()] for values that need attention; [mesh_openings()] and
 #'   [tensions_along()] for values along the gear; [uncertainty()] for the effect of uncertain
 #'   inputs.
 #' @examples
 #' state <- settle("midwater_trawl", nodes = 300)
 #' found <- measures(state)
+#' found
 #' found[["total_drag_kN"]]
 #' attr(found, "error")[["total_drag_kN"]]
+#' found["total_drag_kN"] * 1000
 #' @export
 measures <- function(state) {
   check_given("state")

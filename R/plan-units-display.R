@@ -44,3 +44,53 @@ cf_unit <- function(unit) {
   )
   unname(ifelse(unit %in% names(other), other[unit], sub("^(.+)/(.+)$", "\\1 \\2-1", unit)))
 }
+
+# Returns checked units by dimension, as c(speed = "knot"). name: argument or option in errors.
+check_units <- function(units, name) {
+  units <- unlist(units)
+  known <- setdiff(names(plan_units), "number")
+  if (length(units) && (!is.character(units) || is.null(names(units)))) {
+    abort_argument("{.arg {name}} must name units by quantity, such as
+      {.code speed = \"knot\"}.")
+  }
+  wrong <- setdiff(names(units), known)
+  if (length(wrong)) {
+    abort_argument("{.arg {name}} has a unit for {.val {wrong[1L]}}; the quantities with units are
+      {.val {known}}.")
+  }
+  for (dimension in names(units)) {
+    allowed <- names(plan_units[[dimension]])
+    if (units[[dimension]] %in% allowed) next
+    abort_argument("{.arg {name}} has the unit {.val {units[[dimension]]}} for {dimension}; it must
+      be one of {.val {allowed}}.")
+  }
+  units
+}
+
+# Returns the units of options(codend.units = ), by dimension.
+preferred_units <- function() check_units(getOption("codend.units"), "options(codend.units)")
+
+# Returns the unit in which each unit is displayed. preferred: as from check_units(). Meshes and
+# twines keep their small units.
+displayed_units <- function(units, preferred) {
+  for (dimension in names(preferred)) {
+    of <- units %in% setdiff(names(plan_units[[dimension]]), c("mm", "N"))
+    units[of] <- preferred[[dimension]]
+  }
+  units
+}
+
+# Returns names with the suffix of the unit `to` instead of `from`.
+with_other_unit <- function(name, from, to) {
+  end <- nchar(name) - nchar(unit_suffix(from))
+  ifelse(from == to, name, paste0(substring(name, 1L, end), unit_suffix(to)))
+}
+
+# Returns the units of names with a suffix, such as "m/s" for "speed_m_per_s"; "" if there is none.
+units_of_names <- function(names) {
+  units <- c(unlist(lapply(plan_units, base::names), use.names = FALSE), base::names(display_units))
+  units <- units[order(nchar(unit_suffix(units)))]
+  found <- rep("", length(names))
+  for (unit in units) found[endsWith(names, paste0("_", unit_suffix(unit)))] <- unit
+  found
+}

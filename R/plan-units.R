@@ -17,7 +17,7 @@ plan_units <- list(
   ),
   force = c(
     N = 1, newton = 1, newtons = 1, kN = 1e3, MN = 1e6,
-    kgf = 9.80665, tf = 9806.65, lbf = 4.4482216152605
+    kgf = 9.80665, tf = 9806.65, tonnef = 9806.65, lbf = 4.4482216152605
   ),
   speed = c(
     "m/s" = 1, knot = 1852 / 3600, knots = 1852 / 3600, kn = 1852 / 3600, kt = 1852 / 3600,

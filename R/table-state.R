@@ -182,10 +182,4 @@ node_parts <- function(mesh) {
   out
 }
 
-measure_table <- function(state) {
-  found <- measures(state)
-  data.frame(
-    measure = names(found), value = as.double(found), unit = unname(attr(found, "unit")),
-    error = unname(attr(found, "error"))
-  )
-}
+measure_table <- function(state) as.data.frame(measures(state))

@@ -1,14 +1,22 @@
 # Numbers as strings with four digits, and columns of strings.
 
-# Returns numbers with four digits and at most four decimals, without scientific notation.
-figures <- function(x) {
-  size <- ifelse(is.na(x) | x == 0, 0, floor(log10(abs(x))))
-  decimals <- pmin(pmax(3 - size, 0), 4)
-  text <- mapply(formatC, signif(x, 4), digits = decimals,
-    MoreArgs = list(format = "f", decimal.mark = "."))
+# Returns numbers without scientific notation, with the digits that their errors allow, at most six.
+# Numbers without a known error have four digits. All have at most four decimals.
+figures <- function(x, error = NA) {
+  exponent <- function(x) ifelse(is.na(x) | x == 0, 0, floor(log10(abs(x))))
+  known <- is.finite(error) & error > 0
+  last <- pmax(exponent(x) - ifelse(known, 5, 3), ifelse(known, error_exponent(error), -4), -4)
+  # Adding 0 changes -0 to 0.
+  text <- format_each(round(x / 10^last) * 10^last + 0, pmax(-last, 0))
   text[!is.na(x) & abs(x) < 5e-5] <- "0"
   text[is.na(x)] <- ""
-  as.character(text)
+  text
+}
+
+# Returns the power of ten of the last digit of an error with one digit, or two if the first is 1.
+error_exponent <- function(error) {
+  size <- floor(log10(pmax(error, 1e-300)))
+  ifelse(error < 2 * 10^size, size - 1, size)
 }
 
 # Returns discretisation errors rounded up to one digit, or two digits if the first digit is 1; ""
@@ -17,8 +25,7 @@ figures <- function(x) {
 error_text <- function(error) {
   known <- is.finite(error)
   text <- rep("", length(error))
-  size <- floor(log10(pmax(error[known], 1e-300)))
-  unit <- 10^ifelse(error[known] < 2 * 10^size, size - 1, size)
+  unit <- 10^error_exponent(error[known])
   up <- pmax(ceiling(error[known] / unit * (1 - 1e-9)) * unit, 1e-4)
   decimals <- pmin(pmax(-round(log10(unit)), 0), 4)
   text[known] <- format_each(up, decimals)
@@ -31,6 +38,13 @@ computed_to <- function(error) ifelse(nzchar(error), paste("computed to", error)
 format_each <- function(x, decimals) {
   as.character(mapply(formatC, x, digits = decimals,
     MoreArgs = list(format = "f", decimal.mark = ".")))
+}
+
+# Returns at most `n` lines. The last one counts omitted lines.
+limited_lines <- function(lines, n) {
+  omitted <- length(lines) - (n - 1)
+  if (omitted <= 1) return(lines)
+  c(utils::head(lines, n - 1), sprintf("  ... and %d more: print(x, n = Inf)", omitted))
 }
 
 # Returns ends of intervals to two digits of their standard uncertainty.

@@ -5,6 +5,21 @@ test_that("figures() returns four digits without powers of ten", {
   )
 })
 
+test_that("figures() returns the digits that the error allows", {
+  expect_identical(
+    figures(c(53.8612, 49.4123, 434300, 1.14612, 0.31, 123.45678, 8), c(1.3, 0.3, 67000, 0.0033, 2,
+      1e-6, NA)),
+    c("53.9", "49.4", "430000", "1.146", "0", "123.457", "8.000")
+  )
+})
+
+test_that("limited_lines() counts the lines that it leaves out", {
+  expect_identical(limited_lines(letters[1:3], 3), letters[1:3])
+  expect_identical(limited_lines(letters[1:4], 3),
+    c("a", "b", "  ... and 2 more: print(x, n = Inf)"))
+  expect_identical(limited_lines(letters, Inf), letters)
+})
+
 test_that("column_figures() aligns numbers at their decimal points", {
   column <- format(column_figures(c(10.392, 0.711, 0, -123.4)), justify = "right")
   expect_equal(column, c("  10.4", "   0.7", "   0  ", "-123.4"))
