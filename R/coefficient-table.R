@@ -83,6 +83,23 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
   structure(table, class = c("codend_coefficients", "data.frame"))
 }
 
+#' @rdname force_coefficients
+#' @param x Coefficients.
+#' @param n Largest number of printed lines. `Inf` prints all models.
+#' @param ... Not used.
+#' @export
+print.codend_coefficients <- function(x, n = 30, ...) {
+  by <- unique(x[c("force", "law", "coefficient")])
+  rows <- match(do.call(paste, x[names(by)]), do.call(paste, by))
+  count <- function(which) format(tabulate(rows[which], nrow(by)))
+  range <- function(end) figures(as.double(tapply(x$value, rows, end)))
+  lines <- align_columns(Map(c, c(names(by), "computed", "published", "least", "largest"),
+    c(by, list(count(is.na(x$source)), count(!is.na(x$source)), range(min), range(max)))), left = 1:3)
+  cat(nrow(x), " values of force coefficients\n", sep = "")
+  cat(lines[1L], limited_lines(lines[-1L], n - 2), sep = "\n")
+  invisible(x)
+}
+
 # Returns a logarithmic series between two powers of ten, ten values per decade.
 reynolds_range <- function(from, to) 10^seq(from, to, by = 0.1)
 

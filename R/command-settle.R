@@ -14,7 +14,7 @@ run_settle <- function(plan, options) {
 }
 
 print_settled <- function(state, how_sure) {
-  print(summary(state, uncertainty = how_sure))
+  print(summary(state, uncertainty = how_sure), n = Inf)
   for (name in if (!is.null(how_sure)) main_rows(how_sure, NULL)) {
     cat("", bold(paste0(name, ": largest sources")), source_lines(how_sure, name),
       next_measurement_lines(how_sure, name), sep = "\n")

@@ -12,7 +12,7 @@
 #'
 #' @param x A gear ([read_gear()]) for checks of the plan only, or a state ([settle()],
 #'   [state_at()]).
-#' @return A data frame, one row per warning, most important first. It has no rows if there are no
+#' @return A data frame of class `codend_findings`, one row per warning, most important first. It has no rows if there are no
 #'   warnings. Columns:
 #'
 #'   - `check`: name of the check;
@@ -34,7 +34,27 @@
 #' @export
 findings <- function(x) {
   check_given("x")
-  findings_by(x, sorted_checks())
+  structure(findings_by(x, sorted_checks()), class = c("codend_findings", "data.frame"))
+}
+
+#' @param n Largest number of printed lines. `Inf` prints all warnings.
+#' @param ... Not used.
+#' @rdname findings
+#' @export
+print.codend_findings <- function(x, n = 30, ...) {
+  if (!all(c("location", "message", "advice", "field", "n_similar") %in% names(x))) {
+    print(as.data.frame(unclass(x)))
+  } else if (nrow(x)) {
+    cat(bold(if (nrow(x) == 1L) "1 warning" else paste(nrow(x), "warnings")),
+      limited_lines(finding_lines(x), n - 1), sep = "\n")
+  } else {
+    cat("No warnings: everything is within practice and tests.\n")
+  }
+  invisible(x)
+}
+
+finding_lines <- function(found) {
+  unlist(lapply(finding_sentences(found), strwrap, width = 98, indent = 2, exdent = 4))
 }
 
 findings_by <- function(x, checks) finding_rows(list_findings(x, checks))

@@ -32,7 +32,7 @@ picture_message <- function(state, now, seen, known, passed = FALSE) {
       )
     }),
     of_all = c(list(times = I(0), labels = I("")), about),
-    name = about$name, conditions = conditions_text(state$si)
+    name = about$name, conditions = conditions_text(state$si, state$gear$plan)
   )
 }
 
@@ -54,7 +54,7 @@ moved_message <- function(state, shape, fixed, number) {
   bed <- drawn_bed(state)
   header <- list(
     answers = first_of(number, 0), counts = lapply(arrays, length),
-    conditions = conditions_text(state$si),
+    conditions = conditions_text(state$si, state$gear$plan),
     part = c(
       list(conditions = state_conditions(state), flow = I(flow_past(state))),
       if (!is.null(bed)) list(bed = list(normal = I(bed$normal), height = bed$height)),

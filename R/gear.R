@@ -108,7 +108,8 @@ print.codend_gear <- function(x, ...) {
   groups <- c("panels", "seams", "ropes", "pieces", "points", "measures")
   cat("Gear \"", x$plan$name, "\" (", gear_checked(x)$fields$kind, ")\n", sep = "")
   cat("  ", paste(groups, lengths(fields[groups]), collapse = ", "), "\n", sep = "")
-  cat("  towing speed ", format_si(fields$towing$speed, "speed"), "\n", sep = "")
+  speed <- quantity_text(fields$towing$speed, "speed", x$plan$towing$speed)
+  cat("  towing speed ", speed, "\n", sep = "")
   derived <- gear_checked(x)$derived
   if (length(derived)) {
     cat("  computed from cutting rates and take-up: ",

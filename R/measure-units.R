@@ -59,7 +59,7 @@ unit_ratio <- function(from, to) {
     from, to))
 }
 
-in_preferred_units <- function(measures) measures_in_units(measures, preferred_units())
+in_preferred_units <- function(measures) measures_in_units(measures, units_option())
 
 # Columns of long tables in the unit of their row.
 columns_in_unit <- c(

@@ -68,7 +68,7 @@ check_units <- function(units, name) {
 }
 
 # Returns the units of options(codend.units = ), by dimension.
-preferred_units <- function() check_units(getOption("codend.units"), "options(codend.units)")
+units_option <- function() check_units(getOption("codend.units"), "options(codend.units)")
 
 # Returns the unit in which each unit is displayed. preferred: as from check_units(). Meshes and
 # twines keep their small units.
@@ -94,3 +94,19 @@ units_of_names <- function(names) {
   for (unit in units) found[endsWith(names, paste0("_", unit_suffix(unit)))] <- unit
   found
 }
+
+# Returns an SI value as text with four digits, in the preferred unit, else in the unit of `given`
+# (the plan's value), else in SI.
+quantity_text <- function(value, dimension, given = NULL) {
+  said <- if (is_text(given)) split_quantity(given)
+  unit <- c(units_option()[dimension], plain_unit(first_of(said[2L], "")))
+  unit <- c(intersect(unit, names(plan_units[[dimension]])), names(plan_units[[dimension]]))[1L]
+  number <- signif(in_unit(value, unit), 4)
+  paste(with_plain_numbers(format(number, digits = 6)), unit)
+}
+
+# Returns the unit that prints show instead of `unit`.
+shown_unit <- function(unit) displayed_units(unit, units_option())
+
+# Returns a column of numbers in `unit` as text in the unit that prints show.
+shown_figures <- function(x, unit) column_figures(in_unit(from_unit(x, unit), shown_unit(unit)))

@@ -44,7 +44,7 @@ summary.codend_gear <- function(object, ...) {
   structure(
     list(
       name = object$plan$name, kind = gear_checked(object)$fields$kind,
-      conditions = conditions_text(si), parts = parts, totals = part_totals(parts),
+      conditions = conditions_text(si, object$plan), parts = parts, totals = part_totals(parts),
       netting = netting, findings = findings(object)
     ),
     class = "codend_gear_summary"
@@ -91,25 +91,34 @@ part_totals <- function(parts) {
   data.frame(group = rownames(total), total, row.names = NULL)
 }
 
+#' @rdname summary.codend_gear
+#' @param x A summary.
+#' @param n Largest number of printed lines. `Inf` prints all parts and warnings.
 #' @export
-print.codend_gear_summary <- function(x, ...) {
+print.codend_gear_summary <- function(x, n = 30, ...) {
   parts <- x$parts
   amounts <- function(table) {
-    list(column_figures(table$mass_kg), column_figures(table$weight_in_water_kN))
+    list(shown_figures(table$mass_kg, "kg"), shown_figures(table$weight_in_water_kN, "kN"))
   }
   none <- rep("", nrow(x$totals))
   lines <- align_columns(Map(c,
-    c("", "number", "length m", "mass kg", "weight in water kN"),
+    list("", "number", paste("length", shown_unit("m")), paste("mass", shown_unit("kg")),
+      paste("weight in water", shown_unit("kN"))),
     c(
       list(parts$part, format(parts$number),
-        ifelse(is.na(parts$length_m), "", column_figures(parts$length_m))),
+        ifelse(is.na(parts$length_m), "", shown_figures(parts$length_m, "m"))),
       amounts(parts)
     ),
     c(list(x$totals$group, none, none), amounts(x$totals))
   ))
-  groups <- nrow(x$totals)
-  cat(bold(x$name), paste0(x$kind, "; ", x$conditions), "", lines[seq_len(1L + nrow(parts))], "",
-    utils::tail(lines, groups), sep = "\n")
-  if (nrow(x$findings)) cat("", bold("Warnings"), finding_lines(x$findings), sep = "\n")
+  totals <- utils::tail(lines, nrow(x$totals))
+  warnings <- if (nrow(x$findings)) {
+    found <- finding_lines(x$findings)
+    c("", bold("Warnings"), if (is.finite(n)) limited_lines(found, 9) else found)
+  }
+  rows <- limited_lines(lines[1L + seq_len(nrow(parts))],
+    n - 5L - length(totals) - length(warnings))
+  cat(bold(x$name), paste0(x$kind, "; ", x$conditions), "", lines[1L], rows, "", totals, warnings,
+    sep = "\n")
   invisible(x)
 }

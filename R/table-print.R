@@ -1,33 +1,30 @@
-# Returns a text such as "Towed at 2.315 m/s (4.5 knot) in water of 1025 kg/m3, current 0.5 m/s".
-conditions_text <- function(si) {
-  plain <- function(x) with_plain_numbers(format(x))
-  short <- function(x) plain(signif(x, 4))
+# Returns a text such as "Towed at 4.5 knot in water of 1025 kg/m3, current 0.5 m/s". plan: gives the
+# units of speeds.
+conditions_text <- function(si, plan = NULL) {
+  short <- function(x) with_plain_numbers(format(signif(x, 4)))
   water <- if (si$water$density == 0) {
     "without water"
   } else {
     paste("in water of", short(si$water$density), "kg/m3")
   }
   motion <- if (si$towing$speed > 0) {
-    knots <- si$towing$speed / plan_units$speed[["knot"]]
-    sprintf("Towed at %s m/s (%s knot)", short(si$towing$speed), plain(round(knots, 2)))
+    paste("Towed at", quantity_text(si$towing$speed, "speed", plan$towing$speed))
   } else {
     "Held"
   }
   current <- max(current_speeds(si))
   layers <- if (nrow(si$water$current) > 1) "up to " else ""
-  paste0(motion, " ", water, if (current > 0) paste0(", current ", layers, short(current), " m/s"))
+  given <- unlist(plan$water$current)
+  given <- given[grepl("speed$", names(given))]
+  paste0(motion, " ", water, if (current > 0) {
+    paste0(", current ", layers, quantity_text(current, "speed", first_of(given, 0)[[1L]]))
+  })
 }
 
 size_text <- function(state) {
   e <- state$mesh$model
   sprintf("%d nodes, %d bars, %d netting cells", e$nodes, length(e$bars$rest),
     length(e$cells$rest))
-}
-
-measure_text <- function(measures) {
-  said <- measure_labels(measures)
-  trimws(paste(said$words, figures(plain_measures(measures)), said$unit,
-    computed_to(said$error)))
 }
 
 # Returns the estimated error of the main measures with advice if it is large, NULL if it is
@@ -79,20 +76,20 @@ accuracy_advice <- function(error, nodes) {
 #' @export
 print.codend_state <- function(x, ...) {
   found <- measures(x)
-  shown <- unique(c(utils::head(names(found), 4), "total_drag_kN"))
   with_plain_numbers(cat(
     if (is.null(x$time)) {
       paste0("Settled gear \"", x$si$name, "\"")
     } else {
       sprintf("Gear \"%s\" at %s s of a tow", x$si$name, format(signif(x$time, 6)))
     },
-    paste0("  ", conditions_text(x$si)),
+    paste0("  ", conditions_text(x$si, x$gear$plan)),
     paste0("  ", size_text(x), within_text(found, x$report$accuracy_aimed_at)),
-    paste0("  ", measure_text(found[shown])),
-    paste0("  More: summary(), as.data.frame(), plot(), view_3d()",
-      accuracy_advice(main_error(found), x$mesh$nodes)),
+    measure_lines(found[printed_measures(found)]),
+    paste0("  More: measures(), summary(), as.data.frame(), plot(), view_3d()"),
+    if (nzchar(advice <- accuracy_advice(main_error(found), x$mesh$nodes))) {
+      paste0("  ", capital(sub("^; ", "", advice)))
+    },
     sep = "\n"
   ))
-  cat("\n")
   invisible(x)
 }

@@ -50,7 +50,7 @@ summary.codend_state <- function(object, uncertainty = NULL, ...) {
   drag <- drag_table(object)
   structure(
     c(list(
-      name = object$si$name, conditions = conditions_text(object$si),
+      name = object$si$name, conditions = conditions_text(object$si, object$gear$plan),
       measures = measures(object), findings = findings(object),
       drag = drag, drag_totals = drag_totals(drag),
       tangential = tangential_sensitivity(object),
@@ -66,23 +66,32 @@ summary.codend_state <- function(object, uncertainty = NULL, ...) {
   )
 }
 
+#' @rdname summary.codend_state
+#' @param x A summary.
+#' @param n Largest number of printed lines. `Inf` prints all measures and tables.
 #' @export
-print.codend_summary <- function(x, ...) {
-  cat(format(x), sep = "\n")
+print.codend_summary <- function(x, n = 30, ...) {
+  cat(format(x, n = n), sep = "\n")
   invisible(x)
 }
 
 #' @export
-format.codend_summary <- function(x, ...) with_plain_numbers(summary_lines(x))
+format.codend_summary <- function(x, n = Inf, ...) with_plain_numbers(summary_lines(x, n))
 
-summary_lines <- function(x) {
+# Omits sections that do not fit in `n` lines. The first ones are cut.
+summary_lines <- function(x, n) {
+  cut <- function(lines) if (is.finite(n)) limited_lines(lines, 9) else lines
+  shown <- if (is.finite(n)) printed_measures(x$measures) else names(x$measures)
+  omitted <- length(x$measures) - length(shown)
   section <- function(title, lines) if (length(lines)) c("", bold(title), lines)
-  c(
-    bold(x$name), x$conditions,
-    section("Measures", c(measure_lines(x$measures), accuracy_line(x$measures, x$report))),
+  sections <- list(
+    section("Measures", c(
+      measure_lines(x$measures[shown]), if (omitted) paste("  ... and", omitted, "more"),
+      accuracy_line(x$measures, x$report)
+    )),
     section("Uncertainty: interval of the true value, and sources in % of the variance",
-      if (!is.null(x$uncertainty)) format(x$uncertainty)),
-    section("Warnings", finding_lines(x$findings)),
+      if (!is.null(x$uncertainty)) cut(format(x$uncertainty))),
+    section("Warnings", cut(finding_lines(x$findings))),
     section("Drag by component", drag_lines(x$drag_totals)),
     section("Total drag with tangential coefficients halved and doubled, at this shape",
       tangential_lines(x$tangential)),
@@ -93,6 +102,12 @@ summary_lines <- function(x) {
     section("Slack netting", slack_lines(x$slack)),
     section("Force balance", balance_lines(x$balance)),
     section("Solution", report_lines(x$report))
+  )
+  sections <- Filter(length, sections)
+  fits <- cumsum(lengths(sections)) <= n - 4
+  c(
+    bold(x$name), x$conditions, unlist(sections[fits]),
+    if (!all(fits)) c("", sprintf("  ... and %d more sections: print(x, n = Inf)", sum(!fits)))
   )
 }
 
@@ -105,25 +120,28 @@ check_is_uncertainty <- function(uncertainty) {
 listed_parts <- 6L
 
 measure_lines <- function(measures) {
+  measures <- in_preferred_units(measures)
   said <- measure_labels(measures)
-  values <- align_points(figures(plain_measures(measures)))
+  values <- align_points(figures(plain_measures(measures), attr(measures, "error")))
   align_columns(list(said$words, values, said$unit, computed_to(said$error)),
     left = c(1L, 3L, 4L))
 }
 
-finding_lines <- function(found) {
-  sentences <- finding_sentences(found)
-  unlist(lapply(sentences, strwrap, width = 98, indent = 2, exdent = 4))
+forces_text <- function(kilonewtons) paste(shown_figures(kilonewtons, "kN"), shown_unit("kN"))
+
+# Returns the column of a table of forces, with its heading.
+force_column <- function(name, kilonewtons) {
+  c(paste(name, shown_unit("kN")), shown_figures(kilonewtons, "kN"))
 }
 
 drag_lines <- function(totals) {
   align_columns(list(
     c("", totals$group),
-    c("drag kN", column_figures(totals$drag_kN)),
+    force_column("drag", totals$drag_kN),
     c("share %", share_text(totals$drag_kN, totals$drag_kN[nrow(totals)])),
-    c("side kN", column_figures(totals$side_kN)),
-    c("lift kN", column_figures(totals$lift_kN)),
-    c("weight in water kN", column_figures(totals$weight_in_water_kN))
+    force_column("side", totals$side_kN),
+    force_column("lift", totals$lift_kN),
+    force_column("weight in water", totals$weight_in_water_kN)
   ))
 }
 
@@ -150,7 +168,7 @@ largest_groups <- function(table, value) {
 largest_drag_lines <- function(drag) {
   most <- largest_groups(drag, function(group) sum(group$drag_kN))
   if (length(most$groups) < 2L) return(NULL)
-  align_columns(list(names(most$groups), paste(column_figures(most$values), "kN")))
+  align_columns(list(names(most$groups), forces_text(most$values)))
 }
 
 rope_tension_lines <- function(tensions) {
@@ -161,7 +179,7 @@ rope_tension_lines <- function(tensions) {
   share <- paste(percent, "% of breaking load")
   share[is.na(highest$strength_percent)] <- ""
   align_columns(list(
-    names(most$groups), paste(column_figures(most$values), "kN"), share
+    names(most$groups), forces_text(most$values), share
   ))
 }
 
@@ -194,11 +212,11 @@ slack_lines <- function(slack) {
 balance_lines <- function(balance) {
   remainder <- balance$force == "remainder"
   shown <- function(column) {
-    forces <- column_figures(balance[[column]][!remainder])
-    c(forces, formatC(balance[[column]][remainder], format = "e", digits = 1))
+    forces <- in_unit(from_unit(balance[[column]], "kN"), shown_unit("kN"))
+    c(column_figures(forces[!remainder]), formatC(forces[remainder], format = "e", digits = 1))
   }
   align_columns(list(
-    c("kN", gsub("_", " ", balance$force)),
+    c(shown_unit("kN"), gsub("_", " ", balance$force)),
     c("x (aft)", shown("x_kN")), c("y (starboard)", shown("y_kN")), c("z (up)", shown("z_kN"))
   ))
 }
@@ -220,7 +238,7 @@ board_lines <- function(boards) {
   align_columns(list(
     c("", boards$board), c("attack deg", column_figures(boards$attack_deg)),
     c("heel deg", column_figures(boards$heel_deg)), c("trim deg", column_figures(boards$trim_deg)),
-    c("lift kN", column_figures(boards$lift_kN)), c("drag kN", column_figures(boards$drag_kN)),
+    force_column("lift", boards$lift_kN), force_column("drag", boards$drag_kN),
     c("", boards$condition)
   ), left = c(1L, 7L))
 }
@@ -231,7 +249,7 @@ tangential_lines <- function(sensitivity) {
   if (max(drag) - min(drag) <= 1e-6 * max(abs(drag))) return(NULL)
   share <- formatC(100 * (drag / drag[["settled"]] - 1), format = "f", digits = 1, flag = "+")
   align_columns(list(
-    c("halved", "doubled"), paste(column_figures(drag[c("halved", "doubled")]), "kN"),
+    c("halved", "doubled"), forces_text(drag[c("halved", "doubled")]),
     paste0(share[c(1, 3)], " %")
   ))
 }

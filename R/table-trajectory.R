@@ -141,7 +141,6 @@ print.codend_trajectory <- function(x, ...) {
     "  More: summary(), as.data.frame(), state_at(), measures(state_at())",
     sep = "\n"
   ))
-  cat("\n")
   invisible(x)
 }
 
@@ -186,20 +185,26 @@ summary.codend_trajectory <- function(object, ...) {
   })
   n <- length(object$time)
   structure(do.call(rbind, rows), class = c("codend_trajectory_summary", "data.frame"),
+    main = printed_measures(measures(state_at(object, object$time[n]))),
     energy = c(imbalance = object$conditions$energy_imbalance[n],
       put_through = object$conditions$energy_put_through[n]))
 }
 
+#' @rdname summary.codend_trajectory
+#' @param x A summary.
+#' @param n Largest number of printed lines. `Inf` prints all measures.
 #' @export
-print.codend_trajectory_summary <- function(x, ...) {
-    number <- c("start", "end", "least", "least_at_s", "greatest", "greatest_at_s")
-  columns <- c(
-    list(c("", label_of(x$measure, x$unit))), list(c("", x$unit)),
-    lapply(number, function(name) c(gsub("_at_s", " at s", name), figures(x[[name]])))
-  )
-  cat(align_columns(columns, left = 1:2), sep = "\n")
-  cat("\n")
+print.codend_trajectory_summary <- function(x, n = 30, ...) {
+  main <- attr(x, "main")
   energy <- attr(x, "energy")
+  table <- rows_in_units(x[order(!x$measure %in% main), ], units_option())
+  number <- c("start", "end", "least", "least_at_s", "greatest", "greatest_at_s")
+  columns <- c(
+    list(c("", label_of(table$measure, table$unit))), list(c("", table$unit)),
+    lapply(number, function(name) c(gsub("_at_s", " at s", name), figures(table[[name]])))
+  )
+  lines <- align_columns(columns, left = 1:2)
+  cat(lines[1L], limited_lines(lines[-1L], n - 2), sep = "\n")
   if (!is.null(energy)) {
     with_plain_numbers(cat(sprintf("Energy: %s J %s by the scheme, of %s J put through\n",
       format(signif(abs(energy[["imbalance"]]), 3)),

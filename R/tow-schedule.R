@@ -96,7 +96,8 @@ schedule_text <- function(value) {
   }
   if (is.data.frame(value)) {
     value <- with_named_units(value, function(name) c(time = "time", value = "angle")[name], "")
-    rows <- paste(value$value, "at", value$time)
+    time <- if (is.numeric(value$time)) paste(value$time, "s") else value$time
+    rows <- paste(value$value, "at", time)
     rows <- if (length(rows) > 4L) c(rows[1L], "...", rows[length(rows)]) else rows
     return(paste(rows, collapse = ", "))
   }

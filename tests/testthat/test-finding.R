@@ -314,3 +314,11 @@ test_that("settle() warns about Reynolds numbers outside the screen model's rang
   solidity <- 2 * 1.8 / 16 - (1.8 / 16)^2
   expect_equal(found$value, 0.01 * 1.8e-3 / si$water$viscosity / (1 - solidity), tolerance = 0.02)
 })
+
+test_that("findings() without warnings prints one sentence", {
+  found <- findings(read_gear("towed_cable"))
+  expect_s3_class(found, "data.frame")
+  expect_identical(capture.output(print(found)),
+    "No warnings: everything is within practice and tests.")
+  expect_output(print(found["check"]), "check")
+})

@@ -192,7 +192,7 @@ test_that("optima have a print, a summary and plots", {
   found <- optimise_gear(towed_sphere(), ~ total_drag / towing.speed, ~ depth <= "9.9 m",
     list(towing.speed = c("1 m/s", "3 m/s")))
   expect_output(print(found), "total_drag/towing.speed: 94.59 before")
-  expect_output(print(summary(found)), "Force balance")
+  expect_output(print(summary(found)), "Drag by component")
   expect_picture(found)
   expect_error(plot(found, file = "a.txt"), class = "codend_error_file")
 })

@@ -10,7 +10,7 @@ test_that("summary() of a gear lists the masses of its plan", {
   expect_equal(sum(parts$mass_kg[parts$group == "netting"]), sum(found$netting$mass_kg))
   totals <- found$totals
   expect_equal(totals$mass_kg[totals$group == "total"], sum(parts$mass_kg))
-  expect_output(print(found), "otter board +2 +9000")
+  expect_output(print(found, n = Inf), "otter board +2 +9000")
 })
 
 test_that("summary() of a gear has the weight in water of the state", {

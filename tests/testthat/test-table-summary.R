@@ -12,7 +12,7 @@ test_that("summary() of a state returns the printed values", {
 
 test_that("summary() prints plain aligned text without colours", {
   state <- shipped_state("midwater_trawl")
-  lines <- capture.output(shown <- withVisible(print(summary(state))))
+  lines <- capture.output(shown <- withVisible(print(summary(state), n = Inf)))
   expect_false(shown$visible)
   expect_false(any(cli::ansi_has_any(lines)))
   for (title in c("Measures", "Drag by component", "Highest rope tensions",
@@ -49,4 +49,14 @@ test_that("summary() lists slack netting in percent", {
   slack$slack_percent <- 0
   expect_equal(slack_lines(slack), "  All twine carries tension.")
   expect_null(slack_lines(slack[0, ]))
+})
+
+test_that("summary() prints whole sections that fit and counts the others", {
+  found <- summary(shipped_state("midwater_trawl"))
+  short <- capture.output(print(found))
+  whole <- capture.output(print(found, n = Inf))
+  expect_lte(length(short), 30)
+  expect_true("Drag by component" %in% short)
+  titles <- function(lines) sum(!startsWith(lines[-(1:2)], " ") & nzchar(lines[-(1:2)]))
+  expect_match(short[length(short)], paste("and", titles(whole) - titles(short), "more sections"))
 })
