@@ -112,6 +112,23 @@ print.codend_measures <- function(x, n = 29, ...) {
   invisible(x)
 }
 
+measures_in_units <- function(measures, preferred) {
+  from <- attr(measures, "unit")
+  to <- displayed_units(from, preferred)
+  names <- with_other_unit(names(measures), from, to)
+  ratio <- unit_ratio(from, to)
+  of <- function(name) setNames(attr(measures, name), names)
+  measures_of(setNames(plain_measures(measures) * ratio, names), setNames(to, names), of("kind"),
+    of("error") * ratio, of("main"))
+}
+
+unit_ratio <- function(from, to) {
+  as.double(mapply(function(from, to) if (from == to) 1 else unit_size(from) / unit_size(to),
+    from, to))
+}
+
+in_preferred_units <- function(measures) measures_in_units(measures, units_option())
+
 # Sorts the measures for short prints to the front.
 main_first <- function(measures) {
   measures[order(!names(measures) %in% printed_measures(measures))]

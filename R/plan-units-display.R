@@ -106,7 +106,7 @@ quantity_text <- function(value, dimension, given = NULL) {
 }
 
 # Returns the unit that prints show instead of `unit`.
-shown_unit <- function(unit) displayed_units(unit, units_option())
+printed_unit <- function(unit) displayed_units(unit, units_option())
 
 # Returns a column of numbers in `unit` as text in the unit that prints show.
-shown_figures <- function(x, unit) column_figures(in_unit(from_unit(x, unit), shown_unit(unit)))
+printed_figures <- function(x, unit) column_figures(in_unit(from_unit(x, unit), printed_unit(unit)))

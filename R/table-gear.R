@@ -98,15 +98,15 @@ part_totals <- function(parts) {
 print.codend_gear_summary <- function(x, n = 30, ...) {
   parts <- x$parts
   amounts <- function(table) {
-    list(shown_figures(table$mass_kg, "kg"), shown_figures(table$weight_in_water_kN, "kN"))
+    list(printed_figures(table$mass_kg, "kg"), printed_figures(table$weight_in_water_kN, "kN"))
   }
   none <- rep("", nrow(x$totals))
   lines <- align_columns(Map(c,
-    list("", "number", paste("length", shown_unit("m")), paste("mass", shown_unit("kg")),
-      paste("weight in water", shown_unit("kN"))),
+    list("", "number", paste("length", printed_unit("m")), paste("mass", printed_unit("kg")),
+      paste("weight in water", printed_unit("kN"))),
     c(
       list(parts$part, format(parts$number),
-        ifelse(is.na(parts$length_m), "", shown_figures(parts$length_m, "m"))),
+        ifelse(is.na(parts$length_m), "", printed_figures(parts$length_m, "m"))),
       amounts(parts)
     ),
     c(list(x$totals$group, none, none), amounts(x$totals))

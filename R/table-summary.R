@@ -127,11 +127,11 @@ measure_lines <- function(measures) {
     left = c(1L, 3L, 4L))
 }
 
-forces_text <- function(kilonewtons) paste(shown_figures(kilonewtons, "kN"), shown_unit("kN"))
+forces_text <- function(kilonewtons) paste(printed_figures(kilonewtons, "kN"), printed_unit("kN"))
 
 # Returns the column of a table of forces, with its heading.
 force_column <- function(name, kilonewtons) {
-  c(paste(name, shown_unit("kN")), shown_figures(kilonewtons, "kN"))
+  c(paste(name, printed_unit("kN")), printed_figures(kilonewtons, "kN"))
 }
 
 drag_lines <- function(totals) {
@@ -212,11 +212,11 @@ slack_lines <- function(slack) {
 balance_lines <- function(balance) {
   remainder <- balance$force == "remainder"
   shown <- function(column) {
-    forces <- in_unit(from_unit(balance[[column]], "kN"), shown_unit("kN"))
+    forces <- in_unit(from_unit(balance[[column]], "kN"), printed_unit("kN"))
     c(column_figures(forces[!remainder]), formatC(forces[remainder], format = "e", digits = 1))
   }
   align_columns(list(
-    c(shown_unit("kN"), gsub("_", " ", balance$force)),
+    c(printed_unit("kN"), gsub("_", " ", balance$force)),
     c("x (aft)", shown("x_kN")), c("y (starboard)", shown("y_kN")), c("z (up)", shown("z_kN"))
   ))
 }

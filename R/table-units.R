@@ -44,23 +44,6 @@ in_units.codend_state <- function(x, ...) in_units(measures(x), ...)
 #' @export
 in_units.codend_trajectory <- function(x, ...) in_units(as.data.frame(x, what = "measures"), ...)
 
-measures_in_units <- function(measures, preferred) {
-  from <- attr(measures, "unit")
-  to <- displayed_units(from, preferred)
-  names <- with_other_unit(names(measures), from, to)
-  ratio <- unit_ratio(from, to)
-  of <- function(name) setNames(attr(measures, name), names)
-  measures_of(setNames(plain_measures(measures) * ratio, names), setNames(to, names), of("kind"),
-    of("error") * ratio, of("main"))
-}
-
-unit_ratio <- function(from, to) {
-  as.double(mapply(function(from, to) if (from == to) 1 else unit_size(from) / unit_size(to),
-    from, to))
-}
-
-in_preferred_units <- function(measures) measures_in_units(measures, units_option())
-
 # Columns of long tables in the unit of their row.
 columns_in_unit <- c(
   "value", "error", "lower", "upper", "begun", "start", "end", "least", "median", "largest",
