@@ -31,13 +31,13 @@ free_field <- function(gear, paths, range, what) {
   if (is_distribution(range)) {
     if (range$kind == "normal") {
       prior <- numbers_in_units(range$numbers, range)
-      field$prior <- vapply(prior, range_end, 0, field = field, what = what)
+      field$prior <- vapply(prior, range_end, 0, field = field)
     }
     range <- numbers_in_units(distribution_ends(range), range)
   }
   range <- given_value(range, name)
   note_bare_numbers(gear$plan, setNames(list(unlist(range)), paths[1L]))
-  ends <- vapply(as.list(range), range_end, 0, field = field, what = what)
+  ends <- vapply(as.list(range), range_end, 0, field = field)
   if (length(ends) != 2L || !(ends[1L] < ends[2L])) {
     said <- paste(unlist(range), collapse = ", ")
     abort_argument("{.arg {what}} has the range {.val {said}} for {.field {name}}; it must be two
@@ -77,23 +77,11 @@ numbers_in_units <- function(numbers, of) {
   as.list(paste(with_plain_numbers(vapply(numbers, format, "", digits = 15)), of$unit))
 }
 
-range_end <- function(end, field, what) {
-  value <- NA_real_
-  if (is.numeric(end)) {
-    value <- as.double(end)
-    if (!field$whole && nzchar(field$unit)) value <- in_unit(value, plain_unit(field$unit))
-  } else if (is_text(end) && field$whole) {
-    value <- suppressWarnings(as.double(end))
-  } else if (is_text(end)) {
-    dimension <- first_of(field$dimension, "number")
-    if (!is.na(dimension)) value <- quantity_si(end, dimension)
-    if (!is.na(value) && nzchar(field$unit)) value <- in_unit(value, plain_unit(field$unit))
-  }
-  if (length(value) != 1L || is.na(value)) {
-    abort_argument("{.arg {what}} has the value {.val {end}} for {.field {field$name}}; it must be a
-      number{if (field$whole) ' without a unit' else ' or a string with a unit'}.")
-  }
-  value
+# Returns an end of a range in the unit of its field.
+range_end <- function(end, field) {
+  dimension <- if (field$whole || is.na(field$dimension)) "number" else field$dimension
+  value <- quantity_number(end, dimension, field$name)
+  if (field$whole || !nzchar(field$unit)) value else in_unit(value, plain_unit(field$unit))
 }
 
 # Returns a number as the plan value of a field.

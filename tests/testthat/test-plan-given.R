@@ -271,7 +271,8 @@ test_that("other functions accept units objects for their quantities", {
     gear_si(new_plan("gillnet", depth = "20 m"))$seabed$depth)
 })
 
-# Returns all quantities with a unit in the shipped plans: data frame of gear, path, text, dimension.
+# Returns all quantities with a unit in the shipped plans: a data frame of gear, path, text and
+# dimension.
 shipped_quantities <- function() {
   do.call(rbind, lapply(names(shipped_plans()), function(name) {
     leaves <- plan_leaves(read_gear(name)$plan)
@@ -326,6 +327,15 @@ test_that("a wrong dimension is an error with field, value and units", {
       expect_match(said, names(plan_units[[one$dimension]])[1L], fixed = TRUE)
     }
   }
+})
+
+test_that("ends of ranges are errors with field, value and units", {
+  range <- function(ends) {
+    optimise_gear("towed_cable", ~ total_drag, change = list(ropes.cable.length = ends))
+  }
+  expect_wrong(range(c("800 kg", "1500 kg")),
+    "`ropes.cable.length` is 800 kg; it must be a length \\(units: m,")
+  expect_wrong(range(c(TRUE, FALSE)), "`ropes.cable.length` is yes; it must be a length")
 })
 
 test_that("a number for a field in knot gives one message per session", {
