@@ -1,4 +1,4 @@
-study_actions <- c("new", "run", "status", "table", "effects", "pairs", "indices", "plot")
+study_actions <- c("new", "run", "status", "table", "errors", "effects", "pairs", "indices", "plot")
 
 run_study_command <- function(given, options) {
   action <- given[1L]
@@ -38,7 +38,7 @@ run_study_command <- function(given, options) {
       found <- read_study(store)
       what <- c(effects = "fields", pairs = "pairs", indices = "indices")[action]
       if (!is.na(what)) found <- effects(found, parts_of(options$measures), what)
-      give_csv(found, options$out)
+      give_csv(if (action == "errors") errors(found) else found, options$out)
     }
   )
 }

@@ -198,8 +198,8 @@ effects_study <- function(x, measures, groups) {
   check_count("groups", groups, 2)
   measures <- changing_measures(x, measures)
   report_unsettled(x)
-  whole <- x$settled & stats::complete.cases(as.data.frame(unclass(x)[measures]))
-  rows <- as.data.frame(unclass(x), optional = TRUE)[whole, ]
+  table <- as.data.frame(x, wide = TRUE)
+  rows <- table[table$settled & stats::complete.cases(table[measures]), ]
   fields <- Filter(function(field) length(unique(rows[[field]])) > 1L, variations_fields(x))
   if (!length(fields)) {
     abort_argument("No field of {.arg object} changes among the settled designs.")
@@ -237,6 +237,7 @@ report_unsettled <- function(x) {
 summary.codend_variations <- function(object, ...) {
   known <- changing_measures(object, NULL)
   study <- attr(object, "study")
+  error <- errors(object)
   table <- data.frame(
     measure = known, unit = vapply(known, function(name) variations_unit(object, name), ""),
     t(vapply(known, function(name) {
@@ -244,7 +245,7 @@ summary.codend_variations <- function(object, ...) {
       c(
         least = min(value, na.rm = TRUE), median = stats::median(value, na.rm = TRUE),
         largest = max(value, na.rm = TRUE),
-        error = stats::median(as.double(object[[error_columns(name)]]), na.rm = TRUE)
+        error = stats::median(as.double(error[[name]]), na.rm = TRUE)
       )
     }, numeric(4))), row.names = NULL
   )

@@ -1,15 +1,69 @@
+# Tables of results of studies, and `tidy()` of all results.
+
 #' @rdname codend_tidy
 #' @exportS3Method generics::tidy
-tidy.codend_calibration <- function(x, conf.int = FALSE, conf.level = 0.95, ...) {
+tidy.codend_state <- function(x, ...) as.data.frame(x, ...)
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_trajectory <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_variations <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_sensitivities <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_effects <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_pair_effects <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_sobol_indices <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_uncertainty <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_calibration <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_posterior <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_optimum <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_found <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @exportS3Method generics::tidy
+tidy.codend_trade_off <- tidy.codend_state
+
+# ---- calibrations and optima ---------------------------------------------------------------------
+
+#' @rdname codend_tidy
+#' @export
+as.data.frame.codend_calibration <- function(x, row.names = NULL, optional = FALSE, level = 0.95,
+                                             ...) {
+  ends <- confint(x, level = level, method = "normal")
   fields <- x$fields
-  table <- data.frame(
-    term = fields$field, estimate = fields$value, unit = fields$unit, std.error = fields$error
-  )
-  if (conf.int) {
-    ends <- confint(x, level = conf.level, method = "normal")
-    table[c("conf.low", "conf.high")] <- list(unname(ends[, 1L]), unname(ends[, 2L]))
-  }
-  cbind(table, at = fields$at)
+  with_row_names(data.frame(
+    fields[c("field", "value", "error", "unit")], lower = unname(ends[, 1L]),
+    upper = unname(ends[, 2L]), fields[c("begun", "at")]
+  ), row.names)
 }
 
 #' @rdname codend_tidy
@@ -45,17 +99,18 @@ augment.codend_calibration <- function(x, newdata = NULL, ...) {
 }
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
-tidy.codend_posterior <- function(x, conf.level = 0.95, ...) {
-  check_level(conf.level)
+#' @export
+as.data.frame.codend_posterior <- function(x, row.names = NULL, optional = FALSE, level = 0.95,
+                                           wide = optional, ...) {
+  if (wide) return(with_row_names(plain_table(x), row.names))
+  check_level(level)
   chain <- attr(x, "chain")
-  draws <- as.list(x)[chain$field]
+  draws <- unclass(x)[chain$field]
   end <- function(share) unname(vapply(draws, stats::quantile, 0, probs = share))
-  data.frame(
-    term = chain$field, estimate = chain$mean, unit = chain$unit, std.error = chain$sd,
-    conf.low = end((1 - conf.level) / 2), conf.high = end((1 + conf.level) / 2),
-    effective = chain$effective
-  )
+  with_row_names(data.frame(
+    field = chain$field, value = chain$mean, error = chain$sd, unit = chain$unit,
+    lower = end((1 - level) / 2), upper = end((1 + level) / 2), effective = chain$effective
+  ), row.names)
 }
 
 #' @rdname codend_tidy
@@ -67,13 +122,10 @@ glance.codend_posterior <- function(x, ...) {
 }
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
-tidy.codend_optimum <- function(x, ...) {
-  fields <- x$fields
-  data.frame(
-    term = fields$field, estimate = fields$value, unit = fields$unit, begun = fields$begun,
-    low = fields$lower, high = fields$upper, at = fields$at
-  )
+#' @export
+as.data.frame.codend_optimum <- function(x, row.names = NULL, optional = FALSE, ...) {
+  columns <- c("field", "value", "error", "unit", "lower", "upper", "begun", "at")
+  with_row_names(cbind(x$fields, error = NA_real_)[columns], row.names)
 }
 
 #' @rdname codend_tidy
@@ -87,19 +139,42 @@ glance.codend_optimum <- function(x, ...) {
   )
 }
 
+# ---- variations ----------------------------------------------------------------------------------
+
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
-tidy.codend_variations <- function(x, ...) {
-  table <- unclass(x)
-  fields <- as.data.frame(table[variations_fields(x)], optional = TRUE)
+#' @export
+as.data.frame.codend_variations <- function(x, row.names = NULL, optional = FALSE,
+                                            wide = optional, ...) {
+  if (wide) return(with_row_names(plain_table(x), row.names))
+  error <- errors(x)
   known <- variations_measures(x)
-  row <- rep(seq_len(nrow(x)), length(known))
-  data.frame(
-    design = attr(x, "study")$design[row], fields[row, , drop = FALSE],
-    term = rep(known, each = nrow(x)), estimate = as.double(unlist(table[known])),
-    unit = rep(vapply(known, function(name) variations_unit(x, name), ""), each = nrow(x)),
-    error = as.double(unlist(table[error_columns(known)])), row.names = NULL, check.names = FALSE
-  )
+  unit <- vapply(known, function(name) variations_unit(x, name), "")
+  with_row_names(long_table(x, variations_fields(x), known, error[known], unit), row.names)
+}
+
+# Rows are found by their fields, because other packages sort and select rows without the errors.
+#' @export
+errors.codend_variations <- function(x) {
+  known <- attr(x, "errors")
+  fields <- attr(x, "fields")
+  if (is.null(known) || !all(fields %in% names(x))) {
+    abort_argument("{.arg x} lacks the fields or errors of its designs; use the result of
+      {.fn vary}.")
+  }
+  key <- function(table) do.call(paste, c(unname(unclass(table)[fields]), sep = "\r"))
+  found <- table_rows(known, match(key(x), key(known)))
+  derived <- setdiff(variations_measures(x), names(known))
+  found[derived] <- rep(list(rep(NA_real_, nrow(x))), length(derived))
+  found[c(fields, variations_measures(x))]
+}
+
+#' @export
+`[.codend_variations` <- function(x, ...) {
+  some <- NextMethod()
+  if (!is.data.frame(some)) return(some)
+  kept <- c("gear_name", "unit", "fields", "main", "errors", "study")
+  attributes(some)[kept] <- attributes(x)[kept]
+  some
 }
 
 #' @rdname codend_tidy
@@ -110,14 +185,47 @@ glance.codend_variations <- function(x, ...) {
 }
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
-tidy.codend_found <- function(x, ...) as.data.frame(x)
-
-#' @rdname codend_tidy
 #' @exportS3Method generics::glance
 glance.codend_found <- function(x, ...) {
   data.frame(
     name = x$gear$plan$name, reached = all(x$targets$reached), n_solves = x$n_solves,
     nodes = x$state$mesh$nodes
   )
+}
+
+# ---- other studies -------------------------------------------------------------------------------
+
+#' @rdname codend_tidy
+#' @export
+as.data.frame.codend_sensitivities <- function(x, row.names = NULL, optional = FALSE, ...) {
+  with_row_names(plain_table(x), row.names)
+}
+
+#' @rdname codend_tidy
+#' @export
+as.data.frame.codend_effects <- as.data.frame.codend_sensitivities
+
+#' @rdname codend_tidy
+#' @export
+as.data.frame.codend_pair_effects <- as.data.frame.codend_sensitivities
+
+#' @rdname codend_tidy
+#' @export
+as.data.frame.codend_sobol_indices <- as.data.frame.codend_sensitivities
+
+#' @rdname codend_tidy
+#' @export
+as.data.frame.codend_uncertainty <- function(x, row.names = NULL, optional = FALSE, ...) {
+  with_row_names(x$measures, row.names)
+}
+
+#' @rdname codend_tidy
+#' @export
+as.data.frame.codend_trade_off <- function(x, row.names = NULL, optional = FALSE, wide = optional,
+                                           ...) {
+  if (wide) return(with_row_names(plain_table(x), row.names))
+  objectives <- names(attr(x, "objectives"))
+  fields <- setdiff(names(x), c(objectives, "kept", "optimal"))
+  table <- long_table(x, fields, objectives, NA_real_, rep("", length(objectives)))
+  with_row_names(data.frame(table, kept = x$kept, optimal = x$optimal, check.names = FALSE), row.names)
 }

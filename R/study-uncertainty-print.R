@@ -78,6 +78,3 @@ next_measurement_lines <- function(x, name) {
     if (length(others)) paste0("  next: ", paste(others, collapse = ", "))
   ))
 }
-
-#' @export
-as.data.frame.codend_uncertainty <- function(x, ...) x$measures

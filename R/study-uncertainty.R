@@ -388,7 +388,7 @@ sample_measures <- function(state, sources, correlation, samples, of) {
   }
   designs <- structure(columns, class = "data.frame", row.names = seq_len(samples))
   found <- vary(state$gear, designs, nodes = state$mesh$counts$asked$nodes)
-  as.matrix(as.data.frame(found)[found$settled, of, drop = FALSE])
+  as.matrix(as.data.frame(found, wide = TRUE)[found$settled, of, drop = FALSE])
 }
 
 # Returns list(sd (of the draws), low, high). The interval includes an independent normal error with

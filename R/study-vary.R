@@ -56,13 +56,13 @@
 #'
 #'   - the fields, named by path and unit (`towing.speed_knot`). The unit is the one common to all
 #'     given values, else the SI unit.
+#'   - the [measures()], `NA` if the gear did not settle or lacks the measure. [errors()] returns
+#'     their estimated errors. As a fraction, an error equals the error of the gear itself.
 #'   - `settled`: `TRUE` if the gear settled. `problem`: otherwise the reason, such as inconsistent
 #'     plan values or no convergence.
-#'   - `error.` and the name of each measure (`error.total_drag_kN`): the estimated error of the
-#'     measure. As a fraction, it equals the error of the gear itself (see [measures()]).
 #'   - `warning`: text of warnings from [settle()], such as a stalled board.
-#'   - the [measures()], `NA` if the gear did not settle or lacks the measure.
 #'
+#'   `as.data.frame()` returns a long table, a row per design and measure ([codend_tidy]).
 #'   A wrong field or value raises an error of class `codend_error_plan` that names the design,
 #'   before any gear is settled. Wrong arguments raise `codend_error_argument`. A design that does
 #'   not settle does not raise an error.
@@ -243,13 +243,20 @@ row_text <- function(design, found, mark = NULL) {
     sprintf("%s:[%s,%s,%s]", vapply(names(units), text, ""), number(values),
       vapply(units, text, ""), number(unname(attr(found$measures, "error"))))
   }
-  row <- sprintf("{\"design\":%d,%s\"problem\":%s,\"warning\":%s,\"measures\":{%s}}",
-    as.integer(design), if (is.null(mark)) "" else sprintf("\"study\":\"%s\",", mark),
-    text(found$problem), text(found$warning), paste(parts, collapse = ","))
+  main <- vapply(if (length(values)) printed_measures(found$measures), text, "")
+  entries <- c(
+    sprintf("\"design\":%d", as.integer(design)),
+    if (!is.null(mark)) sprintf("\"study\":\"%s\"", mark),
+    sprintf("\"problem\":%s,\"warning\":%s", text(found$problem), text(found$warning)),
+    sprintf("\"main\":[%s]", paste(main, collapse = ",")),
+    sprintf("\"measures\":{%s}", paste(parts, collapse = ","))
+  )
+  row <- sprintf("{%s}", paste(entries, collapse = ","))
   if (is.null(mark)) row else sealed_json(row)
 }
 
-# Returns list(design, problem, warning, measures and error (rows x measures), unit), sorted.
+# Returns list(design, problem, warning, measures and error (rows x measures), unit, main (names of
+# the main measures)), sorted.
 read_rows <- function(text) {
   rows <- lapply(text, jsonlite::fromJSON, simplifyVector = FALSE)
   design <- vapply(rows, function(row) as.integer(row$design), 0L)
@@ -270,28 +277,26 @@ read_rows <- function(text) {
   }
   list(
     design = sort(design), problem = said("problem"), warning = said("warning"), measures = values,
-    error = errors, unit = unit
+    error = errors, unit = unit, main = as.character(unique(unlist(lapply(rows, `[[`, "main"))))
   )
 }
-
-error_columns <- function(measures) if (length(measures)) paste0("error.", measures)
 
 # Returns the result of `vary()` for the finished rows.
 study_table <- function(study, rows) {
   designs <- study$designs
   fields <- field_columns(designs, study$gear)
-  errors <- rows$error
-  colnames(errors) <- error_columns(colnames(errors))
-  table <- data.frame(
-    fields$values[rows$design, , drop = FALSE], settled = is.na(rows$problem),
-    problem = rows$problem, errors, warning = rows$warning, rows$measures,
-    row.names = NULL, check.names = FALSE
-  )
-  structure(table, class = c("codend_variations", "data.frame"), gear_name = study$gear$plan$name,
-    unit = c(fields$unit, rows$unit), study = list(
+  values <- fields$values[rows$design, , drop = FALSE]
+  with_designs <- function(...) data.frame(values, ..., row.names = NULL, check.names = FALSE)
+  structure(
+    with_designs(rows$measures, settled = is.na(rows$problem), problem = rows$problem,
+      warning = rows$warning),
+    class = c("codend_variations", "data.frame"), gear_name = study$gear$plan$name,
+    unit = c(fields$unit, rows$unit), fields = names(values), main = rows$main,
+    errors = with_designs(rows$error), study = list(
       how = attr(designs, "how"), number = attr(designs, "number"), design = rows$design,
       designs = nrow(designs), factors = attr(designs, "factors")
-    ))
+    )
+  )
 }
 
 # Returns a function(done) that shows a progress bar after two seconds, or reports to progressr.

@@ -40,18 +40,18 @@
 #' @param x A state.
 #' @param row.names `NULL` (default) or names for the rows.
 #' @param optional Not used.
-#' @param what Name of the table, by default `"tensions"`. Give it by name, as `what = "drag"`. The
+#' @param what Name of the table, by default `"measures"`. Give it by name, as `what = "drag"`. The
 #'   section "Tables" describes them.
 #' @param ... Not used.
 #'
 #' @section Tables:
+#' - `"measures"`: `measure`, `value`, discretisation `error` and `unit` ([measures()]).
 #' - `"tensions"`: one row per bar and per twine family in every netting cell. Columns: `part`,
 #'   `kind` (rope or netting), `role`, `element` (number of the bar or cell), `family` (bar, u or v;
 #'   straight in hexagonal meshes). Then follow the middle `x_m`, `y_m`, `z_m`, `length_m` and
 #'   `tension_kN` of one line, `lines` (number of parallel lines) and `slack` (no tension).
 #' - `"nodes"`: `node`, `x_m`, `y_m`, `z_m`, `parts` (ropes and panels that meet there) and `held`
 #'   (fixed nodes).
-#' - `"measures"`: `measure`, `value`, `unit` and discretisation `error` ([measures()]).
 #' - `"drag"`: one row per rope, panel and piece, and for catch in netting, with the hydrodynamic
 #'   force on it. Further rows are listed below. Columns: `part`, `kind`, `role`, `drag_kN` (along
 #'   the flow), `side_kN` (to starboard), `lift_kN` (up) and `weight_in_water_kN` (weight minus
@@ -103,13 +103,13 @@
 #' as.data.frame(settle(flown), what = "boards")
 #' @export
 as.data.frame.codend_state <- function(x, row.names = NULL, optional = FALSE,
-                                       what = c("tensions", "nodes", "measures", "drag",
+                                       what = c("measures", "tensions", "nodes", "drag",
                                                 "pieces", "boards", "reactions"), ...) {
-  tables <- c("tensions", "nodes", "measures", "drag", "pieces", "boards", "reactions")
+  tables <- c("measures", "tensions", "nodes", "drag", "pieces", "boards", "reactions")
   table <- switch(chosen(what, tables),
+    measures = measure_table(x),
     tensions = line_table(x),
     nodes = node_table(x),
-    measures = measure_table(x),
     drag = drag_table(x),
     pieces = piece_table(x),
     boards = board_table(x),

@@ -1,33 +1,53 @@
-#' Tidy tables of results
+#' Convert results to tables
 #'
-#' Methods for `tidy()`, `glance()` and `augment()` of the package \pkg{generics}, which \pkg{broom}
-#' and \pkg{parsnip} also export. They are available if generics, broom or parsnip is installed.
+#' `as.data.frame()` and `tidy()` of a result return the same table, with one row per value.
+#' `glance()` returns one row. `augment()` adds the results of a calibration to its data.
 #'
-#' @param x A state ([settle()]), trajectory ([tow()]), sensitivities ([sensitivities()]),
-#'   calibration ([calibrate()]), posterior ([sample_posterior()]), optimum ([optimise_gear()]),
-#'   found values ([find_value()]) or variations ([vary()]).
-#' @param conf.int `TRUE` adds `conf.low` and `conf.high`, the ends of a confidence interval from
-#'   the covariance.
-#' @param conf.level Probability of the interval.
+#' `tidy()`, `glance()` and `augment()` are generics of the package \pkg{generics}, which
+#' \pkg{broom} and \pkg{parsnip} also export. They are available if one of these is installed.
+#'
+#' @param x A state ([settle()]), trajectory ([tow()]), variations ([vary()]), sensitivities
+#'   ([sensitivities()]), effects ([effects()][effects.codend_variations]), uncertainty
+#'   ([uncertainty()]), calibration ([calibrate()]), posterior ([sample_posterior()]), optimum
+#'   ([optimise_gear()]), found values ([find_value()]) or trade-off ([trade_off()]).
+#' @param row.names,optional As in [as.data.frame()]. `optional` is `TRUE` in calls by
+#'   [data.frame()] and [cbind()].
+#' @param wide `TRUE` returns a column for each measure or field: the columns of `x` itself. This
+#'   is the default in calls by [data.frame()] and [cbind()].
+#' @param level Probability of the interval between `lower` and `upper`. Default 0.95.
 #' @param newdata Rows to predict, as in [predict()][calibration_methods]. `NULL` uses the data of
 #'   the calibration.
-#' @param ... Not used.
-#' @return A data frame. `tidy()` has `term`, `estimate` and `unit`, with one row per
+#' @param ... Arguments of `as.data.frame()`, such as `what` of a
+#'   [state][as.data.frame.codend_state] or a [trajectory][as.data.frame.codend_trajectory].
+#' @return A data frame, see the sections below.
 #'
-#'   - measure of a state, with `error`, the estimated discretisation error (not a standard error);
-#'   - measure and time of a trajectory, with `time` in s;
-#'   - measure and field of sensitivities, with `term` the field, `measure`, `elasticity` and
-#'     `smooth`;
-#'   - field of a calibration, with `std.error`, and `at`, the bound that the field has reached;
-#'   - field of a posterior: its mean, with `std.error` (standard deviation), `conf.low`,
-#'     `conf.high` (quantiles) and `effective` (effective number of independent draws);
-#'   - field of an optimum, with `begun` (initial value), `low` and `high` (bounds) and `at`;
-#'   - field of found values, with the columns of `fields` of [find_value()];
-#'   - design and measure of variations, with the number of the `design`, its fields and `error`.
+#'   `augment()` of a calibration has one row per haul and match: its data, `.match`, `.measured`,
+#'   `.fitted`, `.resid` and `.std.resid`. With `newdata` it has the predictions `.fitted`,
+#'   `.se.fit`, `.lower` and `.upper`.
 #'
-#'   `glance()` has one row, see below. `augment()` of a calibration has one row per haul and match:
-#'   its data, `.match`, `.measured`, `.fitted`, `.resid` and `.std.resid`. With `newdata` it has
-#'   the predictions `.fitted`, `.se.fit`, `.lower` and `.upper`.
+#' @section Tables of measures:
+#' One row per measure. Columns: `measure`, `value`, `error` (estimated discretisation error) and
+#' `unit`. Other columns come first:
+#'
+#' - Trajectory: `time_s`.
+#' - Variations: the fields of the design, named by path and unit.
+#' - Trade-off: the fields. `measure` is the name of an objective; its `error` is `NA`. The last
+#'   columns are `kept` and `optimal`.
+#' - Uncertainty: `error` is the combined standard uncertainty, `lower` and `upper` are the ends of
+#'   its interval. The last columns are its parts, see [uncertainty()].
+#' - Sensitivities and effects: the columns of the object itself.
+#'
+#' @section Tables of fields:
+#' One row per field. Columns: `field`, `value`, `error`, `unit`, `lower` and `upper`.
+#'
+#' - Calibration: `error` is the standard error. `lower` and `upper` are the ends of a confidence
+#'   interval from the covariance. `begun` is the initial value. `at` names the bound that the field
+#'   has reached.
+#' - Posterior: `value` is the mean, `error` the standard deviation. `lower` and `upper` are
+#'   quantiles. `effective` is the effective number of independent draws.
+#' - Found values: `fields` of [find_value()].
+#' - Optimum: `error` is `NA`, `lower` and `upper` are the ends of the range. `begun` and `at` are
+#'   as above.
 #'
 #' @section Columns of `glance()`:
 #' - State: `name`, `nodes`, `ropes`, `panels`, `pieces`, `converged`, `iterations`, `residual`
@@ -43,39 +63,71 @@
 #' - Variations: `name`, `designs`, `done`, `settled` and `warned`.
 #'
 #' @name codend_tidy
-#' @seealso [as.data.frame()][as.data.frame.codend_state], [measures()], [calibration_methods].
+#' @seealso [errors()] for errors of measures in a wide table, [measures()], [calibration_methods].
+#' @examples
+#' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"))
+#' found$total_drag_kN
+#' subset(as.data.frame(found), measure == "total_drag_kN")
 #' @examplesIf requireNamespace("generics", quietly = TRUE)
-#' state <- settle("towed_cable")
-#' generics::tidy(state)
-#' generics::glance(state)
+#' generics::tidy(found)
+#' generics::glance(found)
 NULL
 
-#' @rdname codend_tidy
-#' @exportS3Method generics::tidy
-tidy.codend_state <- function(x, ...) {
-  table <- measure_table(x)
+#' Return the errors of measures
+#'
+#' `errors()` returns the estimated discretisation errors of measures, in the shape of the measures
+#' themselves.
+#'
+#' @param x Measures ([measures()]), a state ([settle()]) or variations ([vary()], [read_study()]).
+#' @return For measures and states: numbers named by measure, in the unit of the measure; `NA` if
+#'   unknown. For variations: a data frame with a row per design. Columns: the fields of the design,
+#'   then an error for each measure, under the name of the measure.
+#'
+#'   An object without errors raises an error of class `codend_error_argument`.
+#' @seealso [measures()], [uncertainty()] for all other sources of error, [codend_tidy].
+#' @export
+#' @examples
+#' errors(settle("towed_cable"))
+#' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"))
+#' errors(found)$total_drag_kN / found$total_drag_kN
+errors <- function(x) {
+  check_given("x")
+  UseMethod("errors")
+}
+
+#' @export
+errors.default <- function(x) {
+  abort_argument("{.arg x} is {describe_value(x)}; it must be measures, a state or variations.")
+}
+
+#' @export
+errors.codend_measures <- function(x) attr(x, "error")
+
+#' @export
+errors.codend_state <- function(x) errors(measures(x))
+
+# ---- tables --------------------------------------------------------------------------------------
+
+# Returns a long table of a wide one: the columns `fields`, measure, value, error and unit. error: a
+# list by measure, or one value for all.
+long_table <- function(x, fields, measures, error, unit) {
+  x <- unclass(x)
+  n <- length(attr(x, "row.names"))
+  row <- rep(seq_len(n), length(measures))
   data.frame(
-    term = table$measure, estimate = table$value, unit = table$unit, error = table$error
+    lapply(x[fields], `[`, row), measure = rep(measures, each = n),
+    value = as.double(unlist(x[measures])), error = as.double(unlist(error)),
+    unit = rep(unname(unit), each = n), check.names = FALSE
   )
 }
 
-#' @rdname codend_tidy
-#' @exportS3Method generics::tidy
-tidy.codend_trajectory <- function(x, ...) {
-  table <- as.data.frame.codend_trajectory(x, what = "measures")
-  data.frame(
-    time = table$time_s, term = table$measure, estimate = table$value, unit = table$unit
-  )
+# Returns a data frame of the columns alone, without other classes and attributes.
+plain_table <- function(x) {
+  structure(as.list(unclass(x))[names(x)], class = "data.frame",
+    row.names = attr(x, "row.names"), names = names(x))
 }
 
-#' @rdname codend_tidy
-#' @exportS3Method generics::tidy
-tidy.codend_sensitivities <- function(x, ...) {
-  data.frame(
-    term = x$field, measure = x$measure, estimate = x$derivative, unit = x$derivative_unit,
-    elasticity = x$elasticity, smooth = x$smooth
-  )
-}
+# ---- one row -------------------------------------------------------------------------------------
 
 #' @rdname codend_tidy
 #' @exportS3Method generics::glance

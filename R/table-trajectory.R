@@ -38,12 +38,14 @@
 #' @param optional Not used.
 #' @param what Name of the table, by default `"measures"`. Give it by name, as `what = "nodes"`:
 #'
-#'   - `"measures"`: `measure`, `value` and `unit` ([measures()] at every time).
+#'   - `"measures"`: `measure`, `value`, `error` and `unit` ([measures()] at every time).
 #'   - `"conditions"`: the motion of the vessel and the warp lengths from the schedule.
 #'   - `"tensions"`: `part`, `kind`, `role`, `max_kN` and `mean_kN`, the largest and mean tension of
 #'     one line.
 #'   - `"nodes"`: `node` and its position over the ground, `x_m`, `y_m`, `z_m`.
 #'   - `"swept"`: `distance_m`, `swept_volume_m3` and `swept_area_m2` since the start, see below.
+#' @param wide `TRUE` returns the table `"measures"` with one row per time and a column for each
+#'   measure. Default `FALSE`.
 #' @param ... Not used.
 #'
 #' @section Swept volume and area:
@@ -65,10 +67,10 @@
 #' @export
 as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALSE,
                                             what = c("measures", "conditions", "tensions", "nodes",
-                                              "swept"), ...) {
+                                              "swept"), wide = FALSE, ...) {
   what <- chosen(what, c("measures", "conditions", "tensions", "nodes", "swept"))
   table <- switch(what,
-    measures = by_time(x, function(k) measure_table(state_at(x, x$time[k]))),
+    measures = measures_by_time(x, wide),
     conditions = condition_units(x$conditions),
     swept = swept_table(x),
     tensions = by_time(x, function(k) part_tensions(x, k)),
@@ -80,6 +82,15 @@ as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALS
     })
   )
   with_row_names(table, row.names)
+}
+
+measures_by_time <- function(trajectory, wide) {
+  table <- by_time(trajectory, function(k) measure_table(state_at(trajectory, trajectory$time[k])))
+  if (!wide) return(table)
+  columns <- lapply(split(table, factor(table$measure, unique(table$measure))), function(of) {
+    of$value[match(trajectory$time, of$time_s)]
+  })
+  data.frame(time_s = trajectory$time, columns, check.names = FALSE)
 }
 
 by_time <- function(trajectory, table_at) {

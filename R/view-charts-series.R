@@ -172,8 +172,10 @@ variations_unit <- function(x, column) {
 
 drawn_ways <- c("random", "latin", "sobol", "indices")
 
-variations_fields <- function(x) names(x)[seq_len(match("settled", names(x)) - 1L)]
-variations_measures <- function(x) names(x)[-seq_len(match("warning", names(x)))]
+variations_fields <- function(x) intersect(attr(x, "fields"), names(x))
+variations_measures <- function(x) {
+  setdiff(names(x), c(attr(x, "fields"), "settled", "problem", "warning"))
+}
 
 has_response_curves <- function(x) {
   isTRUE(attr(x, "study")$how %in% c(drawn_ways, "one_at_a_time")) &&

@@ -38,7 +38,7 @@ test_that("hung panel has the weight of its twines as reaction", {
   expect_equal(as.data.frame(state, what = "reactions")$z_kN, weight / 1000, tolerance = 1e-7)
   # Each of 8 rows transfers half of its weight to the nodes above it. From the upper row, 40 twines
   # carry 15/16 of the weight, from the lowest 1/16.
-  lengthwise <- as.data.frame(state)
+  lengthwise <- as.data.frame(state, what = "tensions")
   lengthwise <- lengthwise[lengthwise$family == "v", ]
   row <- cut(-lengthwise$z_m, seq(0, 3, by = 0.375))
   by_row <- rowsum(lengthwise$tension_kN * lengthwise$lines, row) / rowsum(lengthwise$lines, row)

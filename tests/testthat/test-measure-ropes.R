@@ -1,7 +1,7 @@
 test_that("tensions_along() starts at a rope's start and covers its length", {
   state <- settled("crossing_cables")
   x <- tensions_along(state)
-  rows <- as.data.frame(state)
+  rows <- as.data.frame(state, what = "tensions")
   rope <- "south_1"
   mine <- x[x$rope == rope, ]
   table <- rows[rows$part == rope, ]

@@ -6,9 +6,12 @@ study_of <- function(designs, f, failed = integer()) {
   n <- nrow(table)
   settled <- !seq_len(n) %in% failed
   structure(
-    data.frame(table, settled = settled, problem = ifelse(settled, NA, "did not settle"),
-      warning = NA_character_, drag_kN = value, constant_m = 3, check.names = FALSE),
+    data.frame(table, drag_kN = value, constant_m = 3, settled = settled,
+      problem = ifelse(settled, NA, "did not settle"), warning = NA_character_,
+      check.names = FALSE),
     class = c("codend_variations", "data.frame"), gear_name = "A function",
+    fields = names(table), main = "drag_kN",
+    errors = data.frame(table, drag_kN = 0.1, constant_m = 0, check.names = FALSE),
     unit = c(drag_kN = "kN", constant_m = "m"), study = list(
       how = attr(designs, "how"), number = attr(designs, "number"), design = seq_len(n),
       designs = n, factors = attr(designs, "factors")

@@ -1,6 +1,6 @@
 test_that("tensions table has a row per bar and per cell family", {
   state <- settled("midwater_trawl", nodes = 500, netting = "cells")
-  table <- as.data.frame(state)
+  table <- as.data.frame(state, what = "tensions")
   bars <- length(engine_array(state, "bars", "rest"))
   expect_equal(nrow(table), bars + 2 * length(engine_array(state, "cells", "rest")))
   expect_named(table, c("part", "kind", "role", "element", "family", "x_m", "y_m", "z_m",
@@ -13,7 +13,7 @@ test_that("tensions table has a row per bar and per cell family", {
 test_that("table has the midpoint and length of each line", {
   for (netting in c("cells", "bars")) {
     state <- settled("panel_in_current", nodes = 200, netting = netting)
-    table <- as.data.frame(state)
+    table <- as.data.frame(state, what = "tensions")
     bars <- table[table$family == "bar", ]
     ends <- array(state_points(state)[, engine_array(state, "bars", "node")], c(3, 2, nrow(bars)))
     middles <- t(as.matrix(bars[c("x_m", "y_m", "z_m")]))

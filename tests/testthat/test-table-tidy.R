@@ -1,21 +1,29 @@
-test_that("tidy() and glance() of a state return measures and one row", {
+test_that("as.data.frame() and tidy() of a state return the same measures", {
   state <- settled("towed_cable", nodes = 300)
-  table <- tidy.codend_state(state)
-  expect_identical(table$estimate, as.double(measures(state)))
-  expect_identical(table$term, names(measures(state)))
+  table <- as.data.frame(state)
+  found <- measures(state)
+  expect_identical(table, data.frame(measure = names(found), value = as.double(found),
+    error = unname(attr(found, "error")), unit = unname(attr(found, "unit"))))
+  expect_identical(tidy.codend_state(state), table)
+  expect_identical(errors(state), setNames(table$error, table$measure))
+  expect_wrong(errors(1), "measures, a state or variations")
   row <- glance.codend_state(state)
   expect_identical(nrow(row), 1L)
   expect_true(row$converged)
   expect_identical(row$nodes, nrow(as.data.frame(state, what = "nodes")))
 })
 
-test_that("tidy() covers trajectories and sensitivities", {
+test_that("as.data.frame() of a trajectory returns long and wide tables", {
   state <- settled("towed_cable", nodes = 300)
   trajectory <- tow(state, until = 4, every = 2,
     schedule = tow_schedule(speed = data.frame(time = c(0, 2), value = c("4 knot", "4.5 knot"))))
   table <- tidy.codend_trajectory(trajectory)
-  now <- table[table$time == 4, ]
-  expect_identical(now$estimate, as.double(measures(state_at(trajectory, 4))))
+  expect_named(table, c("time_s", "measure", "value", "error", "unit"))
+  now <- measures(state_at(trajectory, 4))
+  expect_identical(table$value[table$time_s == 4], as.double(now))
+  wide <- as.data.frame(trajectory, wide = TRUE)
+  expect_identical(wide$time_s, trajectory$time)
+  expect_equal(unlist(wide[wide$time_s == 4, -1]), plain_measures(now))
   row <- glance.codend_trajectory(trajectory)
   expect_identical(row[c("times", "until", "end")],
     data.frame(times = 3L, until = 4, end = "reached"))
@@ -23,26 +31,29 @@ test_that("tidy() covers trajectories and sensitivities", {
   expect_lt(abs(row$energy_imbalance), 0.02)
 
   slopes <- sensitivities(state, to = "towing.speed", secants = FALSE)
-  expect_identical(tidy.codend_sensitivities(slopes)$estimate, slopes$derivative)
+  expect_identical(tidy.codend_sensitivities(slopes)$derivative, slopes$derivative)
+  expect_identical(class(as.data.frame(slopes)), "data.frame")
 })
 
 test_that("generics package dispatches to the tidy methods", {
   skip_if_not_installed("generics")
   state <- settled("towed_cable", nodes = 300)
-  expect_identical(generics::tidy(state), tidy.codend_state(state))
+  expect_identical(generics::tidy(state), as.data.frame(state))
   expect_identical(generics::glance(state), glance.codend_state(state))
 })
 
-test_that("tidy() covers a calibration and its posterior", {
+test_that("as.data.frame() of a calibration and its posterior returns fields", {
   runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
   fit <- calibrate("towed_cable", runs, nodes = 20, match = Drag ~ total_drag_kN,
     change = list(ropes.cable.diameter = c("10 mm", "30 mm")))
-  table <- tidy.codend_calibration(fit, conf.int = TRUE, conf.level = 0.9)
-  expect_identical(table$term, "ropes.cable.diameter")
-  expect_identical(table$estimate, unname(coef(fit)))
-  expect_identical(table$std.error, sqrt(diag(unname(vcov(fit)))))
+  table <- as.data.frame(fit, level = 0.9)
+  expect_named(table, c("field", "value", "error", "unit", "lower", "upper", "begun", "at"))
+  expect_identical(table$field, "ropes.cable.diameter")
+  expect_identical(table$value, unname(coef(fit)))
+  expect_identical(table$error, sqrt(diag(unname(vcov(fit)))))
   # Student's t of five rows and one field
-  expect_equal(table$conf.high - table$estimate, qt(0.95, 4) * table$std.error, tolerance = 1e-12)
+  expect_equal(table$upper - table$value, qt(0.95, 4) * table$error, tolerance = 1e-12)
+  expect_identical(tidy.codend_calibration(fit), as.data.frame(fit))
   row <- glance.codend_calibration(fit)
   expect_equal(row$AIC, AIC(fit))
   expect_identical(row[c("nobs", "df.residual")], data.frame(nobs = 5L, df.residual = 3L))
@@ -55,9 +66,11 @@ test_that("tidy() covers a calibration and its posterior", {
 
   skip_if_not_installed("mcmc")
   draws <- suppressWarnings(sample_posterior(fit, draws = 20, begin = 10))
-  table <- tidy.codend_posterior(draws, conf.level = 0.5)
-  expect_identical(table$estimate, mean(draws[[1]]))
-  expect_identical(table$conf.low, unname(quantile(draws[[1]], 0.25)))
+  table <- as.data.frame(draws, level = 0.5)
+  expect_identical(names(table)[1:6], c("field", "value", "error", "unit", "lower", "upper"))
+  expect_identical(table$value, mean(draws[[1]]))
+  expect_identical(table$lower, unname(quantile(draws[[1]], 0.25)))
+  expect_identical(dim(as.data.frame(draws, wide = TRUE)), c(20L, 1L))
   expect_identical(glance.codend_posterior(draws)$draws, 20L)
 })
 
@@ -70,23 +83,46 @@ test_that("tidy() and glance() return the fields and targets of find_value()", {
     data.frame(reached = found$targets$reached, n_solves = found$n_solves))
 })
 
-test_that("tidy() covers an optimum and variations", {
+test_that("as.data.frame() of an optimum returns its fields", {
   best <- optimise_gear("towed_cable", minimise = ~ total_drag, nodes = 20,
     change = list(ropes.cable.length = c("900 m", "1100 m")))
   table <- tidy.codend_optimum(best)
-  expect_identical(table[c("term", "estimate", "at")], data.frame(term = "ropes.cable.length",
-    estimate = best$fields$value, at = "lower"))
+  expect_identical(table, data.frame(field = "ropes.cable.length", value = best$fields$value,
+    error = NA_real_, unit = "m", lower = 900, upper = 1100, begun = 1000, at = "lower"))
   row <- glance.codend_optimum(best)
   expect_true(row$kept && row$converged)
   expect_lt(row$value, row$begun)
+})
 
+test_that("as.data.frame() of variations returns a row per design and measure", {
   found <- vary("towed_cable", towing.speed = c("3 knot", "4 knot"), nodes = 20)
-  table <- tidy.codend_variations(found)
-  drag <- table[table$term == "total_drag_kN", ]
-  expect_identical(drag$estimate, found$total_drag_kN)
+  table <- as.data.frame(found)
+  expect_named(table, c("towing.speed_knot", "measure", "value", "error", "unit"))
+  drag <- table[table$measure == "total_drag_kN", ]
+  expect_identical(drag$value, found$total_drag_kN)
   expect_identical(drag$towing.speed_knot, c(3, 4))
-  expect_identical(drag$error, found$error.total_drag_kN)
+  expect_identical(drag$error, errors(found)$total_drag_kN)
   expect_identical(unique(drag$unit), "kN")
+  expect_identical(tidy.codend_variations(found), table)
   expect_identical(glance.codend_variations(found)[c("designs", "settled")],
     data.frame(designs = 2L, settled = 2L))
+  # base functions keep the wide shape
+  expect_identical(dim(cbind(found, crew = 1:2)), dim(found) + 0:1)
+  expect_identical(transform(found, twice = 2 * total_drag_kN)$twice, 2 * found$total_drag_kN)
+})
+
+test_that("errors() of variations follow their rows and columns", {
+  found <- vary("towed_cable", towing.speed = c("3 knot", "4 knot", "5 knot"), nodes = 20)
+  whole <- errors(found)
+  expect_identical(names(whole), setdiff(names(found), c("settled", "problem", "warning")))
+  sorted <- found[c(3, 1), ]
+  expect_identical(errors(sorted)$total_drag_kN, whole$total_drag_kN[c(3, 1)])
+  # other packages sort rows and keep the attributes
+  attributes(sorted)$row.names <- 1:2
+  expect_identical(errors(sorted)$towing.speed_knot, c(5, 3))
+  some <- found[c("towing.speed_knot", "total_drag_kN")]
+  expect_identical(errors(some), whole[names(some)])
+  some$share <- some$total_drag_kN / 20
+  expect_identical(errors(some)$share, rep(NA_real_, 3))
+  expect_wrong(errors(found["total_drag_kN"]), "lacks the fields or errors")
 })
