@@ -131,14 +131,14 @@ key_names <- function(names) {
 # Returns "90 %: 4.5 to 6.6" or "" for each measure. factor: to preferred units.
 interval_cells <- function(uncertainty, names, factor, say) {
   table <- uncertainty$measures[match(names, uncertainty$measures$measure), ]
-  known <- which(table$uncertainty > 0)
+  known <- which(table$error > 0)
   text <- rep("", length(names))
-  ends <- lapply(table[known, c("low", "high")], function(end) {
-    interval_ends(end * factor[known], table$uncertainty[known] * factor[known])
+  ends <- lapply(table[known, c("lower", "upper")], function(end) {
+    interval_ends(end * factor[known], table$error[known] * factor[known])
   })
   text[known] <- mapply(function(low, high) {
     say("interval", level = 100 * uncertainty$level, low = low, high = high)
-  }, ends$low, ends$high)
+  }, ends$lower, ends$upper)
   text
 }
 

@@ -59,14 +59,14 @@ sensitivity_columns <- function(slopes) {
 
 uncertainty_columns <- function(uncertainty) {
   table <- uncertainty$measures
-  table <- table[table$uncertainty > 0, ]
-  ends <- lapply(table[c("low", "high")], interval_ends, table$uncertainty)
-  interval <- paste(ends$low, "to", ends$high)
+  table <- table[table$error > 0, ]
+  ends <- lapply(table[c("lower", "upper")], interval_ends, table$error)
+  interval <- paste(ends$lower, "to", ends$upper)
   c(
     list(` measure` = label_of(table$measure, table$unit), value = figures(table$value),
       ` unit` = table$unit),
     setNames(list(interval), sprintf("%g %% interval", 100 * uncertainty$level)),
-    list("standard uncer\u00adtainty" = vapply(signif(table$uncertainty, 2), format, "",
+    list("standard uncer\u00adtainty" = vapply(signif(table$error, 2), format, "",
       scientific = FALSE))
   )
 }
@@ -74,7 +74,7 @@ uncertainty_columns <- function(uncertainty) {
 # Returns the contribution of each group of sources to the variance of a measure [%].
 budget_columns <- function(uncertainty) {
   table <- uncertainty$measures
-  table <- table[table$uncertainty > 0, ]
+  table <- table[table$error > 0, ]
   percent <- round(group_percent(table))
   columns <- lapply(names(group_words), function(group) {
     ifelse(percent[, group] > 0, percent[, group], "")

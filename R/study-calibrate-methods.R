@@ -22,9 +22,10 @@
 #'     likelihood does not exclude is returned unchanged.
 #'   - `fitted()` and `residuals()`: a numeric vector, one value per row of `matched`.
 #'   - `predict()`: a data frame, one row per match and row of `newdata`. Columns: `row`, `match`,
-#'     `fit`, `error`, `low`, `high` and `measured`. `error` is the standard error of the fit from
-#'     the covariance. `low` and `high` are the interval of a new haul, including the error of the
-#'     match. `measured` is `NA` if `newdata` lacks its columns. Rows that do not settle are `NA`.
+#'     `fit`, `error`, `lower`, `upper` and `measured`. `error` is the standard error of the fit
+#'     from the covariance. `lower` and `upper` are the interval of a new haul, including the error
+#'     of the match. `measured` is `NA` if `newdata` lacks its columns. Rows that do not settle are
+#'     `NA`.
 #'   - `logLik()`: the log-likelihood; its degrees of freedom count the fields and the estimated
 #'     errors. `nobs()`: the number of matched values.
 #'
@@ -209,7 +210,7 @@ predict.codend_calibration <- function(object, newdata = NULL, level = 0.95, ...
     error <- sqrt(rowSums((by %*% covariance) * by))
     wide <- reach * sqrt(error^2 + object$match$error[k]^2)
     table <- data.frame(row = seq_along(fit), match = one$text, fit = fit, error = error,
-      low = fit - wide, high = fit + wide)
+      lower = fit - wide, upper = fit + wide)
     left <- str2lang(one$text)
     known <- all(all.vars(left) %in% names(newdata))
     table$measured <- if (known) {
@@ -235,25 +236,29 @@ with_mean_correction <- function(cases, others) {
 #' @rawNamespace S3method(base::"$",codend_calibration)
 `$.codend_calibration` <- result_element
 
+#' @rdname calibrate
+#' @param x A calibration.
+#' @param n Largest number of fields and of matches to print. Default 10. `Inf` prints all.
+#' @param ... Not used.
 #' @export
-print.codend_calibration <- function(x, ...) {
+print.codend_calibration <- function(x, n = 10, ...) {
+  check_rows(n)
   cat("Calibration of \"", x$gear$plan$name, "\" to ", nrow(x$task$data), " rows",
     if (length(x$conditions)) paste0(" by ", paste(x$conditions, collapse = ", ")), "\n", sep = "")
   fields <- x$fields
-  cat_columns(list(
-    paste0("  ", fields$field), sensitivity_digits(fields$value), fields$unit,
+  cat_rows(list(
+    paste0("  ", field_labels(fields$field)), sure_digits(fields$value, fields$error),
     ifelse(is.na(fields$error), "", paste("+-", sensitivity_digits(signif(fields$error, 2)))),
-    ifelse(is.na(fields$mesh), "", paste("mesh", sensitivity_digits(signif(fields$mesh, 2)))),
-    paste("from", sensitivity_digits(fields$begun)),
+    fields$unit, paste0("(", sensitivity_digits(fields$begun), " before)"),
     ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
-  ), left = c(1L, 3L, 7L))
+  ), c(1L, 3L, 4L, 6L), n, "field")
   match <- x$match
-  cat_columns(list(
-    paste0("  ", match$text), paste(match$hauls, "hauls"),
-    paste("off by", sensitivity_digits(match$rms)), paste("before",
-      sensitivity_digits(match$rms_begun)),
-    paste("mean", sensitivity_digits(match$bias))
-  ))
+  cat("  Root mean square of the residuals\n")
+  cat_rows(list(
+    paste0("  ", match$text), sensitivity_digits(match$rms),
+    paste0("(", sensitivity_digits(match$rms_begun), " before)"),
+    paste("mean", sensitivity_digits(match$bias)), paste(match$hauls, "hauls")
+  ), 1L, n, "match")
   cat("  ", if (x$converged) "converged" else "not converged", ", ", x$n_solves,
     " gears settled, the last with ", mesh_size_text(x$nodes, x$accuracy), "\n", sep = "")
   invisible(x)

@@ -35,12 +35,14 @@
 #' @param ... Not used.
 #' @return A data frame that [plot()][codend_charts] draws. Its columns depend on `what`:
 #'
-#'   - `"fields"`: `measure`, `unit`, `field`, `value` (mean of the group's values, or their text),
-#'     `mean`, `designs` (count) and `spread`.
-#'   - `"pairs"`: `measure`, `unit`, `field`, `other` and `spread`, the largest first. The attribute
+#'   - `"fields"`: `field`, `level` (mean of the group's values, or their text), `measure`, `value`
+#'     (mean of the measure), `unit`, `designs` (count) and `spread`.
+#'   - `"pairs"`: `field`, `other`, `measure`, `spread` and `unit`, the largest first. The attribute
 #'     `means` has the means of all pairs of groups.
-#'   - `"indices"`: `measure`, `field`, `first` and `total`, each with `_low` and `_high`, and
-#'     `designs` (number of base samples).
+#'   - `"indices"`: `field`, `index` (`"first"` or `"total"`), `measure`, `value`, the ends `lower`
+#'     and `upper` of its interval, and `designs` (number of base samples).
+#'
+#'   `print()` returns `x`, invisibly.
 #'
 #'   Designs that did not settle are left out with a warning of class `codend_warning_study`. Wrong
 #'   arguments raise an error of class `codend_error_argument`.
@@ -72,15 +74,15 @@ main_effects <- function(x, measures, groups) {
       group <- study$group[[field]]
       mean <- as.vector(tapply(study$x[[name]], group, mean))
       data.frame(
-        measure = name, unit = variations_unit(x, name), field = field,
-        value = group_values(study, field), mean = mean, designs = as.vector(table(group)),
+        field = field, level = group_values(study, field), measure = name, value = mean,
+        unit = variations_unit(x, name), designs = as.vector(table(group)),
         spread = diff(range(mean)), row.names = NULL
       )
     }))
   })
   # If one field is text, `rbind()` converts the whole column to text.
   structure(do.call(rbind, rows), class = c("codend_effects", "data.frame"),
-    gear_name = attr(x, "gear_name"), unit = attr(x, "unit"))
+    gear_name = attr(x, "gear_name"), unit = attr(x, "unit"), main = attr(x, "main"))
 }
 
 pair_effects <- function(x, measures, groups) {
@@ -99,8 +101,8 @@ pair_effects <- function(x, measures, groups) {
       beyond <- as.vector(tapply(value, both, mean))[both] - mean(value) - own[[pair[1L]]] -
         own[[pair[2L]]]
       data.frame(
-        measure = name, unit = variations_unit(x, name), field = pair[1L], other = pair[2L],
-        spread = sqrt(mean(beyond^2))
+        field = pair[1L], other = pair[2L], measure = name, spread = sqrt(mean(beyond^2)),
+        unit = variations_unit(x, name)
       )
     }))
     found[order(-found$spread), ]
@@ -110,7 +112,7 @@ pair_effects <- function(x, measures, groups) {
     do.call(rbind, lapply(pairs, pair_means, study = study, name = name))
   }))
   structure(found, class = c("codend_pair_effects", "data.frame"), means = means,
-    gear_name = attr(x, "gear_name"), unit = attr(x, "unit"))
+    gear_name = attr(x, "gear_name"), unit = attr(x, "unit"), main = attr(x, "main"))
 }
 
 # Returns means by pairs of groups: measure, field, other, value, other_value (text), mean.
@@ -165,14 +167,13 @@ sobol_indices <- function(x, measures, confidence, resamples, seed) {
     }, found))
     ends <- apply(drawn, 1:2, stats::quantile, c(1 - confidence, 1 + confidence) / 2, na.rm = TRUE)
     data.frame(
-      measure = name, field = fields,
-      first = found[, 1L], first_low = ends[1L, , 1L], first_high = ends[2L, , 1L],
-      total = found[, 2L], total_low = ends[1L, , 2L], total_high = ends[2L, , 2L],
+      field = fields, index = rep(c("first", "total"), each = length(fields)), measure = name,
+      value = as.vector(found), lower = as.vector(ends[1L, , ]), upper = as.vector(ends[2L, , ]),
       designs = nrow(value), row.names = NULL
     )
   })
   structure(do.call(rbind, rows), class = c("codend_sobol_indices", "data.frame"),
-    gear_name = attr(x, "gear_name"), confidence = confidence,
+    gear_name = attr(x, "gear_name"), confidence = confidence, main = attr(x, "main"),
     measure_unit = vapply(setNames(nm = measures), variations_unit, "", x = x))
 }
 
@@ -249,28 +250,29 @@ summary.codend_variations <- function(object, ...) {
       )
     }, numeric(4))), row.names = NULL
   )
-  problems <- sort(table(object$problem), decreasing = TRUE)
   structure(
     list(
       name = attr(object, "gear_name"), designs = first_of(study$designs, nrow(object)),
       done = nrow(object), settled = sum(object$settled), warned = sum(!is.na(object$warning)),
-      measures = table,
-      problems = data.frame(problem = as.character(names(problems)), designs = as.integer(problems))
+      measures = table, main = attr(object, "main"),
+      problems = counted_problems(object$problem)
     ),
     class = "codend_study_summary"
   )
 }
 
 #' @export
-print.codend_study_summary <- function(x, ...) {
+print.codend_study_summary <- function(x, n = most_rows, ...) {
+  check_rows(n)
   cat(x$designs, " designs of \"", x$name, "\": ", x$done, " done, ", x$settled, " settled, ",
     x$warned, " with a warning\n", sep = "")
+  shown <- x$measures$measure
+  if (is.finite(n)) shown <- some_measures(structure(list(), main = x$main), shown)
+  table <- x$measures[match(shown, x$measures$measure), ]
   columns <- c("least", "median", "largest", "error")
-  cells <- lapply(x$measures[columns], figures)
-  cat_columns(c(list(c("", label_of(x$measures$measure, x$measures$unit))),
-    Map(c, columns, cells), list(c("", x$measures$unit))), left = c(1L, 6L))
-  if (nrow(x$problems)) {
-    cat("not settled:\n", sprintf("  %d  %s\n", x$problems$designs, x$problems$problem), sep = "")
-  }
+  cat_columns(c(list(c("", label_of(table$measure, table$unit))),
+    Map(c, columns, lapply(table[columns], figures)), list(c("", table$unit))), left = c(1L, 6L))
+  cat_more(c(measure = nrow(x$measures) - nrow(table)))
+  cat_counted_problems(x$problems)
   invisible(x)
 }

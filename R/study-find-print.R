@@ -46,6 +46,3 @@ not_reached_text <- function(x) {
 
 #' @rawNamespace S3method(base::"$",codend_found)
 `$.codend_found` <- result_element
-
-#' @export
-as.data.frame.codend_found <- function(x, row.names = NULL, optional = FALSE, ...) x$fields

@@ -6,29 +6,35 @@ spread_text <- function(error) {
 #' @rawNamespace S3method(base::"$",codend_optimum)
 `$.codend_optimum` <- result_element
 
+#' @rdname optimise_gear
+#' @param x An optimum.
+#' @param n Largest number of fields and of conditions to print. Default 10. `Inf` prints all.
+#' @param ... Not used.
 #' @export
-print.codend_optimum <- function(x, ...) {
+print.codend_optimum <- function(x, n = 10, ...) {
+  check_rows(n)
   objective <- x$objective
   cat("Optimum of \"", x$gear$plan$name, "\"\n", sep = "")
   cat("  ", objective$text, ": ", sensitivity_digits(objective$begun), " before, ",
-    sensitivity_digits(objective$value),
+    sure_digits(objective$value, objective$error),
     spread_text(objective$error), " now (",
     with_plain_numbers(sprintf("%+.1f %%", -100 * objective$saving)), ")\n", sep = "")
   fields <- x$fields
-  cat_columns(list(
-    paste0("  ", fields$field), sensitivity_digits(fields$begun), rep("to", nrow(fields)),
-    sensitivity_digits(fields$value), fields$unit,
+  cat_rows(list(
+    paste0("  ", field_labels(fields$field)), sensitivity_digits(fields$begun),
+    rep("to", nrow(fields)), sensitivity_digits(fields$value), fields$unit,
     ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
-  ), left = c(1L, 3L, 5L, 6L))
-  for (k in seq_len(nrow(x$keep))) {
+  ), c(1L, 3L, 5L, 6L), n, "field")
+  for (k in seq_len(min(n, nrow(x$keep)))) {
     keep <- x$keep[k, ]
-    cat("  ", keep$text, ": ", sensitivity_digits(keep$left), spread_text(keep$error), " and ",
-      sensitivity_digits(keep$right),
+    cat_wrapped(keep$text, ": ", sure_digits(keep$left, keep$error), spread_text(keep$error),
+      " and ", sensitivity_digits(keep$right),
       if (!keep$holds) ", NOT MET" else if (keep$active) {
         paste0(", at its limit", if (!keep$sure) " within its error", "; ",
           sensitivity_digits(keep$price), " % of the objective per % of the limit")
-      } else if (!keep$sure) ", within twice its error of the limit", "\n", sep = "")
+      } else if (!keep$sure) ", within twice its error of the limit")
   }
+  cat_more(c(condition = nrow(x$keep) - n))
   cat("  ", if (x$optimal) "a local optimum" else "not optimal", ": ",
     if (!all(x$keep$holds)) "not all conditions are met, and ", "first-order optimality ",
     sensitivity_digits(100 * x$optimality), " % of the objective per range of a field",

@@ -101,13 +101,28 @@ chain_figures <- function(draws, unit) {
   )
 }
 
+#' @rdname sample_posterior
+#' @param x A posterior.
+#' @param n Largest number of fields to print. Default 20. `Inf` prints all.
+#' @param ... Not used.
 #' @export
-print.codend_posterior <- function(x, ...) {
+print.codend_posterior <- function(x, n = most_rows, ...) {
+  check_rows(n)
   chain <- attr(x, "chain")
   cat(nrow(x), " draws, ", format(round(100 * attr(x, "accepted"))), " % of proposals accepted\n",
     sep = "")
-  chain[-(1:2)] <- lapply(chain[-(1:2)], signif, 4)
-  chain$effective <- round(chain$effective)
-  print(chain, row.names = FALSE)
+  rows <- utils::head(chain, n)
+  quantiles <- lapply(rows[c("q5", "q50", "q95")], sure_digits, rows$sd)
+  cat_headed(c(
+    list(
+      headed("field", NULL, field_labels(rows$field)),
+      headed("mean", NULL, sure_digits(rows$mean, rows$sd)),
+      headed("standard deviation", NULL, sensitivity_digits(signif(rows$sd, 2))),
+      headed("unit", NULL, rows$unit)
+    ),
+    Map(headed, c("5 %", "50 %", "95 %"), list(NULL), quantiles),
+    list(headed("effective draws", NULL, format(round(rows$effective))))
+  ), 1L, all = TRUE)
+  cat_more(c(field = nrow(chain) - n))
   invisible(x)
 }

@@ -1,53 +1,66 @@
+# Prints of sensitivities.
+
+# Smallest elasticity in prints, % per %.
+smallest_elasticity <- 0.01
+
+#' @rdname sensitivities
+#' @param x Sensitivities.
+#' @param n Number of fields to print. Default 20. `Inf` prints all fields and all measures.
+#' @param ... Not used.
 #' @export
-print.codend_sensitivities <- function(x, ...) {
-  shown <- intersect(c("measure", "field", "derivative", "derivative_unit", "elasticity", "smooth"),
-    names(x))
+print.codend_sensitivities <- function(x, n = most_rows, ...) {
+  check_rows(n)
   # A subset of the columns prints as a plain data frame.
-  if (length(shown) < 6L) {
-    print(as.data.frame(unclass(x)), ...)
+  if (!all(c("measure", "field", "value", "unit", "elasticity", "smooth") %in% names(x))) {
+    print(as.data.frame(x), ...)
     return(invisible(x))
   }
-  cat("Sensitivities of ", length(unique(x$measure)), " measures to ", length(unique(x$field)),
-    " fields",
-    if (!is.null(attr(x, "gear_name"))) paste0(" of \"", attr(x, "gear_name"), "\""), "\n",
-    sep = "")
-  for (field in unique(x$field)) {
-    rows <- x[x$field == field & is.finite(x$derivative) & x$derivative != 0, ]
-    if (!nrow(rows)) next
-    value <- with_plain_numbers(format(signif(rows$value[1L], 6)))
-    cat("\n", field, " (", trimws(paste(value, rows$unit[1L])), ")\n", sep = "")
-    rows <- rows[order(-abs(rows$elasticity)), ]
-    cat_columns(list(
-      rows$measure, sensitivity_digits(rows$derivative), rows$derivative_unit,
-      ifelse(is.na(rows$elasticity), "", sprintf("%+.3f %% per %%", rows$elasticity)),
-      ifelse(rows$smooth, "", kink_text(rows))
-    ), left = c(1L, 3L, 5L))
+  cat_wrapped("Sensitivities of \"", attr(x, "gear_name"),
+    "\", % of the measure per % of the field", indent = 0L)
+  shown <- printed_columns(x, n)
+  size <- ifelse(is.na(x$elasticity), 0, abs(x$elasticity))
+  large <- x$measure %in% shown & (size >= smallest_elasticity | is.infinite(n))
+  most <- tapply(ifelse(large, size, -1), factor(x$field, unique(x$field)), max)
+  fields <- names(most)[order(-most)]
+  fields <- fields[most[fields] >= 0]
+  small <- list(fields = setdiff(names(most), fields), measures = setdiff(shown, x$measure[large]))
+  if (length(fields)) {
+    kept <- x[x$field %in% fields & !x$measure %in% small$measures, ]
+    kept <- kept[order(match(kept$field, fields)), ]
+    cat_by_measure(kept, kept$field, function(rows) {
+      list(headed("field", NULL, field_labels(kept$field[rows])))
+    }, function(rows) elasticity_text(kept[rows, ]), n, "field", units = FALSE)
+    if (!all(kept$smooth[kept$measure %in% shown])) {
+      cat("  * not smooth: other values at 1 % less and 1 % more, see `secant_below`\n")
+    }
+  } else {
+    cat("  No field changes these measures by ", smallest_elasticity, " % per % or more.\n", sep = "")
+    return(invisible(x))
   }
-  idle <- idle_fields(x)
-  if (length(idle)) {
-    cat("\n", paste(strwrap(paste("Fields without effect on the measures:",
-      paste(idle, collapse = ", ")), width = 98), collapse = "\n"), "\n", sep = "")
+  for (kind in names(small)) {
+    if (length(small[[kind]])) {
+      cat_wrapped("Below ", smallest_elasticity, " % per %: ", kind, " ",
+        paste(small[[kind]], collapse = ", "))
+    }
   }
   invisible(x)
 }
 
-# Elasticities up to this value are rounding errors.
-least_effect <- 1e-9
+elasticity_text <- function(rows) {
+  text <- paste0(sprintf("%+.2f", rows$elasticity), ifelse(rows$smooth, " ", "*"))
+  text[abs(rows$elasticity) < smallest_elasticity] <- "0 "
+  text[is.na(rows$elasticity)] <- ""
+  text
+}
 
-# Returns the fields that change no measure.
-idle_fields <- function(x) {
-  changes <- is.finite(x$derivative) & x$derivative != 0 &
-    (is.na(x$elasticity) | abs(x$elasticity) > least_effect)
-  setdiff(unique(x$field), x$field[changes])
+# Returns field names of at most 34 characters. Fields that change together have the name of the
+# first.
+field_labels <- function(fields) {
+  name <- sub(" [+] .*", " ...", fields)
+  ifelse(nchar(name) > 34L, paste0("... ", substring(name, nchar(name) - 29L)), name)
 }
 
 # Formats numbers with four digits.
 sensitivity_digits <- function(x) {
   with_plain_numbers(vapply(x, function(one) format(signif(one, 4)), ""))
-}
-
-kink_text <- function(rows) {
-  known <- !is.na(rows$secant_below) & !is.na(rows$secant_above)
-  ifelse(known, sprintf("not smooth: %s below, %s above", sensitivity_digits(rows$secant_below),
-    sensitivity_digits(rows$secant_above)), "not smooth")
 }

@@ -57,6 +57,9 @@
 #'   The attribute `factorisations` counts the matrix factorisations. A field must be a number of
 #'   the plan other than 0, and not only a setting of the mesh (`segments`, `columns`). Other fields
 #'   and wrong arguments raise an error of class `codend_error_argument`.
+#'
+#'   `print()` returns `x`, invisibly. It prints a table of elasticities above 0.01, with fields in
+#'   rows and the main measures in columns.
 #' @seealso [vary()] for large changes, [uncertainty()], [codend_charts].
 #' @export
 #' @examples
@@ -89,7 +92,8 @@ sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
     ),
     class = c("codend_sensitivities", "data.frame"),
     gear_name = state$gear$plan$name, conditions = state_conditions(state),
-    measure_unit = work$units, factorisations = work$cost$factorisations
+    main = printed_measures(measures(state)), measure_unit = work$units,
+    factorisations = work$cost$factorisations
   )
 }
 

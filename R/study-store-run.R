@@ -94,13 +94,12 @@ study_status <- function(store) {
   rows <- read_rows(stored_rows(store))
   times <- file.mtime(c(row_files(store), task_files(store)))
   problem <- rows$problem[!is.na(rows$problem)]
-  counts <- sort(table(sub("(: after|, near|; ).*", "", problem)), decreasing = TRUE)
   structure(
     list(
       store = store, designs = nrow(open_study(store)$designs), done = length(rows$design),
       settled = sum(is.na(rows$problem)), warned = sum(!is.na(rows$warning)),
       last = if (length(times)) max(times, na.rm = TRUE),
-      problems = data.frame(problem = as.character(names(counts)), designs = as.integer(counts))
+      problems = counted_problems(sub("(: after|, near|; ).*", "", problem))
     ),
     class = "codend_study_status"
   )
@@ -111,8 +110,6 @@ print.codend_study_status <- function(x, ...) {
   cat(x$done, " of ", x$designs, " designs done, ", x$settled, " settled, ", x$warned,
     " with a warning\n", sep = "")
   if (!is.null(x$last)) cat("last row ", format(x$last, "%Y-%m-%d %H:%M:%S"), "\n", sep = "")
-  if (nrow(x$problems)) {
-    cat("not settled:\n", sprintf("  %d  %s\n", x$problems$designs, x$problems$problem), sep = "")
-  }
+  cat_counted_problems(x$problems)
   invisible(x)
 }

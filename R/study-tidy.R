@@ -93,8 +93,8 @@ augment.codend_calibration <- function(x, newdata = NULL, ...) {
   }
   found <- predict(x, newdata)
   with_data(newdata, found$row, data.frame(
-    .match = found$match, .fitted = found$fit, .se.fit = found$error, .lower = found$low,
-    .upper = found$high
+    .match = found$match, .fitted = found$fit, .se.fit = found$error, .lower = found$lower,
+    .upper = found$upper
   ))
 }
 
@@ -185,6 +185,12 @@ glance.codend_variations <- function(x, ...) {
 }
 
 #' @rdname codend_tidy
+#' @export
+as.data.frame.codend_found <- function(x, row.names = NULL, optional = FALSE, ...) {
+  with_row_names(x$fields, row.names)
+}
+
+#' @rdname codend_tidy
 #' @exportS3Method generics::glance
 glance.codend_found <- function(x, ...) {
   data.frame(
@@ -227,5 +233,6 @@ as.data.frame.codend_trade_off <- function(x, row.names = NULL, optional = FALSE
   objectives <- names(attr(x, "objectives"))
   fields <- setdiff(names(x), c(objectives, "kept", "optimal"))
   table <- long_table(x, fields, objectives, NA_real_, rep("", length(objectives)))
-  with_row_names(data.frame(table, kept = x$kept, optimal = x$optimal, check.names = FALSE), row.names)
+  table[c("kept", "optimal")] <- list(x$kept, x$optimal)
+  with_row_names(table, row.names)
 }

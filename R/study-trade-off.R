@@ -102,16 +102,28 @@ with_limit <- function(task, objective, limit) {
   task
 }
 
+#' @rdname trade_off
+#' @param x A trade-off.
+#' @param n Number of gears to print. Default 20. `Inf` prints all gears and fields.
+#' @param ... Not used.
 #' @export
-print.codend_trade_off <- function(x, ...) {
-  shown <- as.data.frame(unclass(x), check.names = FALSE)
-  attributes(shown)[c("optima", "objectives", "gear_name")] <- NULL
-  cat("Trade-off of \"", attr(x, "gear_name"), "\": ", paste(attr(x, "objectives"),
-    collapse = " and "),
-    "\n", sep = "")
-  numbers <- vapply(shown, is.double, NA)
-  shown[numbers] <- lapply(shown[numbers], signif, 5)
-  print(shown, row.names = FALSE)
+print.codend_trade_off <- function(x, n = most_rows, ...) {
+  check_rows(n)
+  objectives <- attr(x, "objectives")
+  cat_wrapped("Trade-off of \"", attr(x, "gear_name"), "\" between ",
+    paste(objectives, collapse = " and "), indent = 0L)
+  table <- as.data.frame(utils::head(x, n), wide = TRUE)
+  note <- paste0(ifelse(table$kept, "", "conditions not met "),
+    ifelse(table$optimal, "", "not shown to be optimal"))
+  fields <- setdiff(names(table), c(names(objectives), "kept", "optimal"))
+  units <- vapply(attr(x, "optima")[[1L]]$fields$unit, plain_unit, "", USE.NAMES = FALSE)
+  done <- cat_headed(c(
+    lapply(names(objectives), function(name) headed(name, "", certain_figures(table[[name]]))),
+    if (any(nzchar(note))) list(headed("", NULL, note)),
+    Map(function(name, unit) headed(label_of(name, unit), unit, certain_figures(table[[name]])),
+      fields, units)
+  ), 2L + any(nzchar(note)), is.infinite(n))
+  cat_more(c(gear = nrow(x) - nrow(table), field = length(fields) - done))
   invisible(x)
 }
 

@@ -60,7 +60,7 @@
 #' @return An object of class `codend_uncertainty`, a list:
 #'
 #'   - `measures`: a data frame, one row per `measure`, in its `unit`. `value` is the measure,
-#'     `uncertainty` the combined standard uncertainty, and `low` and `high` are the interval.
+#'     `error` the combined standard uncertainty, and `lower` and `upper` are the interval.
 #'     `coefficients`, `plan`, `conditions`, `mesh` and `model` are the parts of the standard
 #'     uncertainty. `freedom` is the effective number of degrees of freedom, and `smooth` is
 #'     explained in the section on nonlinear sources.
@@ -71,7 +71,8 @@
 #'   - `next_measurement`: a data frame of the three best measurements for each measure.
 #'     `measurement` is the measurement, and `remaining_sd` the standard uncertainty that remains
 #'     with it.
-#'   - `level`, `method`, `gear_name`, `conditions`: settings and labels.
+#'   - `level`, `method`, `gear_name`, `conditions`: settings and labels. `main`: names of the main
+#'     measures, which `print()` lists.
 #'   - `cost`: a list of the numbers of `factorisations` and settled gears (`n_solves`).
 #'
 #'   Wrong arguments raise an error of class `codend_error_argument`.
@@ -266,12 +267,13 @@ budget_of <- function(found, level, draws = NULL) {
   low[bounded] <- pmax(low[bounded], 0)
   rough <- rowSums((found$spread * found$rough)^2) > 0.05 * combined^2
   table <- data.frame(
-    measure = names(value), value = unname(value), unit = unname(attr(base, "unit")),
-    uncertainty = combined, low = low, high = high, by_group, mesh = mesh, model = model,
-    freedom = freedom, smooth = !rough, row.names = NULL
+    measure = names(value), value = unname(value), error = combined,
+    unit = unname(attr(base, "unit")), lower = low, upper = high, by_group, mesh = mesh,
+    model = model, freedom = freedom, smooth = !rough, row.names = NULL
   )
   list(
-    measures = table, sources = source_table(found, value, diag(covariance) + own),
+    measures = table, main = printed_measures(base),
+    sources = source_table(found, value, diag(covariance) + own),
     next_measurement = best_measurements(found, base, covariance, own)
   )
 }
@@ -411,7 +413,7 @@ text_with_bounds <- function(words, state) {
   found <- uncertainty(state, unique(words$column))$measures
   at <- match(words$column, found$measure)
   size <- abs(found$value[at])
-  words$share <- ifelse(size > 0, found$uncertainty[at] / size, 0)
+  words$share <- ifelse(size > 0, found$error[at] / size, 0)
   words$freedom <- found$freedom[at]
   words
 }

@@ -62,7 +62,8 @@
 #'     plan values or no convergence.
 #'   - `warning`: text of warnings from [settle()], such as a stalled board.
 #'
-#'   `as.data.frame()` returns a long table, a row per design and measure ([codend_tidy]).
+#'   `as.data.frame()` returns a long table, a row per design and measure ([codend_tidy]). `print()`
+#'   returns `x`, invisibly.
 #'   A wrong field or value raises an error of class `codend_error_plan` that names the design,
 #'   before any gear is settled. Wrong arguments raise `codend_error_argument`. A design that does
 #'   not settle does not raise an error.

@@ -58,6 +58,14 @@ share_text <- function(x, total) {
   if (total == 0) rep("", length(x)) else formatC(100 * x / total, format = "f", digits = 1)
 }
 
+# Returns numbers to two digits of their errors, and numbers without an error to four digits.
+sure_digits <- function(x, error) {
+  known <- is.finite(error) & error > 0
+  text <- with_plain_numbers(vapply(signif(x, 4), format, ""))
+  if (any(known)) text[known] <- interval_ends(x[known], error[known])
+  text
+}
+
 # The largest number of the column determines the decimals that give it four digits.
 column_figures <- function(x) {
   size <- max(abs(x), 0, na.rm = TRUE)

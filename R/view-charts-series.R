@@ -4,7 +4,9 @@
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_trajectory <- function(object, measures = NULL, ...) {
   table <- as.data.frame(object, what = "measures")
-  shown <- chosen_some(measures, unique(table$measure))
+  end <- measures(state_at(object, max(object$time)))
+  attr(table, "main") <- printed_measures(end)
+  shown <- drawn_measures(table, measures, unique(table$measure))
   table <- table[order(match(table$measure, shown), na.last = NA), ]
   data <- rbind(
     if (is.null(measures)) schedule_series(object),
@@ -126,7 +128,7 @@ mesh_sides <- function(x) {
 #' @rdname codend_charts
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_variations <- function(object, measures = NULL, ...) {
-  shown <- chosen_some(measures, variations_measures(object))
+  shown <- drawn_measures(object, measures, variations_measures(object))
   title <- study_title(object, "Variations")
   if (has_response_curves(object)) return(response_chart(object, shown, title))
   fields <- variations_fields(object)
@@ -225,11 +227,11 @@ numbers_or_strings <- function(values) {
 #' @rdname codend_charts
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_effects <- function(object, measures = NULL, ...) {
-  shown <- object$measure %in% chosen_some(measures, unique(object$measure))
+  shown <- object$measure %in% drawn_measures(object, measures, unique(object$measure))
   data <- data.frame(
-    panel = measure_label(object$measure, object$unit), at = numbers_or_strings(object$value),
+    panel = measure_label(object$measure, object$unit), at = numbers_or_strings(object$level),
     across = vapply(object$field, function(field) field_words(object, field), ""),
-    value = object$mean, marked = TRUE
+    value = object$value, marked = TRUE
   )
   series_chart(data[shown, ], study_title(object, "Main effects"), grid = TRUE)
 }
@@ -252,7 +254,7 @@ autoplot.codend_pair_effects <- function(object, measures = NULL, most = 6, ...)
 
 # Returns the rows of the pairs to draw.
 chosen_pairs <- function(x, measures, most) {
-  measures <- chosen_some(measures, unique(x$measure))
+  measures <- drawn_measures(x, measures, unique(x$measure))
   check_count("most", most)
   if (is.null(attr(x, "means"))) {
     abort_argument("{.arg x} has no means; use the unchanged result of {.fn effects}.")

@@ -4,7 +4,7 @@
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_sensitivities <- function(object, measures = NULL, ...) {
   known <- unique(object$measure[is.finite(object$elasticity) & object$elasticity != 0])
-  data <- object[object$measure %in% chosen_some(measures, known), ]
+  data <- object[object$measure %in% drawn_measures(object, measures, known), ]
   unit <- attr(object, "measure_unit")
   per <- data$elasticity / data$derivative
   data <- data.frame(
@@ -37,16 +37,16 @@ autoplot.codend_sensitivities <- function(object, measures = NULL, ...) {
 #' @rdname codend_charts
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_sobol_indices <- function(object, measures = NULL, ...) {
-  object <- object[object$measure %in% chosen_some(measures, unique(object$measure)), ]
+  known <- unique(object$measure)
+  object <- object[object$measure %in% drawn_measures(object, measures, known), ]
   unit <- attr(object, "measure_unit")
-  part <- function(kind) {
-    data.frame(
-      panel = measure_label(object$measure, unit[object$measure]), size = object$total,
-      name = sub(",.*", ", ...", object$field), index = kind, value = object[[kind]],
-      low = object[[paste0(kind, "_low")]], high = object[[paste0(kind, "_high")]]
-    )
-  }
-  bar_chart(rbind(part("first"), part("total")), study_title(object, "Sobol' indices"),
+  data <- data.frame(
+    panel = measure_label(object$measure, unit[object$measure]),
+    size = stats::ave(object$value, object$measure, object$field, FUN = max),
+    name = sub(",.*", ", ...", object$field), index = object$index, value = object$value,
+    low = object$lower, high = object$upper
+  )
+  bar_chart(data, study_title(object, "Sobol' indices"),
     "fraction of the variance",
     ggplot2::geom_pointrange(
       ggplot2::aes(.data[["value"]], xmin = .data[["low"]], xmax = .data[["high"]],
@@ -67,7 +67,7 @@ origin_colours <- c(
 #' @rdname codend_charts
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_uncertainty <- function(object, measures = NULL, sources = NULL, ...) {
-  table <- object$measures[object$measures$value != 0 & object$measures$uncertainty > 0, ]
+  table <- object$measures[object$measures$value != 0 & object$measures$error > 0, ]
   measures <- chosen_some(measures, table$measure)
   if (!is.null(sources) && !(is_text(sources) && sources %in% table$measure)) {
     abort_argument("{.arg sources} is {.val {sources}}; it must be one of {.val {table$measure}}.")
@@ -91,7 +91,7 @@ autoplot.codend_uncertainty <- function(object, measures = NULL, sources = NULL,
       label_of(sources, unit), unit)))
   }
   table <- table[match(measures, table$measure), ]
-  percent <- 100 * table$uncertainty / abs(table$value)
+  percent <- 100 * table$error / abs(table$value)
   # a measure near 0 would leave no space for the other bars
   most <- max(pmin(percent, 4 * stats::median(percent)))
   parts <- as.matrix(table[names(origin_colours)])^2

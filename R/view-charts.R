@@ -37,7 +37,8 @@
 #'
 #' @param x,object A result of a function above.
 #' @param ... Arguments of `autoplot()`: `measures` and the arguments below.
-#' @param measures Names of measures as in [measures()], or `NULL` (default) for all.
+#' @param measures Names of measures as in [measures()]. `NULL` (default) draws the main measures
+#'   of the gear, at most nine.
 #' @param most Largest number of pairs for each measure (default 6).
 #' @param sources Name of a measure, or `NULL` (default).
 #' @param by For a calibration: a column of the data, `"row"` for the row number, or `NULL`
@@ -214,6 +215,17 @@ series_chart <- function(data, title, key = NULL, grid = FALSE, colours = NULL, 
       caption = if (nrow(unsettled)) "A cross marks a gear that did not settle."
     ) +
     chart_theme() + (if (n == 1L) ggplot2::theme(legend.position = "none"))
+}
+
+# Returns at most nine of the measures `known` for prints and charts: the main measures of the gear,
+# else the first.
+some_measures <- function(x, known) {
+  main <- intersect(attr(x, "main"), known)
+  utils::head(if (length(main)) main else known, most_measures)
+}
+
+drawn_measures <- function(x, measures, known) {
+  if (is.null(measures)) some_measures(x, known) else chosen_some(measures, known)
 }
 
 in_order <- function(values) factor(values, unique(values))

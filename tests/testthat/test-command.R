@@ -106,8 +106,8 @@ test_that("settle --uncertainty prints intervals and writes them as JSON", {
   expect_match(found$out, "largest sources", fixed = TRUE, all = FALSE)
   said <- jsonlite::read_json(file)$uncertainty$body_depth_m
   known <- uncertainty(settle("towed_cable", nodes = 40), "body_depth_m")$measures
-  expect_equal(unlist(said[c("low", "high", "uncertainty")]),
-    unlist(known[c("low", "high", "uncertainty")]), tolerance = 1e-12)
+  expect_equal(unlist(said[c("lower", "upper", "error")]),
+    unlist(known[c("lower", "upper", "error")]), tolerance = 1e-12)
 })
 
 test_that("export command writes every format of a state", {

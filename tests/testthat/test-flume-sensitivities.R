@@ -50,14 +50,15 @@ test_that("page shows intervals next to the errors of the current design", {
       regmatches(row, regexpr("(?<='number'>)[^<]*", row, perl = TRUE))
     }
     row <- found$measures[found$measures$measure == "body_depth_m", ]
-    said <- sprintf("90 %%: %.0f to %.0f", row$low, row$high)
+    said <- sprintf("90 %%: %.0f to %.0f", row$lower, row$upper)
     expect_match(depth_cell(), paste0(error_text(row$mesh), "&#10;", said), fixed = TRUE)
     # the same string as in a summary
     expect_match(gsub(" +", " ", format(summary(tank$state, uncertainty = found))), said,
       fixed = TRUE, all = FALSE)
     # in the page's preferred units
     session$setInputs(preferred = list(length = "fathom"))
-    expect_match(depth_cell(), sprintf("90 %%: %.0f to %.0f", row$low / 1.8288, row$high / 1.8288),
+    expect_match(depth_cell(),
+      sprintf("90 %%: %.0f to %.0f", row$lower / 1.8288, row$upper / 1.8288),
       fixed = TRUE)
     # computed again for another design, and only on request
     ask(session, ropes.cable.length = list(value = 900, unit = "m"))

@@ -33,7 +33,7 @@ test_that("calibrate() gives the least squares of a linear model", {
   ahead <- predict(fit, data.frame(towing.speed = 3.5), level = 0.9)
   straight <- stats::predict(wanted, data.frame(known = drag_by_speed * 3.5^2), level = 0.9,
     interval = "prediction")
-  expect_equal(unlist(ahead[c("fit", "low", "high")], use.names = FALSE), as.vector(straight),
+  expect_equal(unlist(ahead[c("fit", "lower", "upper")], use.names = FALSE), as.vector(straight),
     tolerance = 1e-3)
 })
 

@@ -34,13 +34,13 @@ test_that("effects() returns the Sobol' indices of a known function", {
   v2 <- 7^2 / 8
   v13 <- 0.1^2 * pi^8 * (1 / 18 - 1 / 50)
   variance <- v1 + v2 + v13
-  expect_identical(found$measure, rep("drag_kN", 3))
-  expect_identical(found$field, c("x.1", "x.2", "x.3"))
+  expect_identical(found$measure, rep("drag_kN", 6))
+  expect_identical(found$field, rep(c("x.1", "x.2", "x.3"), 2))
+  expect_identical(found$index, rep(c("first", "total"), each = 3))
   # the half width of their 90 % intervals is 0.05 or less with 1024 random samples
-  expect_true(all(abs(found$first - c(v1, v2, 0) / variance) < 0.05))
-  expect_true(all(abs(found$total - c(v1 + v13, v2, v13) / variance) < 0.05))
-  expect_true(all(found$first_low < found$first & found$first < found$first_high))
-  expect_true(all(found$total_high - found$total_low < 0.15))
+  expect_true(all(abs(found$value - c(v1, v2, 0, v1 + v13, v2, v13) / variance) < 0.05))
+  expect_true(all(found$lower < found$value & found$value < found$upper))
+  expect_true(all((found$upper - found$lower)[4:6] < 0.15))
 })
 
 test_that("effects() returns indices of a sum within half a percent", {
@@ -49,8 +49,7 @@ test_that("effects() returns indices of a sum within half a percent", {
   many <- designs(x.1 = side, x.2 = side, how = "indices", number = 8192)
   found <- effects(study_of(many, function(x) x[1] + 2 * x[2]), resamples = 10, what = "indices")
   # variances of 1 and 4 twelfths; the points leave an error of some thousandths
-  expect_lt(max(abs(found$first / c(0.2, 0.8) - 1)), 0.005)
-  expect_lt(max(abs(found$total / c(0.2, 0.8) - 1)), 0.005)
+  expect_lt(max(abs(found$value / c(0.2, 0.8, 0.2, 0.8) - 1)), 0.005)
 })
 
 test_that("index intervals contain the true index at their stated rate", {
@@ -62,7 +61,8 @@ test_that("index intervals contain the true index at their stated rate", {
       number = 64, factors = c("x.1", "x.2"))
     found <- effects(study_of(table, function(x) x[1] + 2 * x[2]), what = "indices",
       resamples = 200)
-    abs(found$total_low[2] + found$total_high[2] - 1.6) <= found$total_high[2] - found$total_low[2]
+    total <- found[4, ]
+    abs(total$lower + total$upper - 1.6) <= total$upper - total$lower
   }, NA)
   # 90 % of 40 is 36, with a standard deviation of 1.9: four standard deviations below
   expect_gte(sum(held), 28)
@@ -84,8 +84,8 @@ test_that("effects() of a grid equal an analysis of variance", {
   found <- effects(x)
   table <- data.frame(y = x$drag_kN, a = factor(grid$x.1), b = factor(grid$x.2))
   means <- stats::model.tables(stats::aov(y ~ a * b, table), "means")$tables
-  expect_equal(found$mean, unname(c(means$a, means$b)), ignore_attr = TRUE)
-  expect_equal(found$value, c(1, 2, 4, 0, 3))
+  expect_equal(found$value, unname(c(means$a, means$b)), ignore_attr = TRUE)
+  expect_equal(found$level, c(1, 2, 4, 0, 3))
   squares <- summary(stats::aov(y ~ a * b, table))[[1]][["Sum Sq"]]
   expect_equal(effects(x, what = "pairs")$spread, sqrt(squares[3] / 6))
 })
@@ -94,13 +94,13 @@ test_that("effects() groups a field of many values equally", {
   skip_if_not_installed("spacefillr")
   found <- effects(study_of(three("sobol", 64), ishigami), groups = 4)
   expect_identical(found$designs, rep(16L, 12))
-  expect_true(all(diff(found$value[1:4]) > 0))
+  expect_true(all(diff(found$level[1:4]) > 0))
 })
 
 test_that("summary() of a study counts designs and effects() checks arguments", {
   x <- study_of(designs(x.1 = c(1, 2, 4), x.2 = c(0, 3)), sum, failed = 2)
   expect_output(print(summary(x)), "6 designs of \"A function\": 6 done, 5 settled")
-  expect_output(print(summary(x)), "1  did not settle")
+  expect_output(print(summary(x)), "1 did not settle")
   expect_equal(summary(x)$measures$largest, 7)
   expect_wrong(effects(x, what = "indices"))
   expect_wrong(effects(x, "depth"))
@@ -114,7 +114,7 @@ test_that("main effects are drawn in one panel per field", {
   data <- ggplot2::autoplot(found)$data
   expect_equal(data$at[data$across == "x 1"], c(1, 2, 4))
   expect_equal(data$value[data$across == "x 1"], c(2.5, 3.5, 5.5))
-  found$value <- rep(c("PA", "PE", "steel"), length.out = nrow(found))
+  found$level <- rep(c("PA", "PE", "steel"), length.out = nrow(found))
   expect_identical(levels(ggplot2::autoplot(found)$data$at), c("PA", "PE", "steel"))
   expect_picture(effects(x))
 })

@@ -29,16 +29,16 @@ test_that("uncertainty() of a towed sphere equals the analytical budget", {
   expect_equal(row$conditions, 0.02 * drag / 1000, tolerance = 1e-5)
   expect_equal(row$plan, 0, tolerance = 1e-5)
   expect_equal(row$model, model * drag / 1000, tolerance = 1e-5)
-  expect_equal(row$uncertainty,
+  expect_equal(row$error,
     sqrt((0.05^2 + 0.02^2 + model^2) * (drag / 1000)^2 + row$mesh^2), tolerance = 1e-5)
   # the pull by the mass: 9.81 weight / pull
   row <- row_of(found, "pull_kN")
   expect_equal(row$plan, 0.04 * 200 * 9.81 * weight / pull / 1000, tolerance = 1e-3)
   largest <- found$sources[found$sources$measure == "pull_kN", ][1L, ]
   expect_identical(largest$source, "pieces sphere mass")
-  expect_equal(largest$percent, 100 * (largest$contribution / row$uncertainty)^2)
+  expect_equal(largest$percent, 100 * (largest$contribution / row$error)^2)
   # the interval uses Student's t with the degrees of freedom of the model residuals
-  expect_equal(row$high - row$value, qt(0.95, row$freedom) * row$uncertainty)
+  expect_equal(row$upper - row$value, qt(0.95, row$freedom) * row$error)
 })
 
 test_that("derivatives by multipliers equal differences without a new mesh", {
@@ -136,7 +136,7 @@ test_that("uncertainty() intervals contain random truths at their stated rate", 
   }, numeric(2))
   model <- found$measures$model
   truth <- truth + model * matrix(rnorm(2 * n), 2)
-  inside <- rowMeans(truth >= found$measures$low & truth <= found$measures$high)
+  inside <- rowMeans(truth >= found$measures$lower & truth <= found$measures$upper)
   # binomial: 0.9 +- 3 sqrt(0.9 0.1 / 150), and t with few degrees of freedom is wider
   expect_true(all(inside > 0.9 - 0.075))
   expect_true(all(inside < 0.995))
@@ -147,8 +147,8 @@ test_that("uncertainty(method = \"samples\") agrees with derivatives for a smoot
   line <- uncertainty(state, "total_drag_kN")
   drawn <- uncertainty(state, "total_drag_kN", method = "samples", samples = 60)
   # 60 well spread draws give a standard deviation to about 5 %
-  expect_equal(drawn$measures$uncertainty, line$measures$uncertainty, tolerance = 0.08)
-  expect_equal(drawn$measures$high, line$measures$high, tolerance = 0.03)
+  expect_equal(drawn$measures$error, line$measures$error, tolerance = 0.08)
+  expect_equal(drawn$measures$upper, line$measures$upper, tolerance = 0.03)
   expect_identical(drawn$cost$n_solves, 60)
 })
 
@@ -158,7 +158,7 @@ test_that("uncertainty() names the analytically most useful measurement", {
   row <- row_of(found, "total_drag_kN")
   # the pull is mostly weight: the speed is the most useful, 2 % of the drag
   expect_identical(best$measurement, "towing speed")
-  expect_equal(best$remaining_sd, sqrt(row$uncertainty^2 - (0.02 * row$value)^2), tolerance = 1e-4)
+  expect_equal(best$remaining_sd, sqrt(row$error^2 - (0.02 * row$value)^2), tolerance = 1e-4)
   expect_output(print(found), "best next measurement")
 })
 
@@ -207,7 +207,7 @@ test_that("optimise_gear() satisfies lower() with its probability", {
   limit <- row$value
   change <- list(ropes.line.length = c("5 m", "40 m"))
   best <- optimise_gear(gear, ~ropes.line.length, ~ lower(depth, 0.9) >= limit, change)
-  reach <- qt(0.9, row$freedom) * row$uncertainty / row$value
+  reach <- qt(0.9, row$freedom) * row$error / row$value
   expect_equal(measures(best$state)[["depth_m"]], limit / (1 - reach), tolerance = 1e-4)
   expect_wrong(optimise_gear(gear, ~ropes.line.length, ~ lower(depth, 2) >= 3, change))
   expect_wrong(optimise_gear(gear, ~ropes.line.length, ~ lower(depht, 0.9) >= 3, change))
@@ -233,5 +233,5 @@ test_that("summary, report and command line show uncertainty()", {
   expect_match(page, "Uncertainty of the results", fixed = TRUE)
   expect_match(page, "standard uncertainty", fixed = TRUE)
   record <- uncertainty_record(found)$uncertainty
-  expect_identical(record$pull_kN$low, row_of(found, "pull_kN")$low)
+  expect_identical(record$pull_kN$lower, row_of(found, "pull_kN")$lower)
 })

@@ -133,7 +133,7 @@ test_that("variances of the sources of an uncertainty add up to 100 %", {
   for (k in seq_len(nrow(found$measures))) {
     row <- found$measures[k, ]
     own <- found$sources$percent[found$sources$measure == row$measure]
-    rest <- 100 * (row$mesh^2 + row$model^2) / row$uncertainty^2
+    rest <- 100 * (row$mesh^2 + row$model^2) / row$error^2
     expect_equal(sum(own) + rest, 100, tolerance = 1e-9, info = row$measure)
   }
   expect_equal(unname(rowSums(group_percent(found$measures))), rep(100, nrow(found$measures)))
