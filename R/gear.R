@@ -129,9 +129,9 @@ print.codend_gear <- function(x, ...) {
 #'   objects of the package units. An angle without a unit is at most 2 pi (rad). Address a list
 #'   item by its number (`water.current.1.speed`).
 #' @return A gear of class `codend_gear`. If the plan gives a field in another unit than SI, a
-#'   message of class `codend_message_units` reports once how a number is read. An unknown path is an
-#'   error of class `codend_error_plan`. A value of an unsupported class, such as a date, is an error
-#'   of class `codend_error_argument`.
+#'   message of class `codend_message_units` reports once how a number is read. An unknown path is
+#'   an error of class `codend_error_plan`. A value of an unsupported class, such as a date, is an
+#'   error of class `codend_error_argument`.
 #' @seealso [vary()] to solve a gear for a range of values, [settle()] for the new shape.
 #' @importFrom stats update
 #' @export
