@@ -60,6 +60,7 @@ made_of_state <- list(
   },
   slopes = function(state, said) requested_sensitivities(state, said),
   uncertainty = function(state, said) uncertainty(state),
+  target = function(state, said) found_target(state, said),
   vary = function(state, said) varied_measures(state, said),
   tow = function(state, said) requested_tow(state, said),
   save_tow = function(state, said) save_tow(said)

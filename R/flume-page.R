@@ -36,7 +36,8 @@ flume_page <- function(opens = TRUE, say = make_translator(), shares = FALSE) {
 # The page's own scripts, in load order after the viewer's scripts.
 flume_scripts <- c(
   "words.js", "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js",
-  "slopes.js", "graphs.js", "vary.js", "tow.js", "page.js"
+  "slopes.js", "graphs.js", "vary.js", "target.js", "tow.js",
+  "page.js"
 )
 
 flume_header <- function(say) {
@@ -165,6 +166,7 @@ flume_measures <- function(say) {
       id = "worth", hidden = NA, shiny::tags$h2(say("warnings")), shiny::tags$ul(id = "noted")
     ),
     shiny::uiOutput("measures"),
+    flume_target_form(say),
     shiny::tags$details(
       id = "measures_more", shiny::tags$summary(say("all_other_measures")),
       shiny::uiOutput("other_measures")
@@ -173,6 +175,26 @@ flume_measures <- function(say) {
     shiny::tags$p(id = "uncertainty_error", class = "field-error", role = "alert", hidden = NA),
     measures_guide(say),
     flume_more_of(say)
+  )
+}
+
+# The form for the required value of a measure, hidden until the user clicks a measure.
+flume_target_form <- function(say) {
+  tags <- shiny::tags
+  button <- function(id, class, words) {
+    tags$button(type = "button", id = id, class = paste("btn btn-sm", class), words)
+  }
+  tags$div(
+    id = "target_asks", hidden = NA,
+    tags$label(tags$span(id = "target_label"), tags$input(id = "target_value", type = "text",
+      class = "form-control form-control-sm", autocomplete = "off")),
+    tags$label(say("field"), tags$select(id = "target_field",
+      class = "form-select form-select-sm")),
+    tags$div(class = "button-row",
+      button("target_start", "btn-primary", say("target_start")),
+      button("target_close", "btn-outline-secondary", say("target_close"))),
+    tags$p(id = "target_error", class = "field-error", role = "alert", hidden = NA),
+    tags$p(id = "target_said", class = "note", role = "status")
   )
 }
 

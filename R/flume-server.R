@@ -244,6 +244,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
     serve_sensitivities(input, output, session, tank, request_slow_worker, said, say)
     flume_intervals(input, tank, request_slow_worker)
     flume_varies(input, tank, clerk, said, session, say)
+    flume_targets(input, tank, request_slow_worker, said, say)
     flume_tows(input, output, tank, clerk, request_slow_worker, said)
     flume_saves(output, tank, clerk)
   }

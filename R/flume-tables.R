@@ -1,16 +1,20 @@
 # The tables of the flume tank as HTML.
 
-# The table is built as a string, because Shiny's tags take longer than settling.
+# titles: tooltips of the rows, or NULL. buttons: opening tags of buttons around the first number of
+# each row, or NULL. The table is built as a string, because Shiny's tags take longer than settling.
 html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot = NULL,
-                       titles = NULL) {
+                       titles = NULL, buttons = NULL) {
   class <- ifelse(seq_along(head) %in% numbers, " class='number'", "")
-  line <- function(cells, title = NULL) {
+  line <- function(cells, title = NULL, button = NULL) {
+    html <- escape_markup(as.character(cells))
+    if (!is.null(button)) html[2L] <- paste0(button, html[2L], "</button>")
     last <- c("</th>", rep("</td>", length(cells) - 1L))
     said <- if (!is.null(title)) paste0(" title='", escape_markup(title), "'")
     open <- c(paste0("<th scope='row'", said, ">"), paste0("<td", class[-1], ">"))
-    paste0("<tr>", paste0(open, escape_markup(as.character(cells)), last, collapse = ""), "</tr>")
+    paste0("<tr>", paste0(open, html, last, collapse = ""), "</tr>")
   }
-  rows_html <- if (is.null(titles)) vapply(rows, line, "") else mapply(line, rows, titles)
+  more <- Filter(Negate(is.null), list(title = titles, button = buttons))
+  rows_html <- unlist(do.call(Map, c(list(line, rows), more)))
   said_caption <- escape_markup(caption)
   heads <- paste0("<th scope='col'", class, ">", escape_markup(head), "</th>", collapse = "")
   shiny::HTML(paste0(
@@ -103,16 +107,27 @@ measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key
     interval <- interval_cells(uncertainty, names, factor, say)
     shown <- paste0(shown, ifelse(nzchar(interval), "\n", ""), interval)
   }
+  unit <- vapply(units, `[[`, "", "unit")
+  label <- label_with_unit(say, table$measure, unit)
   rows <- data.frame(
-    label_with_unit(say, table$measure, vapply(units, `[[`, "", "unit")), shown,
+    label, shown,
     fixed_decimals(table$kept, decimals), change, percent
   )
   shiny::tagList(
     html_table(if (key) say("key_measures") else say("other_measures"),
       c(say("measure"), say("now"), say("kept"), say("change"), "%"), text_rows(rows),
-      titles = table$definition),
+      titles = table$definition, buttons = target_buttons(names, unit, label, say)),
     if (key) shiny::tags$p(class = "note", say("error_note"),
       if (!is.null(uncertainty)) say("interval_note", level = 100 * uncertainty$level))
+  )
+}
+
+# Returns opening tags of the buttons that open the form for a required value (inst/app/target.js).
+target_buttons <- function(names, unit, label, say) {
+  sprintf(
+    "<button type='button' class='measure-value' title='%s' data-measure='%s' data-unit='%s'
+      data-label='%s'>", escape_markup(say("target_tip")), names, escape_markup(unit),
+    escape_markup(label)
   )
 }
 

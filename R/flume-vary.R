@@ -3,19 +3,27 @@
 
 most_varied <- 41L
 
+# Checks the fields of a request, which change together. Returns list(paths, field (the first one)).
+requested_field <- function(plan, paths) {
+  paths <- unlist(paths)
+  if (!is.character(paths) || length(paths) > most_edits || any(nchar(paths) > most_characters)) {
+    abort_argument("The path of the field is missing.")
+  }
+  field <- plan_field(plan, paths[1L])
+  if (is.null(field$node) || !is_number_node(field$node)) {
+    abort_argument("The plan has no number at {.val {paths[1]}}; choose another field.")
+  }
+  list(paths = paths, field = field)
+}
+
 # Checks a request: `said` = list(paths (fields that change together), unit, from, to (as typed, a
 # bare number in `unit`), number (of values)). Returns list(paths, words, unit, values, now (value
 # of the first field)), with values in this unit.
 varied_field <- function(plan, said, say = make_translator()) {
-  paths <- unlist(said$paths)
-  if (!is.character(paths) || length(paths) > most_edits || any(nchar(paths) > most_characters)) {
-    abort_argument("The path of the field is missing.")
-  }
+  asked <- requested_field(plan, said$paths)
+  paths <- asked$paths
   path <- paths[1L]
-  field <- plan_field(plan, path)
-  if (is.null(field$node) || !is_number_node(field$node)) {
-    abort_argument("The plan has no number at {.val {path}}; choose another field.")
-  }
+  field <- asked$field
   dimension <- field$node[["x-dimension"]]
   unit <- if (is.null(dimension)) "" else first_of(said$unit, "")
   units <- plan_units[[first_of(dimension, "number")]]

@@ -783,6 +783,7 @@ window.codendForm = (function () {
     open: open,
     draft: draft,
     edit: edit,
+    edits: edits,
     own: take_own,
     turn: function () { return form ? form.turn : null; },
     // Returns the field of a path in its displayed unit, or null.

@@ -136,7 +136,7 @@ window.codendPage = (function () {
         shipped: 'gallery_refused', words: 'gallery_refused', gallery: 'gallery_refused'
       };
       var own = {
-        tow: 'tow_error', slopes: 'slopes_error', uncertainty: 'uncertainty_error', vary: 'vary_error',
+        tow: 'tow_error', slopes: 'slopes_error', uncertainty: 'uncertainty_error', vary: 'vary_error', target: 'target_error',
         own: 'own_error', shared: 'shared_error'
       }[message.where];
       var stays = opened ? ' ' + say('gear_stays') : '';
@@ -167,6 +167,7 @@ window.codendPage = (function () {
         window.codendForm.show(message.form);
         window.codendSlopes.form();
         window.codendVary.form();
+        window.codendTarget.form();
       }
       window.codendForm.draft(message);
       if (message.settling || message.form) window.codendDrawing.want(true);
@@ -176,6 +177,7 @@ window.codendPage = (function () {
       window.codendSlopes.show(message.fields);
     });
     Shiny.addCustomMessageHandler('flume_varied', window.codendVary.show);
+    Shiny.addCustomMessageHandler('flume_target', window.codendTarget.show);
     Shiny.addCustomMessageHandler('flume_tow', function (message) {
       window.codendTow.show(message.scene);
     });

@@ -547,6 +547,49 @@ test('tank plots measures against a field with values under the pointer', async 
   await page.close();
 });
 
+test('tank moves a field to the value that gives a required measure', async () => {
+  const page = await open(browser, tank.url);
+  const row = page.locator('.measures tbody tr', { hasText: /^door spread/ }).first();
+  const before = number(await row.locator('td').first().textContent());
+  await row.locator('.measure-value').click();
+  assert.match(await page.textContent('#target_label'), /^Required value of door spread \(m\)$/);
+  assert.equal(Number(await page.inputValue('#target_value')), before);
+  await page.selectOption('#target_field', 'towing.speed');
+  const wanted = Math.round(before) - 3;
+  await page.fill('#target_value', String(wanted));
+  await page.keyboard.press('Enter');
+  const said = (pattern) => page.waitForFunction((pattern) => new RegExp(pattern)
+    .test(document.getElementById('target_said').textContent), pattern, patience);
+  await said('^Towing speed = [0-9.]+ knot gives door spread = ');
+  await answered(page);
+  await page.waitForFunction((wanted) => {
+    const cell = [...document.querySelectorAll('.measures tbody tr')]
+      .find((r) => r.cells[0].textContent.startsWith('door spread ('));
+    return Math.abs(parseFloat(cell.cells[1].textContent) - wanted) < 0.1;
+  }, wanted, patience);
+  const found = Number(await control(page, 'towing.speed').locator('.number').inputValue());
+  assert.match(await page.textContent('#target_said'), new RegExp(`= ${found} knot`));
+  if (process.env.SHOTS) await page.screenshot({ path: `${process.env.SHOTS}/target.png` });
+  // out of reach: a message and no change
+  await page.fill('#target_value', '1 km');
+  await page.click('#target_start');
+  await said('No value of Towing speed from .* The nearest is ');
+  await page.fill('#target_value', 'wide');
+  await page.click('#target_start');
+  await page.waitForSelector('#target_error:not([hidden])', patience);
+  assert.equal(Number(await control(page, 'towing.speed').locator('.number').inputValue()), found);
+  await page.click('#undo');
+  await page.waitForFunction((before) => {
+    const cell = [...document.querySelectorAll('.measures tbody tr')]
+      .find((r) => r.cells[0].textContent.startsWith('door spread ('));
+    return Math.abs(parseFloat(cell.cells[1].textContent) - before) < 0.1;
+  }, before, patience);
+  await page.click('#target_close');
+  assert.ok(await page.isHidden('#target_asks'));
+  clean(page);
+  await page.close();
+});
+
 test('tank tows, plays and saves the design and rejects wrong input', async () => {
   const page = await open(browser, tank.url);
   await tab(page, 'Tow');

@@ -1,0 +1,54 @@
+skip_if_not_installed("shiny")
+skip_if_not_installed("bslib")
+
+wanted <- function(..., paths = list("ropes.cable.length"), measure = "body_depth_m",
+                   target = "450 m", unit = "m") {
+  list(paths = paths, measure = measure, target = target, unit = unit, ...)
+}
+
+test_that("page finds the field value of find_value() for a required measure", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    session$setInputs(target_wanted = wanted())
+    found <- sent("flume_target")[[1]]
+    expect_true(found$reached)
+    expect_identical(unclass(found$paths), "ropes.cable.length")
+    same <- find_value("towed_cable", ropes.cable.length = c("500 m", "1500 m"),
+      target = list(body_depth = "450 m"), nodes = 300)
+    expect_equal(found$value, same$fields$value, tolerance = 1e-5)
+    expect_identical(found$unit, "m")
+    expect_match(found$message, "gives body depth = 450.0 m", fixed = TRUE)
+    # bare numbers are in the displayed unit
+    session$setInputs(target_wanted = wanted(target = "246,06", unit = "fathom"))
+    expect_equal(sent("flume_target")[[1]]$value, found$value, tolerance = 1e-4)
+    # the page, not the worker, changes the design
+    expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
+  })
+})
+
+test_that("page reports the nearest value if a target is out of reach", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    session$setInputs(target_wanted = wanted(target = "5000"))
+    found <- sent("flume_target")[[1]]
+    expect_false(found$reached)
+    expect_match(found$message, "from 500 m to 1500 m was found for body depth = 5000 m.*= 1500 m")
+  })
+})
+
+test_that("page rejects an unknown measure, field or target", {
+  in_flume("towed_cable", function(session, sent, tank) {
+    wrong <- list(
+      wanted(measure = "depth"), wanted(measure = 3), wanted(paths = list("name")),
+      wanted(paths = 3), wanted(target = "deep"), wanted(target = list(1)),
+      wanted(target = "3 kN"), wanted(target = "")
+    )
+    expect_asks_refused(session, sent, "target_wanted", wrong, "target")
+  })
+})
+
+test_that("measures table has a button with name and unit for each value", {
+  found <- measures(settle("towed_cable", nodes = 50))
+  html <- as.character(measures_html(found, found, list(m = "fathom"))[[1]])
+  expect_match(html, "data-measure='body_depth_m' data-unit='fathom'", fixed = TRUE)
+  buttons <- gregexpr("class='measure-value'", html)[[1]]
+  expect_length(buttons, length(gregexpr("<th scope='row'", html)[[1]]))
+})
