@@ -7,7 +7,7 @@ finish_calibration <- function(refined) {
   at[scaled <= active_share] <- "lower"
   at[scaled >= 1 - active_share] <- "upper"
   model <- model_at(task, scaled, slopes = TRUE)
-  begun <- model_at(task, points_scaled(task$points, own_values(fields)))
+  begun <- model_of(task, task$begun)
   used <- lapply(task$match, function(one) which(!is.na(one$measured)))
   task$freedom <- max(1, sum(lengths(used)) - sum(at == ""))
   # Estimated errors must account for the degrees of freedom that the fields use.
@@ -31,6 +31,8 @@ finish_calibration <- function(refined) {
   covariance <- found$covariance
   values <- points_values(task$points, scaled)
   prior <- t(vapply(fields, function(field) first_of(field$prior, c(NA_real_, NA_real_)), c(0, 0)))
+  task$steps <- NULL
+  task$points$shared$record <- NULL
   structure(
     list(
       gear = set_free(task$points$gear, fields, values),

@@ -31,11 +31,23 @@
 #' - Priors add to the likelihood.
 #'
 #' # Discretisation
-#' A coarse mesh has an error of a few percent, similar in all hauls, which the fields would
-#' compensate. If the error exceeds `accuracy`, up to 8 hauls are also settled with more nodes at
-#' the best values. The difference corrects the coarse mesh (as in [optimise_gear()]), and the
-#' fields are fitted again until they converge. The remaining discretisation error is part of the
-#' errors and intervals of the fields.
+#' The gear as given is settled first, as by [settle()] with the same arguments, on up to 3 meshes.
+#'
+#' - Its number of nodes is the one of the results. With `nodes` alone, all gears have this number.
+#' - Otherwise the fields are fitted with 1,500 nodes (or `nodes`). If the results need more, up to 8
+#'   hauls are also settled with more nodes at the best values. The difference corrects the coarse
+#'   mesh (as in [optimise_gear()]), and the fields are fitted again until they converge.
+#' - The remaining discretisation error is part of the errors and intervals of the fields.
+#' - Cost: each step settles all hauls. A fit takes 5 to 10 steps.
+#'
+#' # Workers and resuming
+#' - Workers of the package future, such as `future::plan("multisession")`, share the hauls. The results
+#'   are the same for any number of workers.
+#' - Every step prints a message. Use `suppressMessages()` or `options(codend.steps = FALSE)` to omit
+#'   it. If the package progressr is loaded, it reports the progress instead.
+#' - With `file`, every settled gear is recorded. The same call continues after an interruption: it
+#'   repeats the steps and reads recorded gears instead of settling them. Calls with other matches
+#'   also use them.
 #'
 #' # Intervals
 #' - The covariance follows from the sensitivities at the best values.
@@ -54,10 +66,10 @@
 #'   section on matches.
 #' @param error Standard deviations, one per formula of `match`, in the same units. `NULL` (default)
 #'   estimates all; `NA` estimates a single one.
-#' @param nodes,netting Number of nodes and kind of netting elements of the coarse mesh, as in
-#'   [settle()].
-#' @param accuracy Largest discretisation error of the fitted measures, as a fraction of the
-#'   measured values. Default `"1 %"`. `NULL` always stays with `nodes`.
+#' @param nodes,netting,accuracy As in [settle()], for the gear as given. Its number of nodes is used
+#'   for the results. See the section on discretisation.
+#' @param file Path of a file that records settled gears, to resume after an interruption. Default
+#'   `NULL`: no record. See the section on resuming.
 #'
 #' @return An object of class `codend_calibration`, a list:
 #'
@@ -99,18 +111,18 @@
 #' )
 #' fit
 #' confint(fit, level = 0.9)
-calibrate <- function(gear, data, change, match, error = NULL, nodes = 1500, netting = NULL,
-                      accuracy = "1 %") {
+calibrate <- function(gear, data, change, match, error = NULL, nodes = NULL, netting = NULL,
+                      accuracy = NULL, file = NULL) {
   check_given("gear", "data", "change", "match")
-  if (!is.null(accuracy)) accuracy <- accuracy_share(accuracy)
-  task <- new_calibration(gear, data, change, match, error, nodes, netting)
+  task <- new_calibration(gear, data, change, match, error, nodes, netting, accuracy, file)
+  task$steps <- new_steps(fit_steps)
   fit <- fit_fields(task, points_scaled(task$points, own_values(task$points$fields)))
-  finish_calibration(refine_fit(task, fit, accuracy))
+  finish_calibration(refine_fit(task, fit))
 }
 
 # Returns the calibration task: list(points, cases (one per distinct setting), case_of (case of each
 # row), conditions, data, memory, left_out, words, match, of (measures needed)).
-new_calibration <- function(gear, data, change, match, error, nodes, netting) {
+new_calibration <- function(gear, data, change, match, error, nodes, netting, accuracy, file) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
   if (!is.data.frame(data) || !nrow(data)) {
@@ -118,7 +130,13 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting) {
   }
   data <- data_by_path(data, gear, "data")
   change <- change_with_priors(gear, change)
-  points <- new_points(gear, free_fields(gear, change), nodes, netting)
+  fields <- free_fields(gear, change)
+  # The gear as given may be unable to settle in conditions that no haul has.
+  begun <- tryCatch(
+    first_states(gear, nodes, netting, accuracy), codend_error_not_converged = function(e) NULL
+  )
+  points <- new_points(gear, fields, first_of(nodes, nodes_of(begun$coarse)), netting, begun, file)
+  points$count$n_solves <- length(begun)
   set <- condition_columns(gear, data, points$fields)
   data[set] <- given_value(data[set], "data")
   note_bare_numbers(gear$plan, data[set])
@@ -127,10 +145,13 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting) {
     points = points, cases = cases$cases, case_of = cases$case_of, conditions = set, data = data,
     memory = new.env(parent = emptyenv())
   )
-  task$memory$tried <- list()
   first <- own_values(points$fields)
-  states <- lapply(task$cases, function(case) settle_point(case, first))
-  good <- !vapply(states, is.null, NA)
+  task$memory$near <- settle_points(task$cases, first, vector("list", length(task$cases)))
+  task$memory$tried <- list(list(
+    scaled = points_scaled(points, first), points = task$memory$near
+  ))
+  good <- !vapply(task$memory$near, is.null, NA)
+  task$begun <- lapply(task$memory$near, `[`, c("values", "measures"))
   if (!any(good)) {
     abort_not_converged("The gear does not settle in any row of the data.", report = NULL)
   }
@@ -143,8 +164,8 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting) {
       class = c("codend_warning_hauls_left_out", "codend_warning"), call = NULL
     )
   }
-  task$memory$near <- states
-  task$words <- formula_names(states[[which(good)[1L]]]$measures)
+  some <- complete_point(task$cases[[which(good)[1L]]], task$memory$near[[which(good)[1L]]])
+  task$words <- formula_names(measures(some$state))
   task$match <- read_matches(match, data, task, error)
   named <- unlist(lapply(task$match, function(one) one$formula$names))
   task$of <- unique(task$words$column[task$words$name %in% named])
@@ -255,21 +276,18 @@ read_matches <- function(match, data, task, error) {
 cases_at <- function(task, scaled, slopes = FALSE) {
   found <- Find(function(one) identical(one$scaled, scaled), task$memory$tried)
   if (is.null(found)) {
-    values <- points_values(task$points, scaled)
-    found <- list(scaled = scaled, points = lapply(seq_along(task$cases), function(k) {
-      near <- task$memory$near[[k]]
-      if (is.null(near)) return(NULL)
-      settle_point(task$cases[[k]], values, near$state)
-    }))
+    used <- !vapply(task$memory$near, is.null, NA)
+    found <- list(scaled = scaled, points = vector("list", length(used)))
+    found$points[used] <- settle_points(task$cases[used], points_values(task$points, scaled),
+      lapply(task$memory$near[used], function(one) first_of(one$state, task$points$shared$start)))
     settled <- !vapply(found$points, is.null, NA)
     task$memory$near[settled] <- found$points[settled]
   }
   if (slopes && is.null(found$slopes)) {
-    found$slopes <- Map(function(case, point) {
-      if (is.null(point)) return(NULL)
-      by <- point_derivatives(case, point, task$of)
-      replace(by, is.na(by), 0)
-    }, task$cases, found$points)
+    settled <- !vapply(found$points, is.null, NA)
+    by <- derivatives_of_points(task$cases[settled], found$points[settled], task$of)
+    found$slopes <- vector("list", length(settled))
+    found$slopes[settled] <- lapply(by, function(one) replace(one, is.na(one), 0))
   }
   others <- Filter(function(one) !identical(one$scaled, scaled), task$memory$tried)
   # `nlminb()` compares a trial with the previous point, so three results are enough.
@@ -280,17 +298,24 @@ cases_at <- function(task, scaled, slopes = FALSE) {
 # Returns a list per match: fitted (by row, NA if unsettled), slopes (rows x fields, or NULL).
 model_at <- function(task, scaled, slopes = FALSE) {
   found <- cases_at(task, scaled, slopes)
+  model_of(task, found$points, if (slopes) found$slopes)
+}
+
+# Returns `model_at()` for points and slopes by case.
+model_of <- function(task, points, slopes = NULL) {
   lapply(task$match, function(one) {
     by_case <- lapply(seq_along(task$cases), function(k) {
-      point <- found$points[[k]]
-      if (is.null(point)) return(list(value = NA_real_, slope = rep(NA_real_, length(scaled))))
-      by <- found$slopes[[k]]
+      point <- points[[k]]
+      if (is.null(point$measures)) {
+        return(list(value = NA_real_, slope = rep(NA_real_, length(task$points$fields))))
+      }
+      by <- slopes[[k]]
       if (!is.null(by)) by <- corrected_derivatives(task$cases[[k]], by)
       at <- formula_point(task$cases[[k]], point, task$words, by)
       evaluate_formula(one$formula, at)
     })
     fitted <- vapply(by_case, `[[`, 0, "value")[task$case_of]
-    by <- if (slopes) {
+    by <- if (!is.null(slopes)) {
       do.call(rbind, lapply(by_case, `[[`, "slope"))[task$case_of, , drop = FALSE]
     }
     list(fitted = fitted, slopes = by)
@@ -344,6 +369,9 @@ scaled_prior <- function(points, k) {
   c((prior[1L] - points$lower[k]) / points$width[k], prior[2L] / points$width[k])
 }
 
+# Largest number of Gauss-Newton steps of a fit.
+fit_steps <- 60L
+
 # Fits the fields from the initial guess `place` (scaled). held: numbers of fixed fields.
 fit_fields <- function(task, place, held = integer()) {
   free <- setdiff(seq_along(place), held)
@@ -354,11 +382,15 @@ fit_fields <- function(task, place, held = integer()) {
   found <- stats::nlminb(
     place[free],
     function(x) misfit_at(task, full(x))$value,
-    function(x) misfit_at(task, full(x), slopes = TRUE)$slope[free],
+    function(x) {
+      found <- misfit_at(task, full(x), slopes = TRUE)
+      tell_step(task$steps, "misfit", found$value, full(x))
+      found$slope[free]
+    },
     function(x) misfit_at(task, full(x), slopes = TRUE)$curvature[free, free, drop = FALSE],
     lower = 0, upper = 1,
-    # A relative change of 1e-7 in the log-likelihood is negligible.
-    control = list(abs.tol = 0, rel.tol = 1e-7, x.tol = 1e-5, iter.max = 60L, eval.max = 120L)
+    # A relative change of 1e-6 in the log-likelihood is negligible.
+    control = list(abs.tol = 0, rel.tol = 1e-6, x.tol = 1e-5, iter.max = fit_steps, eval.max = 120L)
   )
   list(scaled = full(found$par), value = found$objective, converged = found$convergence == 0L)
 }

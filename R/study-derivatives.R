@@ -20,6 +20,8 @@ exact_tangent <- list(
   shares = c(1e-4, 1e-5, 1e-6, 1e-5), renewals = c(0L, 0L, 0L, 3L), steps = 20L,
   tolerance = 1e-11, closes_in = TRUE, reach = secant_share
 )
+# A search needs four digits.
+search_tangent <- utils::modifyList(exact_tangent, list(tolerance = 1e-9, closes_in = FALSE))
 # An uncertainty budget needs few digits. Its `reach` is the relative uncertainty of the field.
 quick_tangent <- list(
   shares = 1e-5, renewals = 0L, steps = 2L, tolerance = 1e-8, closes_in = FALSE
@@ -128,8 +130,8 @@ values_at <- function(work, gear, si, mesh, position) {
 }
 
 # Returns list(slope, below, above, smooth) by measure: derivatives by relative changes of a field.
-field_sensitivities <- function(work, field, secants) {
-  found <- if (!field$whole) tangent_derivatives(work, field)
+field_sensitivities <- function(work, field, secants, how = exact_tangent) {
+  found <- if (!field$whole) tangent_derivatives(work, field, how)
   if (is.null(found)) {
     step <- if (field$whole) 1 / abs(field$value) else secant_share
     sides <- secant_derivatives(work, field, step)

@@ -82,7 +82,7 @@ new_find <- function(gear, change, target, nodes, netting, accuracy) {
   fields <- free_fields(gear, change, "...")
   check_targets(target)
   base <- accurate_state(gear, nodes, netting, accuracy)
-  points <- new_points(gear, fields, nodes_of(base), netting)
+  points <- new_points(gear, fields, nodes_of(base), netting, list(coarse = base))
   points$count$n_solves <- 1L
   base <- list(values = own_values(fields), gear = gear, state = base, measures = measures(base))
   words <- formula_names(base$measures)
@@ -133,7 +133,8 @@ finish_find <- function(task, found) {
   if (is.null(found$slopes)) found <- with_slopes(task, found)
   points <- task$points
   formulas <- lapply(task$targets, `[[`, "formula")
-  error <- formula_errors(points, found$point, task$words, formulas)
+  point <- with_errors(points, found$point, points$shared$start)
+  error <- formula_errors(points, point, task$words, formulas)
   scaled <- points_scaled(points, found$point$values)
   at <- ifelse(scaled <= active_share, "lower", ifelse(scaled >= 1 - active_share, "upper", ""))
   result <- structure(list(

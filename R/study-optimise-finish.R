@@ -1,14 +1,13 @@
-# accuracy: a fraction; NULL keeps the mesh of the search.
-finish_optimum <- function(task, runs, accuracy = NULL) {
+finish_optimum <- function(task, runs) {
   best <- best_run(runs)
   if (is.null(best)) {
     abort_not_converged("The gear does not settle anywhere in the search.", report = NULL)
   }
-  refined <- refine_optimum(task, best, accuracy)
+  refined <- refine_optimum(task, best)
   whole <- which(whole_fields(task$points$fields))
   if (length(whole)) {
     rounded <- round_optimum(refined$coarse, refined$run, whole)
-    refined <- refine_optimum(refined$coarse, rounded, accuracy, rounded$held)
+    refined <- refine_optimum(refined$coarse, rounded, rounded$held)
   }
   task <- refined$task
   best <- best_run(c(list(refined$run), initial_run(task, refined$run$best)))
@@ -91,7 +90,8 @@ kinks_at <- function(task, tried) {
     return(data.frame(measure = character(), field = character(), derivative = numeric(),
       derivative_unit = character()))
   }
-  found <- sensitivities(tried$point$state, task$of, fields, secants = FALSE)
+  state <- complete_point(task$points, tried$point)$state
+  found <- sensitivities(state, task$of, fields, secants = FALSE)
   table_rows(as.data.frame(unclass(found))[kept], !found$smooth)
 }
 

@@ -26,16 +26,28 @@
 #' (COBYLA of NLopt, Powell 1994). `smooth` is `FALSE` if the result still lies at a kink.
 #'
 #' # Discretisation
-#' A coarse mesh has an error of a few percent, so conditions can fail on a finer mesh.
+#' The gear as given is settled first, as by [settle()] with the same arguments, on up to 3 meshes.
+#' Its number of nodes is the one of the results. With `nodes` alone, all gears have this number.
+#' Otherwise the search has 1,500 nodes (or `nodes`). If the results need more, conditions that hold
+#' in the search can fail on the finer mesh:
 #'
-#' - The optimum is settled with enough nodes for an error of at most `accuracy`, up to seven times
-#'   the nodes of the search.
+#' - The optimum is also settled on the finer mesh.
 #' - The difference between both meshes, in measures and sensitivities, corrects the coarse mesh.
 #'   The search continues until both meshes agree. This is first-order model management (Alexandrov
 #'   and Lewis 2001, Optimization and Engineering 2:413).
-#' - All results are from the fine mesh, also for the initial gear.
+#' - All results are from the finer mesh, also for the initial gear.
+#' - Cost: usually 10 to 40 settled gears on the coarse mesh and 2 to 6 on the finer one.
 #' - The objective and each condition have an estimated `error`. An active condition holds within
 #'   this error; to be sure, give the limit plus twice the error.
+#'
+#' # Workers and resuming
+#' - Workers of the package future, such as `future::plan("multisession")`, share the starts. The results
+#'   are the same for any number of workers.
+#' - Every step prints a message. Use `suppressMessages()` or `options(codend.steps = FALSE)` to omit
+#'   it. If the package progressr is loaded, it reports the progress instead.
+#' - With `file`, every settled gear is recorded. The same call continues after an interruption: it
+#'   repeats the steps and reads recorded gears instead of settling them. Calls with other objectives and conditions
+#'   also use them.
 #'
 #' # Whole numbers
 #' Whole numbers, such as counts of floats, are continuous at first: measures follow their
@@ -59,14 +71,13 @@
 #' @param change The fields to change: a list of ranges or [value_range()] by path, such as
 #'   `list(warps.length = c("300 m", "600 m"))`. Join fields that change together:
 #'   `"ropes.a.length + ropes.b.length"`. The range must contain the gear's value.
-#' @param nodes,netting Number of nodes and kind of netting elements of the search, as in
-#'   [settle()].
-#' @param accuracy Largest discretisation error of the objective and the conditions, as a fraction
-#'   of the objective and the limits. Default `"1 %"`. `NULL` stays with `nodes` and reports the
-#'   error.
+#' @param nodes,netting,accuracy As in [settle()], for the gear as given. Its number of nodes is used
+#'   for the results. See the section on discretisation.
 #' @param starts Number of starts: the gear's own values and others spread over the ranges. `NULL`
 #'   (default) uses the gear's own values, and two more if the search ends at a kink.
 #' @param most Largest number of settled gears for each start. Default 200.
+#' @param file Path of a file that records settled gears, to resume after an interruption. Default
+#'   `NULL`: no record. See the section on resuming.
 #' @return An object of class `codend_optimum`, a list:
 #'
 #'   - `gear`, `state`: the best gear and its settled state.
@@ -107,24 +118,48 @@
 #'   change = list(ropes.cable.length = c("600 m", "1200 m"), towing.speed = c("3 knot", "5 knot"))
 #' )
 #' found
-optimise_gear <- function(gear, minimise, keep = NULL, change, nodes = 1500, netting = NULL,
-                          accuracy = "1 %", starts = NULL, most = 200) {
+optimise_gear <- function(gear, minimise, keep = NULL, change, nodes = NULL, netting = NULL,
+                          accuracy = NULL, starts = NULL, most = 200, file = NULL) {
   check_given("gear", "minimise", "change")
-  if (!is.null(accuracy)) accuracy <- accuracy_share(accuracy)
-  task <- new_task(gear, minimise, keep, change, nodes, netting)
+  task <- new_task(gear, minimise, keep, change, nodes, netting, accuracy, file)
+  task$steps <- new_steps(most)
   if (!is.null(starts)) check_count("starts", starts)
   check_count("most", most)
   dimensions <- length(task$points$fields)
   places <- rbind(task$first, spread_points(max(starts, kinked_starts) - 1, dimensions))
-  runs <- lapply(seq_len(max(starts, 1)), function(k) find_optimum(task, places[k, ], most))
+  runs <- search_starts(task, places[seq_len(max(starts, 1)), , drop = FALSE], most)
   if (is_kinked(task, runs)) {
     if (is.null(starts)) {
       others <- seq_len(kinked_starts)[-1L]
-      runs <- c(runs, lapply(others, function(k) find_optimum(task, places[k, ], most)))
+      runs <- c(runs, search_starts(task, places[others, , drop = FALSE], most))
     }
     runs <- leave_kink(task, runs, most)
   }
-  finish_optimum(task, runs, accuracy)
+  finish_optimum(task, runs)
+}
+
+# Searches from each row of `places`, on workers if there are any. Returns the searches.
+search_starts <- function(task, places, most) {
+  found <- on_workers("search_start", asplit(places, 1L), seq_len(nrow(places)), task, most)
+  count <- task$points$count
+  lapply(found, function(one) {
+    rows <- lapply(one$history, function(row) {
+      row$n_solves <- row$n_solves + count$n_solves
+      row
+    })
+    task$history$rows <- c(task$history$rows, rows)
+    count$n_solves <- count$n_solves + one$count$n_solves
+    count$slopes <- count$slopes + one$count$slopes
+    one$run
+  })
+}
+
+# Returns list(run (from `find_optimum()`), history, count) of one search.
+search_start <- function(place, number, task, most) {
+  task$history <- list2env(list(rows = list()), parent = emptyenv())
+  task$points$count <- new_count()
+  run <- find_optimum(task, as.double(place), most)
+  list(run = run, history = task$history$rows, count = as.list(task$points$count))
 }
 
 # Number of starts if `starts` is NULL and the first search ends at a kink.
@@ -183,17 +218,20 @@ leave_kink <- function(task, runs, most) {
 }
 
 # Returns the task: list(points, words, aim (objective), keep (conditions), base (settled initial
-# gear), of (measures needed), first (scaled initial fields), history, size and limits
+# gear), fine (the same on the mesh of the results, or NULL), of (measures needed), first (scaled initial fields), history, size and limits
 # (magnitudes)).
-new_task <- function(gear, minimise, keep, change, nodes, netting) {
+new_task <- function(gear, minimise, keep, change, nodes, netting, accuracy, file = NULL) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)
   check_package("nloptr", "An optimum")
   fields <- free_fields(gear, change)
-  points <- new_points(gear, fields, nodes, netting)
-  base <- settled_state(gear, nodes, netting, NULL)
-  points$count$n_solves <- 1L
-  base <- list(values = own_values(fields), gear = gear, state = base, measures = measures(base))
+  states <- first_states(gear, nodes, netting, accuracy)
+  points <- new_points(gear, fields, nodes_of(states$coarse), netting, states, file)
+  points$count$n_solves <- length(states)
+  first <- lapply(states, function(state) {
+    list(values = own_values(fields), gear = gear, state = state, measures = measures(state))
+  })
+  base <- first$coarse
   words <- formula_names(base$measures)
   if (has_bounds(keep) || has_bounds(minimise)) words <- text_with_bounds(words, base$state)
   paths <- vapply(fields, function(field) field$paths[1L], "")
@@ -203,6 +241,7 @@ new_task <- function(gear, minimise, keep, change, nodes, netting) {
   named <- c(objective$names, unlist(named))
   task <- list(
     points = points, words = words, objective = objective, keep = conditions, base = base,
+    fine = first$fine,
     of = unique(words$column[words$name %in% named]),
     first = points_scaled(points, base$values), history = new.env(parent = emptyenv())
   )
@@ -348,6 +387,7 @@ try_point <- function(task, search, scaled) {
   search$last <- values
   if (is.null(search$best) || is_better(values, search$best$values)) search$best <- tried
   add_history(task, tried)
+  tell_step(task$steps, task$objective$text, values$objective, scaled)
   values
 }
 

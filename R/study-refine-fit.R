@@ -6,62 +6,50 @@ most_compared <- 8L
 most_refits <- 3L
 settled_share <- 0.1
 
-# Corrects the cases and fits until the fields converge. accuracy: a fraction of the measured
-# values, or NULL. Returns list(task, fit, nodes, accuracy (remaining error, a fraction)).
-# `task$mesh`: remaining errors by match and row.
-refine_fit <- function(task, fit, accuracy) {
+# Corrects the cases to the mesh of the results and fits until the fields converge. Returns list(task,
+# fit, nodes, accuracy (remaining error, a fraction)). `task$mesh`: remaining errors by match and row.
+refine_fit <- function(task, fit) {
   points <- cases_at(task, fit$scaled)$points
   chosen <- compared_cases(task, points)
   near <- nearest_cases(task, points, chosen)
-  found <- mesh_left(task, points[chosen], near)
-  nodes <- case_nodes(points)
-  result <- list(task = found$task, fit = fit, nodes = nodes, accuracy = found$share)
-  if (is.null(accuracy) || !is.finite(found$share) || is_reached(found$share, accuracy)) {
-    return(result)
-  }
-  finer <- finishing_nodes(nodes, found$share, accuracy)
-  from <- lapply(points, `[[`, "state")
+  finer <- task$points$fine
+  if (is.null(finer)) return(fit_errors(task, fit, points[chosen], task$cases[chosen], near))
+  from <- lapply(points[chosen], `[[`, "state")
   for (round in seq_len(most_refits)) {
     at <- cases_at(task, fit$scaled, slopes = TRUE)
-    values <- points_values(task$points, fit$scaled)
-    fine <- lapply(chosen, function(k) {
-      settle_point(points_on(task$cases[[k]], finer), values, from[[k]])
-    })
+    on_fine <- lapply(task$cases[chosen], points_on, finer)
+    fine <- settle_points(on_fine, points_values(task$points, fit$scaled), from)
     good <- !vapply(fine, is.null, NA)
-    # A plan can fix its mesh, so that more nodes have no effect.
-    if (!any(good) || case_nodes(fine) < least_ratio * nodes) return(result)
+    if (!any(good)) return(fit_errors(task, fit, at$points[chosen], task$cases[chosen], near))
     chosen <- chosen[good]
+    on_fine <- on_fine[good]
     fine <- fine[good]
-    from[chosen] <- lapply(fine, `[[`, "state")
-    corrections <- Map(function(k, point) {
-      case <- task$cases[[k]]
-      mesh_correction(case, at$points[[k]], point, at$slopes[[k]],
-        known_derivatives(points_on(case, finer), point, task$of), task$of)
-    }, chosen, fine)
+    from <- lapply(fine, `[[`, "state")
+    slopes <- derivatives_of_points(on_fine, fine, task$of)
+    corrections <- Map(function(k, point, slopes) {
+      mesh_correction(task$cases[[k]], at$points[[k]], point, at$slopes[[k]], slopes, task$of)
+    }, chosen, fine, slopes)
     near <- nearest_cases(task, at$points, chosen)
     task$cases <- Map(function(case, k) {
       case$correction <- if (!is.na(k)) corrections[[k]]
       case
     }, task$cases, near)
-    before <- fit
+    if (fields_stay(task, fit$scaled)) break
     fit <- fit_fields(task, fit$scaled)
-    if (max(abs(fit$scaled - before$scaled)) <= same_refined ||
-      fields_stay(task, before, fit)) break
   }
-  found <- mesh_left(task, fine, near)
-  list(task = found$task, fit = fit, nodes = case_nodes(fine), accuracy = found$share)
+  fit_errors(task, fit, fine, on_fine, near)
 }
 
-case_nodes <- function(points) {
-  nodes <- vapply(points, function(point) first_of(point$state$mesh$nodes, 0L), 0)
-  max(nodes)
-}
-
-# Returns TRUE if every field changed by at most `settled_share` of its standard error.
-fields_stay <- function(task, before, fit) {
-  curvature <- misfit_at(task, fit$scaled, slopes = TRUE)$curvature
-  error <- tryCatch(sqrt(diag(solve(curvature))), error = function(e) NULL)
-  !is.null(error) && all(abs(fit$scaled - before$scaled) <= settled_share * error)
+# Returns TRUE if the next Gauss-Newton step changes each field by at most `settled_share` of its
+# standard error. Fields at an end of their range are ignored.
+fields_stay <- function(task, scaled) {
+  found <- misfit_at(task, scaled, slopes = TRUE)
+  free <- scaled > 0 & scaled < 1
+  inverse <- tryCatch(
+    solve(found$curvature[free, free, drop = FALSE]), error = function(e) NULL
+  )
+  !is.null(inverse) &&
+    all(abs(inverse %*% found$slope[free]) <= settled_share * sqrt(diag(inverse)))
 }
 
 compared_cases <- function(task, points) {
@@ -87,12 +75,13 @@ nearest_cases <- function(task, points, chosen) {
   }, 0L)
 }
 
-# Returns list(task (with errors by match), share (largest median error as a fraction of the data)).
-mesh_left <- function(task, points, near) {
+# Returns the result of `refine_fit()`. points: of `cases`; near: by case, numbers of points.
+fit_errors <- function(task, fit, points, cases, near) {
   formulas <- lapply(task$match, `[[`, "formula")
-  own <- points_on(task$points, NULL)
+  shared <- task$points$shared
+  points <- Map(with_errors, cases, points, base = list(first_of(shared$fine, shared$start)))
   by_point <- vapply(points, function(point) {
-    formula_errors(own, with_own_errors(own, point), task$words, formulas)
+    formula_errors(points_on(task$points, NULL), point, task$words, formulas)
   }, numeric(length(formulas)))
   by_case <- matrix(by_point, length(formulas))[, near, drop = FALSE]
   task$mesh <- lapply(seq_along(task$match), function(k) by_case[k, task$case_of])
@@ -100,7 +89,10 @@ mesh_left <- function(task, points, near) {
     measured <- task$match[[k]]$measured
     stats::median(task$mesh[[k]] / abs(measured), na.rm = TRUE)
   }, 0)
-  list(task = task, share = max(c(shares[is.finite(shares)], -Inf)))
+  list(
+    task = task, fit = fit, nodes = max(vapply(points, function(point) point$state$mesh$nodes, 0)),
+    accuracy = max(c(shares[is.finite(shares)], -Inf))
+  )
 }
 
 # Returns the covariance of scaled fields due to discretisation errors. The error of a match is

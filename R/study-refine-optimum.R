@@ -1,31 +1,20 @@
 # Optima: searched on a coarse mesh, corrected to a fine one (study-refine.R).
 
-# Moves an optimum to a mesh with an error of at most `accuracy`, a fraction of the objective and
-# limits; NULL keeps the mesh. `run`: from `find_optimum()`. `held`: numbers of fixed fields.
-# Returns list(task (on the mesh of `run$best`), run, coarse (task on the coarse mesh)).
-refine_optimum <- function(task, run, accuracy, held = integer()) {
-  run$best$point <- with_own_errors(task$points, run$best$point)
-  same <- list(task = task, run = run, coarse = task)
-  if (is.null(accuracy)) return(same)
-  fine <- task$fine
-  if (is.null(fine)) {
-    error <- task_error(task, run$best)
-    if (!is.finite(error) || is_reached(error, accuracy)) return(same)
-    nodes <- run$best$point$state$mesh$nodes
-    fine <- finer_task(task, finishing_nodes(nodes, error, accuracy))
-    # A plan can fix its mesh, so that more nodes have no effect.
-    if (is.null(fine) || fine$base$state$mesh$nodes < least_ratio * nodes) return(same)
-  }
-  refined <- compare_meshes(task, fine, run, held)
-  if (is.null(refined$run)) same else refined
+# Moves an optimum to the mesh of the results. `run`: from `find_optimum()`. `held`: numbers of fixed
+# fields. Returns list(task (on the mesh of `run$best`), run, coarse (task on the coarse mesh)).
+refine_optimum <- function(task, run, held = integer()) {
+  refined <- if (!is.null(task$fine)) compare_meshes(task, finer_task(task), run, held)
+  if (!is.null(refined$run)) return(refined)
+  run$best$point <- with_errors(task$points, run$best$point)
+  list(task = task, run = run, coarse = task)
 }
 
-# Returns the task on a mesh with more nodes, or NULL if the initial gear does not settle there.
-finer_task <- function(task, nodes) {
+# Returns the task on the mesh of the results.
+finer_task <- function(task) {
   fine <- task
-  fine$points <- points_on(task$points, nodes)
-  fine$base <- settle_point(fine$points, task$base$values, task$base$state)
-  if (!is.null(fine$base)) fine
+  fine$points <- points_on(task$points, task$points$fine)
+  fine$base <- task$fine
+  fine
 }
 
 compare_meshes <- function(task, fine, run, held) {
@@ -53,9 +42,8 @@ compare_meshes <- function(task, fine, run, held) {
     coarse <- found$best
   }
   if (is.null(best)) return(list())
-  best$point <- with_own_errors(fine$points, best$point)
+  best$point <- with_errors(fine$points, best$point)
   run$best <- best
-  task$fine <- fine
   list(task = fine, run = run, coarse = task)
 }
 

@@ -41,17 +41,13 @@ formula_errors <- function(points, point, words, formulas) {
   }, 0)
 }
 
-# Points of a search scale the errors of the initial gear. One more mesh gives errors of their own.
-with_own_errors <- function(points, point) {
-  point$state$levels <- new_levels(netting = points$netting)
+# Returns a point with errors of its measures: the relative errors of the gear as given, or errors
+# from one more mesh. base: the settled gear as given, or NULL.
+with_errors <- function(points, point, base = NULL) {
+  point <- complete_point(points, point)
+  point$state$levels <- new_levels(netting = points$netting, base = base)
   point$measures <- measures(point$state)
   point
-}
-
-# Returns the nodes that reduce `error` to `accuracy` (fractions), within the limits of `settle()`.
-finishing_nodes <- function(nodes, error, accuracy) {
-  growth <- min(max(nodes_for(1, error, accuracy), least_growth), most_growth)
-  min(nodes * growth, most_accurate_nodes)
 }
 
 # Largest number of mesh comparisons, and the distance between them as a fraction of the ranges.

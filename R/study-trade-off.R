@@ -28,8 +28,8 @@
 #'   change = list(ropes.cable.length = c("600 m", "1200 m")), points = 4
 #' )
 #' found
-trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = 1500, netting = NULL,
-                      most = 100) {
+trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = NULL,
+                      netting = NULL, accuracy = NULL, most = 100) {
   check_given("gear", "minimise", "change")
   named <- is.list(minimise) && length(minimise) == 2L && !is.null(names(minimise)) &&
     all(nzchar(names(minimise))) && !anyDuplicated(names(minimise))
@@ -41,7 +41,7 @@ trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = 1
   if (points < 3) abort_argument("{.arg points} is {.val {points}}; it must be 3 or more.")
   check_count("most", most)
   tasks <- lapply(minimise, function(objective) {
-    new_task(gear, objective, keep, change, nodes, netting)
+    new_task(gear, objective, keep, change, nodes, netting, accuracy)
   })
   ends <- lapply(1:2, function(k) {
     alone <- finish_optimum(tasks[[k]], list(find_optimum(tasks[[k]], tasks[[k]]$first, most)))

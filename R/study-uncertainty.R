@@ -92,7 +92,8 @@ uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "sam
   fit <- if (inherits(state, "codend_calibration")) state
   if (!is.null(fit)) {
     # The calibrated gear is settled in the conditions of its plan.
-    state <- settled_state(fit$gear, fit$task$points$nodes, fit$task$points$netting, NULL)
+    state <- settled_state(fit$gear, first_of(fit$task$points$fine, fit$task$points$nodes),
+      fit$task$points$netting, NULL)
   }
   check_is_settled(state)
   method <- chosen(method, c("linear", "samples"))

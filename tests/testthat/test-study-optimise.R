@@ -137,7 +137,7 @@ test_that("optimise_gear() satisfies equality conditions", {
   expect_equal(found$fields$value[1], (1000 / drag_by_speed)^(1 / 3), tolerance = 1e-4)
 })
 
-test_that("optimise_gear() with few nodes gives an optimum valid with many", {
+test_that("optimise_gear() with few nodes and an accuracy gives an optimum valid with many", {
   plan <- towed_sphere_plan()
   plan$ropes$line <- list(from = "ship", to = "end", length = "100 m", diameter = "20 mm",
     axial_stiffness = "10 MN", mass_per_length = 1)
@@ -147,7 +147,7 @@ test_that("optimise_gear() with few nodes gives an optimum valid with many", {
     ), nodes = 4, ...)
   }
   depth <- function(found) measures(settle(found$gear, nodes = 400))[["depth_m"]]
-  found <- optimum()
+  found <- optimum(accuracy = "1 %")
   # four elements leave an error of some percent in the depth, which the last mesh removes
   expect_gt(found$nodes, 10)
   expect_lt(found$accuracy, 0.01)
@@ -155,7 +155,8 @@ test_that("optimise_gear() with few nodes gives an optimum valid with many", {
   expect_lt(abs(depth(found) - 50), 2 * found$keep$error)
   expect_output(print(found), "within its error.*nodes, with an error of")
   # with four elements alone it reports the error
-  coarse <- optimum(accuracy = NULL)
+  coarse <- optimum()
+  expect_lt(coarse$nodes, 10)
   expect_gt(abs(depth(coarse) - 50), 0.5)
   expect_lt(abs(depth(coarse) - 50), 2 * coarse$keep$error)
 })
@@ -232,7 +233,7 @@ test_that("short prawn trawls save the published drag per swept width", {
   # 9.4 % less. Twine and boards are not published.
   prawn <- read_gear(system.file("extdata", "penaeid_trawl.yaml", package = "codend"))
   found <- optimise_gear(prawn, ~ total_drag / wing_end_spread,
-    change = list(sections.body.meshes.deep = c(112, 160)), nodes = 400, accuracy = NULL)
+    change = list(sections.body.meshes.deep = c(112, 160)), nodes = 400)
   expect_equal(found$fields$value, 112)
   expect_identical(found$fields$at, "lower")
   expect_gt(found$objective$saving, 0.045)

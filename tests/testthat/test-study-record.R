@@ -1,0 +1,82 @@
+runs <- data.frame(
+  towing.speed = c("3 knot", "3 knot", "4 knot", "4 knot", "5 knot"),
+  Tension = c(13.1, 13.3, 14.7, 14.6, 16.4)
+)
+fitted_cable <- function(file = NULL) {
+  calibrate("towed_cable", runs, change = list(ropes.cable.length = c("800 m", "1500 m")),
+    match = Tension ~ ship_tension_kN, nodes = 40, file = file)
+}
+best_cable <- function(starts = NULL, file = NULL) {
+  optimise_gear("towed_cable", ~ total_drag / towing.speed, ~ body_depth >= "450 m",
+    list(ropes.cable.length = c("600 m", "1200 m"), towing.speed = c("3 knot", "5 knot")),
+    nodes = 40, starts = starts, file = file)
+}
+
+# Counts the gears that a call settles.
+count_settled <- function(code) {
+  count <- 0L
+  own <- settle_alone
+  local_mocked_bindings(settle_alone = function(...) {
+    count <<- count + 1L
+    own(...)
+  }, .package = "codend")
+  force(code)
+  count
+}
+
+test_that("calibrate() resumes from a record with identical fields", {
+  file <- file.path(test_folder(), "hauls.record")
+  alone <- fitted_cable()
+  whole <- count_settled(expect_identical(fitted_cable(file)$fields, alone$fields))
+  lines <- readLines(file)
+  expect_identical(count_settled(fitted_cable(file)), 1L)
+  # an interruption leaves the first lines; a damaged line is settled again
+  lines <- lines[seq_len(length(lines) / 2)]
+  lines[3] <- sub("[0-9][.]", "7.", lines[3])
+  writeLines(lines, file)
+  resumed <- 0L
+  expect_no_warning(resumed <- count_settled(again <- fitted_cable(file)))
+  expect_identical(again$fields$value, alone$fields$value)
+  expect_identical(again$n_solves, alone$n_solves)
+  expect_true(resumed > 1L && resumed < whole)
+})
+
+test_that("optimise_gear() resumes from a record with identical steps", {
+  skip_if_not_installed("nloptr")
+  file <- file.path(test_folder(), "best.record")
+  alone <- best_cable()
+  expect_identical(best_cable(file = file)$history, alone$history)
+  lines <- readLines(file)
+  writeLines(lines[seq_len(length(lines) / 2)], file)
+  again <- best_cable(file = file)
+  expect_equal(again$history, alone$history, tolerance = 1e-6)
+  expect_equal(again$fields, alone$fields, tolerance = 1e-6)
+  expect_setequal(readLines(file)[-1L] |> substr(9, 40), substr(lines[-1L], 9, 40))
+})
+
+test_that("open_record() rejects a file that is not a record", {
+  file <- file.path(test_folder(), "notes.txt")
+  writeLines("my notes", file)
+  expect_error(fitted_cable(file), "not a record", class = "codend_error_file")
+  expect_identical(readLines(file), "my notes")
+})
+
+test_that("workers give the results of one process to calibrate() and optimise_gear()", {
+  skip_if_not_installed("future")
+  skip_if_not_installed("nloptr")
+  fit <- fitted_cable()
+  best <- best_cable(starts = 3)
+  kept <- future::plan("multisession", workers = 2)
+  withr::defer(future::plan(kept))
+  parts <- c("fields", "matched", "n_solves", "slopes")
+  expect_identical(fitted_cable()[parts], fit[parts])
+  parts <- c("fields", "keep", "history", "starts", "n_solves")
+  expect_identical(best_cable(starts = 3)[parts], best[parts])
+})
+
+test_that("searches report each step unless the option is off", {
+  withr::local_options(codend.steps = TRUE)
+  expect_message(expect_message(fitted_cable(), "Step 1: misfit"), "Step 2.*largest change",
+    class = "codend_message_step") |> suppressMessages()
+  expect_silent(suppressMessages(fitted_cable()))
+})
