@@ -65,9 +65,13 @@ add_to_record <- function(record, results) {
 
 # ---- steps ---------------------------------------------------------------------------------------
 
-# Returns an environment that counts the steps of a search. most: expected number of steps.
+# Returns an environment that counts the steps of a search, or NULL if the user turned them off.
+# most: expected number of steps.
 new_steps <- function(most, frame = parent.frame()) {
   show <- if (isNamespaceLoaded("progressr")) progressr::progressor(steps = most, envir = frame)
+  # Guides would otherwise print every step.
+  wanted <- getOption("codend.steps", !isTRUE(getOption("knitr.in.progress")))
+  if (is.null(show) && !wanted) return(NULL)
   list2env(list(number = 0L, show = show), parent = emptyenv())
 }
 
@@ -80,10 +84,7 @@ tell_step <- function(steps, text, value, scaled) {
   said <- paste0("Step ", steps$number, ": ", text, " ", four_figures(value),
     if (!is.null(change)) paste0(", largest change ", percent_text(change), " of a range"))
   if (!is.null(steps$show)) return(steps$show(message = said))
-  # Guides would otherwise print every step.
-  if (getOption("codend.steps", !isTRUE(getOption("knitr.in.progress")))) {
-    cli::cli_inform("{said}", class = "codend_message_step")
-  }
+  cli::cli_inform("{said}", class = "codend_message_step")
 }
 
 # ---- workers -------------------------------------------------------------------------------------

@@ -147,7 +147,7 @@ test_that("optimise_gear() with few nodes and an accuracy gives an optimum valid
     ), nodes = 4, ...)
   }
   depth <- function(found) measures(settle(found$gear, nodes = 400))[["depth_m"]]
-  found <- optimum(accuracy = "1 %")
+  found <- optimum(accuracy = "0.05 %")
   # four elements leave an error of some percent in the depth, which the last mesh removes
   expect_gt(found$nodes, 10)
   expect_lt(found$accuracy, 0.01)
