@@ -34,17 +34,17 @@
 #' The gear as given is settled first, as by [settle()] with the same arguments, on up to 3 meshes.
 #'
 #' - Its number of nodes is the one of the results. With `nodes` alone, all gears have this number.
-#' - Otherwise the fields are fitted with 1,500 nodes (or `nodes`). If the results need more, up to 8
-#'   hauls are also settled with more nodes at the best values. The difference corrects the coarse
+#' - Otherwise the fields are fitted with 1,500 nodes (or `nodes`). If the results need more, up to
+#'   8 hauls are also settled with more nodes at the best values. The difference corrects the coarse
 #'   mesh (as in [optimise_gear()]), and the fields are fitted again until they converge.
 #' - The remaining discretisation error is part of the errors and intervals of the fields.
 #' - Cost: each step settles all hauls. A fit takes 5 to 10 steps.
 #'
 #' # Workers and resuming
-#' - Workers of the package future, such as `future::plan("multisession")`, share the hauls. The results
-#'   are the same for any number of workers.
-#' - Every step prints a message. Use `suppressMessages()` or `options(codend.steps = FALSE)` to omit
-#'   it. If the package progressr is loaded, it reports the progress instead.
+#' - Workers of the package future, such as `future::plan("multisession")`, share the hauls. The
+#'   results are the same for any number of workers.
+#' - Every step prints a message. Use `suppressMessages()` or `options(codend.steps = FALSE)` to
+#'   omit it. If the package progressr is loaded, it reports the progress instead.
 #' - With `file`, every settled gear is recorded. The same call continues after an interruption: it
 #'   repeats the steps and reads recorded gears instead of settling them. Calls with other matches
 #'   also use them.
@@ -66,8 +66,8 @@
 #'   section on matches.
 #' @param error Standard deviations, one per formula of `match`, in the same units. `NULL` (default)
 #'   estimates all; `NA` estimates a single one.
-#' @param nodes,netting,accuracy As in [settle()], for the gear as given. Its number of nodes is used
-#'   for the results. See the section on discretisation.
+#' @param nodes,netting,accuracy As in [settle()], for the gear as given. Its number of nodes is
+#'   used for the results. See the section on discretisation.
 #' @param file Path of a file that records settled gears, to resume after an interruption. Default
 #'   `NULL`: no record. See the section on resuming.
 #'

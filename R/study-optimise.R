@@ -41,13 +41,13 @@
 #'   this error; to be sure, give the limit plus twice the error.
 #'
 #' # Workers and resuming
-#' - Workers of the package future, such as `future::plan("multisession")`, share the starts. The results
-#'   are the same for any number of workers.
-#' - Every step prints a message. Use `suppressMessages()` or `options(codend.steps = FALSE)` to omit
-#'   it. If the package progressr is loaded, it reports the progress instead.
+#' - Workers of the package future, such as `future::plan("multisession")`, share the starts. The
+#'   results are the same for any number of workers.
+#' - Every step prints a message. Use `suppressMessages()` or `options(codend.steps = FALSE)` to
+#'   omit it. If the package progressr is loaded, it reports the progress instead.
 #' - With `file`, every settled gear is recorded. The same call continues after an interruption: it
-#'   repeats the steps and reads recorded gears instead of settling them. Calls with other objectives and conditions
-#'   also use them.
+#'   repeats the steps and reads recorded gears instead of settling them. Calls with other
+#'   objectives and conditions also use them.
 #'
 #' # Whole numbers
 #' Whole numbers, such as counts of floats, are continuous at first: measures follow their
@@ -71,8 +71,8 @@
 #' @param change The fields to change: a list of ranges or [value_range()] by path, such as
 #'   `list(warps.length = c("300 m", "600 m"))`. Join fields that change together:
 #'   `"ropes.a.length + ropes.b.length"`. The range must contain the gear's value.
-#' @param nodes,netting,accuracy As in [settle()], for the gear as given. Its number of nodes is used
-#'   for the results. See the section on discretisation.
+#' @param nodes,netting,accuracy As in [settle()], for the gear as given. Its number of nodes is
+#'   used for the results. See the section on discretisation.
 #' @param starts Number of starts: the gear's own values and others spread over the ranges. `NULL`
 #'   (default) uses the gear's own values, and two more if the search ends at a kink.
 #' @param most Largest number of settled gears for each start. Default 200.
@@ -218,8 +218,8 @@ leave_kink <- function(task, runs, most) {
 }
 
 # Returns the task: list(points, words, aim (objective), keep (conditions), base (settled initial
-# gear), fine (the same on the mesh of the results, or NULL), of (measures needed), first (scaled initial fields), history, size and limits
-# (magnitudes)).
+# gear), fine (the same on the mesh of the results, or NULL), of (measures needed), first (scaled
+# initial fields), history, size and limits (magnitudes)).
 new_task <- function(gear, minimise, keep, change, nodes, netting, accuracy, file = NULL) {
   if (is.character(gear)) gear <- read_gear(gear)
   check_settle_arguments(gear, nodes, netting)

@@ -6,8 +6,9 @@ most_compared <- 8L
 most_refits <- 3L
 settled_share <- 0.1
 
-# Corrects the cases to the mesh of the results and fits until the fields converge. Returns list(task,
-# fit, nodes, accuracy (remaining error, a fraction)). `task$mesh`: remaining errors by match and row.
+# Corrects the cases to the mesh of the results and fits until the fields converge. Returns
+# list(task, fit, nodes, accuracy (remaining error, a fraction)). `task$mesh`: remaining errors by
+# match and row.
 refine_fit <- function(task, fit) {
   points <- cases_at(task, fit$scaled)$points
   chosen <- compared_cases(task, points)

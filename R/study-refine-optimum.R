@@ -1,7 +1,8 @@
 # Optima: searched on a coarse mesh, corrected to a fine one (study-refine.R).
 
-# Moves an optimum to the mesh of the results. `run`: from `find_optimum()`. `held`: numbers of fixed
-# fields. Returns list(task (on the mesh of `run$best`), run, coarse (task on the coarse mesh)).
+# Moves an optimum to the mesh of the results. `run`: from `find_optimum()`. `held`: numbers of
+# fixed fields. Returns list(task (on the mesh of `run$best`), run, coarse (task on the coarse
+# mesh)).
 refine_optimum <- function(task, run, held = integer()) {
   refined <- if (!is.null(task$fine)) compare_meshes(task, finer_task(task), run, held)
   if (!is.null(refined$run)) return(refined)

@@ -67,7 +67,7 @@ run <- function(k) {
   keep <- stats::as.formula(
     sprintf("~ %s %s %.10g", one$limit, if (one$share > 0) "<=" else ">=", limit))
   found <- suppressWarnings(
-    optimise_gear(gear, objective, keep, change, nodes = nodes, accuracy = NULL))
+    optimise_gear(gear, objective, keep, change, nodes = nodes))
   value <- -found$objective$value
   row <- list(
     gear = one$of, objective = paste(if (one$sign < 0) "large" else "small", one$objective),
