@@ -384,7 +384,7 @@ fit_fields <- function(task, place, held = integer()) {
     function(x) misfit_at(task, full(x))$value,
     function(x) {
       found <- misfit_at(task, full(x), slopes = TRUE)
-      tell_step(task$steps, "misfit", found$value, full(x))
+      report_step(task$steps, "misfit", found$value, full(x))
       found$slope[free]
     },
     function(x) misfit_at(task, full(x), slopes = TRUE)$curvature[free, free, drop = FALSE],

@@ -387,7 +387,7 @@ try_point <- function(task, search, scaled) {
   search$last <- values
   if (is.null(search$best) || is_better(values, search$best$values)) search$best <- tried
   add_history(task, tried)
-  tell_step(task$steps, task$objective$text, values$objective, scaled)
+  report_step(task$steps, task$objective$text, values$objective, scaled)
   values
 }
 

@@ -76,7 +76,7 @@ new_steps <- function(most, frame = parent.frame()) {
 }
 
 # Reports a step of a search: a message, or the progress of progressr. text: of the objective.
-tell_step <- function(steps, text, value, scaled) {
+report_step <- function(steps, text, value, scaled) {
   if (is.null(steps)) return(invisible())
   steps$number <- steps$number + 1L
   change <- if (!is.null(steps$last)) max(abs(scaled - steps$last))

@@ -126,8 +126,3 @@ print.codend_trade_off <- function(x, n = most_rows, ...) {
   cat_more(c(gear = nrow(x) - nrow(table), field = length(fields) - done))
   invisible(x)
 }
-
-# Formats each number with four digits.
-four_figures <- function(x) {
-  with_plain_numbers(vapply(x, function(one) format(signif(one, 4), digits = 6), ""))
-}

@@ -36,3 +36,8 @@ shortest_decimal <- function(x) {
   # YAML 1.1 accepts an exponent only after a decimal point.
   if (grepl("^-?[0-9]+e", shown)) sub("e", ".0e", shown) else shown
 }
+
+# Formats each number with four digits.
+four_figures <- function(x) {
+  with_plain_numbers(vapply(x, function(one) format(signif(one, 4), digits = 6), ""))
+}
