@@ -3,8 +3,8 @@
 thickest_twine <- 0.024
 thinnest_twine <- 5e-5
 # Twine diameter divided by bar length. Netting of codends and cages has up to 0.11, double twine in
-# small meshes up to 0.2. The largest front meshes in use (14 mm twine, bars of 16 m and more) have
-# 0.0003.
+# small meshes up to 0.2. The largest front meshes in use (14 mm twine, bars of 16 to 32 m) have
+# 0.0004 to 0.0009.
 greatest_twine_ratio <- 0.25
 least_twine_ratio <- 1.5e-4
 

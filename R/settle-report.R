@@ -30,41 +30,27 @@ settle_progress <- function() {
 abort_unsettled <- function(report, mesh, position, advice = NULL) {
   where <- describe_node(mesh, report$worst_node)
   at <- round(matrix(position, 3L)[, report$worst_node], 1)
-  if (report$wake_change > 1e-5) {
-    abort_not_converged(
-      "The gear did not settle: shape and wake did not converge in {report$wake_renewals}
-      iterations. The last one changed the speed of the flow at a point by
-      {signif(100 * report$wake_change, 2)} % of the free flow.",
-      report = report
-    )
-  }
-  if (report$part_rounding > report$greatest_rounding) {
-    abort_not_converged(
-      c("The gear did not settle: rounding errors of positions cause residual forces of
-        {signif(report$part_rounding, 2)} of the largest force in {.val {report$rounding_part}}.",
-        "i" = "It is too stiff at this distance from the origin for an accurate tension: reduce
-        its {.field axial_stiffness}."),
-      report = report
-    )
-  }
-  if (report$residual <= settle_tolerance && report$part_residual > report$part_tolerance) {
-    abort_not_converged(
-      "The gear did not settle: after {report$iterations} iterations the largest residual force
-      on {.val {report$worst_part}} is {signif(report$part_residual, 2)} of its largest force; the
-      limit is {report$part_tolerance}.",
-      report = report
-    )
-  }
-  abort_not_converged(
-    c(
-      "The gear did not settle: after {report$iterations} iterations the largest residual force
-      is {signif(report$residual, 2)} of the largest tension; the limit is {settle_tolerance}.",
+  reason <- if (report$wake_change > 1e-5) {
+    "shape and wake did not converge in {report$wake_renewals} iterations. The last one changed the
+    speed of the flow at a point by {signif(100 * report$wake_change, 2)} % of the free flow."
+  } else if (report$part_rounding > report$greatest_rounding) {
+    advice <- "Reduce the `axial_stiffness` of this part: it is too stiff at this distance
+      from the origin for an accurate tension."
+    "rounding errors of positions cause residual forces of {signif(report$part_rounding, 2)} of the
+    largest force in {.val {report$rounding_part}}."
+  } else if (report$residual <= settle_tolerance && report$part_residual > report$part_tolerance) {
+    "after {report$iterations} iterations the largest residual force on {.val {report$worst_part}}
+    is {signif(report$part_residual, 2)} of its largest force; the limit is
+    {report$part_tolerance}."
+  } else {
+    c("after {report$iterations} iterations the largest residual force is
+      {signif(report$residual, 2)} of the largest tension; the limit is {settle_tolerance}.",
       "x" = "Worst at {where}, near x = {at[1]} m, y = {at[2]} m, z = {at[3]} m:
-      {signif(in_unit(report$worst_force, 'kN'), 3)} kN.",
-      stats::setNames(sprintf("{advice[%d]}", seq_along(advice)), rep("i", length(advice)))
-    ),
-    report = report
-  )
+      {signif(in_unit(report$worst_force, 'kN'), 3)} kN.")
+  }
+  reason[1L] <- paste("The gear did not settle:", reason[1L])
+  bullets <- stats::setNames(sprintf("{advice[%d]}", seq_along(advice)), rep("i", length(advice)))
+  abort_not_converged(c(reason, bullets), report = report)
 }
 
 # Returns the numbers of the parts that meet at a node.
