@@ -36,6 +36,23 @@ label_of <- function(name, unit) {
   gsub("_", " ", substring(name, 1L, end), fixed = TRUE)
 }
 
+# Returns names of measures without their units: "speed" for "speed_m_per_s".
+without_unit <- function(names) {
+  suffix <- unit_suffix(c(unlist(lapply(plan_units, names)), names(display_units)))
+  suffix <- suffix[order(-nchar(suffix))]
+  sub(paste0("_(", paste(suffix, collapse = "|"), ")$"), "", names)
+}
+
+# Returns the names of the chosen measures; `values` may omit units. Default: all.
+chosen_measures <- function(values, known, argument = deparse(substitute(values))) {
+  force(argument)
+  if (is.character(values)) {
+    short <- known[match(values, without_unit(known))]
+    values <- ifelse(values %in% known | is.na(short), values, short)
+  }
+  chosen_some(values, known, argument)
+}
+
 # Returns units in the spelling of the CF conventions for NetCDF files.
 cf_unit <- function(unit) {
   other <- c(

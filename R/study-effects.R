@@ -223,7 +223,7 @@ changing_measures <- function(x, measures) {
       length(value) > 1L && diff(range(value)) > 1e-9 * max(abs(value))
     }, known))
   }
-  chosen_some(measures, known)
+  chosen_measures(measures, known)
 }
 
 report_unsettled <- function(x) {

@@ -37,7 +37,7 @@
 #'   if the relative difference between the secants is at most three times the relative step.
 #'
 #' @param state A settled state, from [settle()].
-#' @param of Names of measures, as in [measures()]. Default `NULL`: all.
+#' @param of Names of measures, as in [measures()], with or without unit. Default `NULL`: all.
 #' @param to Numeric fields by path, as in [update()][update.codend_gear]. A list item with several
 #'   paths changes these fields together. `NULL` (default) selects up to 12 common fields. `"all"`
 #'   selects every number except the settings of the mesh.
@@ -70,7 +70,7 @@ sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
   check_is_settled(state)
   check_truth(secants, "secants")
   base <- state_values(state)
-  of <- chosen_some(of, names(base$values))
+  of <- chosen_measures(of, names(base$values))
   fields <- sensitivity_fields(state$gear, to)
   work <- tangent_work(state, base)
   found <- lapply(fields, function(field) lapply(field_sensitivities(work, field, secants), `[`,

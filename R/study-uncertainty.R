@@ -52,7 +52,7 @@
 #'   on the cores of [future::plan()].
 #'
 #' @param state A settled state, from [settle()], or a calibration, from [calibrate()].
-#' @param of Names of measures. Default `NULL`: all.
+#' @param of Names of measures, with or without unit. Default `NULL`: all.
 #' @param level Probability that the interval contains the true value. Default 0.9.
 #' @param method `"linear"` (default) or `"samples"`.
 #' @param samples Number of draws for `"samples"`. Default 100. The draws are evenly spread and the
@@ -100,7 +100,7 @@ uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "sam
   check_level(level)
   check_count("samples", samples, 20)
   base <- measures(state)
-  of <- chosen_some(of, names(base))
+  of <- chosen_measures(of, names(base))
   sources <- uncertainty_sources(state$gear)
   if (!is.null(fit)) sources <- calibrated_sources(sources, fit)
   spread <- source_contributions(state, sources, fit)

@@ -227,3 +227,11 @@ test_that("sensitivities() name fields without effect", {
   moved <- found[found$field == "towing.speed" & found$measure == "body_depth_m", ]
   expect_no_match(capture.output(print(moved)), "Below")
 })
+
+test_that("sensitivities() accepts names of measures without unit", {
+  state <- settle("towed_cable", nodes = 20)
+  short <- sensitivities(state, of = "total_drag", to = "towing.speed")
+  expect_identical(short, sensitivities(state, of = "total_drag_kN", to = "towing.speed"))
+  expect_error(sensitivities(state, of = "total"), "`of` is \"total\"",
+    class = "codend_error_argument")
+})
