@@ -54,44 +54,51 @@ formats_text <- function(of) {
 #' | `.txt` | ropes of a state as input of MoorDyn 2 | MoorDyn, [read_moordyn()] |
 #'
 #' @section NetCDF and JSON:
-#' The dimensions are `node`, `bar`, `cell` and `part`, and for a trajectory also `time`.
+#' Names end in their unit. They are the same in NetCDF, in JSON and, for nodes, parts and measures,
+#' in the tables of [as.data.frame()][as.data.frame.codend_state].
 #'
-#' Variables per node:
+#' | name | across | content |
+#' |---|---|---|
+#' | `door_spread_m` and every other measure | | value, unit, standard `error` and `long_name` |
+#' | `x_m`, `y_m`, `z_m` | `node` | position: aft, to starboard, up from the water surface |
+#' | `x_force_N`, `y_force_N`, `z_force_N` | `node` | net force; on a fixed node the opposite of the support's force |
+#' | `x_velocity_m_per_s`, `y_`, `z_` | `node` | velocity, in motion |
+#' | `held` | `node` | 1 on fixed nodes |
+#' | `bar_node`, `bar_part` | `bar` | the two nodes and the part of a bar |
+#' | `bar_tension_N` | `bar` | tension of one line |
+#' | `cell_node`, `cell_part` | `cell` | the four nodes and the part of a netting cell |
+#' | `u_tension_N`, `v_tension_N` | `cell` | tension of one twine |
+#' | `straight_tension_N` | `hexagonal_cell` | tension of one straight bar, for the cells in `hexagonal_cell` |
+#' | `part` | `part` | names of ropes, panels, pieces and boards |
+#' | `drag_kN`, `side_kN`, `lift_kN` | `part` | hydrodynamic force along the flow, to starboard, up |
+#' | `weight_in_water_kN` | `part` | weight minus buoyancy |
 #'
-#' - `x`, `y`, `z` (m): x aft, y to starboard, z up from the water surface for a state; over the
-#'   ground for a trajectory;
-#' - `x_force`, `y_force`, `z_force` (N): net force, on a fixed node the opposite of the support's
-#'   force;
-#' - `held` (fixed nodes) and, in motion, velocities (m/s).
+#' Numbers of nodes and parts start at 1. Numbers above the last node are points that hang between
+#' two nodes.
 #'
-#' Variables per element and part:
+#' NetCDF: a measure is a scalar variable with the attributes `units`, `long_name` and `error`. The
+#' global attributes are `title` (gear name and conditions) and `plan`, the plan's text.
 #'
-#' - `bar_tension` (N, of one line); for cells of netting `u_tension` and `v_tension` (N, of one
-#'   twine);
-#' - `bar_node`, `cell_node`: numbers of the connected nodes, from 1. Numbers above the last node
-#'   are points that hang between two nodes;
-#' - `bar_part`, `cell_part`: index into `part_name`;
-#' - `part_drag`, `part_side`, `part_lift` (kN): hydrodynamic force along the flow, to starboard and
-#'   up.
+#' JSON: the top level contains `name` (of the gear), `conditions`, `converged`, `time_s`,
+#' `measures`, `variables` (all other rows of the table), `findings` and `plan`. The file follows
+#' the schema `system.file("schema", "state.schema.json", package = "codend")`. `codend settle
+#' --json` writes the same content. `system.file("examples", package = "codend")` contains programs
+#' in Python and Julia that read both formats.
 #'
-#' Every measure is a scalar variable with its name. The attribute `plan` contains the gear's plan
-#' as text.
+#' The NetCDF file of a trajectory has the dimension `time` too. Positions and velocities are over
+#' the ground. It also contains
 #'
-#' A trajectory also has
-#'
-#' - `straight_tension` for the hexagonal cells, which `hexagonal_cell` lists;
 #' - with `shielding`, `wake`: the fraction of the free flow speed at every point (nodes, then
 #'   points that hang between two nodes);
-#' - `vessel_x`, `vessel_y` (m), `vessel_speed` (m/s) and `course` (rad) at every time;
+#' - `vessel_x_m`, `vessel_y_m`, `vessel_speed_m_per_s` and `course_deg` at every time;
 #' - `complete`: read only times with the value 1. A measure that is undefined at some time is NaN.
 #'
-#' Variables that start with `kept_` or `resume_` are for [read_result()] and [tow()] only. They are
-#' plain data: reading evaluates no code. Functions of a schedule are not saved; supply them again
-#' to continue a tow.
+#' Variables that start with `saved_` or `resume_` are for [read_result()] and [tow()] only. They
+#' are plain data: reading evaluates no code. Functions of a schedule are not saved; supply them
+#' again to continue a tow.
 #'
 #' A closed file ends in a checksum. A truncated or changed file, or a file in an older format, is
-#' an error of class `codend_error_file`. NetCDF needs the package RNetCDF. JSON follows the schema
-#' `system.file("schema", "state.schema.json", package = "codend")`.
+#' an error of class `codend_error_file`. NetCDF needs the package RNetCDF.
 #'
 #' @section VTK:
 #' The cells are

@@ -1,30 +1,33 @@
 # States as JSON (inst/schema/state.schema.json), for languages without a NetCDF reader.
 
-write_state_json <- function(state, file) {
-  numbers <- state_numbers(state)
-  numbers <- Filter(function(number) length(number$value) > 0L, numbers)
-  numbers <- numbers[!startsWith(names(numbers), "saved_")]
-  found <- measures(state)
-  said <- measure_labels(found)
-  error <- attr(found, "error")
-  of_state <- list(
+write_state_json <- function(state, file) write_text(state_json(state), file)
+
+# Returns the JSON text of a state. `uncertainty`: NULL, or the result of uncertainty().
+state_json <- function(state, uncertainty = NULL) {
+  numbers <- Filter(function(number) length(number$value) > 0L, state_numbers(state))
+  record <- list(
     codend = "state", version = format(utils::packageVersion("codend")),
     name = state$gear$plan$name, conditions = state_conditions(state),
-    converged = isTRUE(state$report$converged), time = state$time,
-    measures = lapply(setNames(seq_along(found), names(found)), function(k) {
-      list(value = exact_json(found[[k]]), unit = cf_unit(said$unit[k]), long_name = said$words[k],
-        error = exact_json(if (is.null(error)) NA else error[k]))
+    converged = isTRUE(state$report$converged), time_s = state$time,
+    report = state$report[c("iterations", "residual")],
+    measures = lapply(measure_numbers(state), function(number) {
+      list(value = exact_json(number$value), unit = number$unit, error = exact_json(number$error),
+        long_name = number$words)
     }),
     variables = lapply(numbers, function(number) {
       list(long_name = number$words, unit = number$unit,
-        across = I(rev(setdiff(number$across, "letter"))),
-        values = json_values(number$value))
-    })
+        across = I(rev(setdiff(number$across, "letter"))), values = json_values(number$value))
+    }),
+    findings = row_records(findings(state))
   )
-  text <- as.character(jsonlite::toJSON(of_state, auto_unbox = TRUE, null = "null",
-    json_verbatim = TRUE))
-  text <- paste0(substr(text, 1L, nchar(text) - 1L), ",\"plan\":", json_plan(state$gear), "}\n")
-  write_file(file, function(path) writeBin(charToRaw(enc2utf8(text)), path))
+  if (!is.null(uncertainty)) {
+    table <- uncertainty$measures
+    table$freedom[!is.finite(table$freedom)] <- NA
+    record$uncertainty <- setNames(row_records(table[-1L]), table$measure)
+  }
+  text <- as.character(jsonlite::toJSON(record, auto_unbox = TRUE, digits = NA, null = "null",
+    na = "null", json_verbatim = TRUE))
+  paste0(substr(text, 1L, nchar(text) - 1L), ",\"plan\":", json_plan(state$gear), "}\n")
 }
 
 # Returns a number with 17 digits, because jsonlite writes fewer.
@@ -39,3 +42,6 @@ json_values <- function(x) {
   text <- ifelse(is.finite(x), sprintf("%.17g", x), "null")
   structure(paste0("[", paste(text, collapse = ","), "]"), class = "json")
 }
+
+# Returns a list for each row, for a JSON array of objects.
+row_records <- function(table) lapply(seq_len(nrow(table)), function(k) as.list(table[k, ]))

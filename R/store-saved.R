@@ -9,7 +9,7 @@ write_saved <- function(file, fill) {
 }
 
 # The format of files that this codend writes and reads.
-saved_format <- list(state = 10L, trajectory = 13L)
+saved_format <- list(state = 11L, trajectory = 14L)
 
 # Opens a NetCDF file of codend. Attributes of the result: `what` ("state" or "trajectory") and
 # `records`, the number of records. A trajectory without a checksum comes from a killed run; its
@@ -78,9 +78,9 @@ file_getter <- function(nc) {
 
 # ---- content of files ----------------------------------------------------------------------------
 
-# Describes a variable. `across`: names of its dimensions; `words`, `unit`: NULL if absent.
-file_variable <- function(type, across, words = NULL, unit = NULL, value = NULL) {
-  list(type = type, across = across, words = words, unit = unit, value = value)
+# Describes a variable. `across`: names of its dimensions; `words`, `unit`, `error`: NULL if absent.
+file_variable <- function(type, across, words = NULL, unit = NULL, value = NULL, error = NULL) {
+  list(type = type, across = across, words = words, unit = unit, value = value, error = error)
 }
 
 model_variables <- function(mesh) {
@@ -93,8 +93,10 @@ model_variables <- function(mesh) {
     cell_node = whole(matrix(model$cells$node, 4L), c("corner", "cell"),
       "nodes at a cell's corners, from 1; triangles repeat the last node"),
     cell_part = whole(mesh$cell_part, "cell", "part that a cell belongs to, from 1"),
-    part_name = file_variable("NC_CHAR", c("letter", "part"), "name of a part in the plan",
-      value = enc2utf8(mesh$parts$name))
+    part = file_variable("NC_CHAR", c("letter", "part"), "name of a part in the plan",
+      value = enc2utf8(mesh$parts$name)),
+    hexagonal_cell = whole(which(has_straight_bars(mesh)), "hexagonal_cell",
+      "cells of hexagonal meshes, from 1")
   )
 }
 
@@ -105,7 +107,8 @@ define_file <- function(nc, variables, sizes, mesh, gear, title, what) {
   length_of <- function(name) length(variables[[name]]$value)
   sizes <- c(
     node = mesh$nodes, part = nrow(mesh$parts), bar_end = 2L, corner = 4L,
-    letter = max(nchar(variables$part_name$value, "bytes")), sizes,
+    letter = max(nchar(variables$part$value, "bytes")),
+    hexagonal_cell = length_of("hexagonal_cell"), sizes,
     saved_byte = length_of("saved_form"), saved_number = length_of("saved_numbers"),
     saved_integer = length_of("saved_integers")
   )
@@ -116,8 +119,10 @@ define_file <- function(nc, variables, sizes, mesh, gear, title, what) {
     of <- variables[[name]]
     RNetCDF::var.def.nc(nc, name, of$type, if (length(of$across)) of$across else NA)
     put_attributes(nc, name, c(units = of$unit, long_name = of$words))
+    if (!is.null(of$error)) RNetCDF::att.put.nc(nc, name, "error", "NC_DOUBLE", of$error)
   }
-  put_attributes(nc, "z", c(positive = "up"))
+  put_attributes(nc, "z_m", c(positive = "up"))
+  put_attributes(nc, "part", c("_Encoding" = "utf-8"))
   put_attributes(nc, "NC_GLOBAL", c(Conventions = "CF-1.10", title = title,
     source = paste("codend", utils::packageVersion("codend")), plan = enc2utf8(format(gear))))
   RNetCDF::att.put.nc(nc, "NC_GLOBAL", paste0("codend_", what), "NC_INT",

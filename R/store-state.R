@@ -3,7 +3,7 @@
 write_state <- function(state, file) {
   check_netcdf()
   write_saved(file, function(nc) {
-    numbers <- c(state_numbers(state), measure_numbers(state))
+    numbers <- c(state_numbers(state), measure_numbers(state), restored_variables(state))
     numbers <- Filter(function(number) length(number$value) > 0L, numbers)
     mesh <- state$mesh
     sizes <- c(bar = length(mesh$bar_part), cell = length(mesh$cell_part))
@@ -33,6 +33,7 @@ read_state <- function(nc, file) {
   })
 }
 
+# Returns the variables of nodes, elements and parts.
 state_numbers <- function(state) {
   real <- function(value, across, unit, words) {
     file_variable("NC_DOUBLE", across, words, unit, value)
@@ -47,35 +48,43 @@ state_numbers <- function(state) {
       real(if (!is.null(state$time)) state$velocity[k, ], "node", "m s-1",
         paste("velocity", way[k], "relative to the vessel"))
     )
-    setNames(found, paste0(axis[k], c("", "_force", "_velocity")))
+    setNames(found, paste0(axis[k], c("_m", "_force_N", "_velocity_m_per_s")))
   })
   drag <- part_force_table(state)
-  plain <- c("si", "recipe", "report", "time", "compared", "step_accuracy")
-  kept <- c(
-    Filter(Negate(is.null), lapply(setNames(nm = plain), function(name) .subset2(state, name))),
-    list(gear = state$gear, levels = levels_of(state, plain_measures(measures(state))))
-  )
   c(
     do.call(c, vectors),
     list(
       held = file_variable("NC_INT", "node", "1 where a node is held",
         value = as.integer(state$mesh$model$held)),
-      bar_tension = real(state$bar_tension, "bar", "N", "tension of one line"),
-      u_tension = real(state$u_tension, "cell", "N", "tension of one twine along u"),
-      v_tension = real(state$v_tension, "cell", "N", "tension of one twine along v"),
-      part_drag = real(drag$drag_kN, "part", "kN", "hydrodynamic force along the flow"),
-      part_side = real(drag$side_kN, "part", "kN",
-        "hydrodynamic force to starboard of the flow"),
-      part_lift = real(drag$lift_kN, "part", "kN", "hydrodynamic force upward")
+      bar_tension_N = real(state$bar_tension, "bar", "N", "tension of one line"),
+      u_tension_N = real(state$u_tension, "cell", "N", "tension of one twine along u"),
+      v_tension_N = real(state$v_tension, "cell", "N", "tension of one twine along v"),
+      straight_tension_N = real(state$straight_tension[has_straight_bars(state$mesh)],
+        "hexagonal_cell", "N", "tension of one straight bar"),
+      drag_kN = real(drag$drag_kN, "part", "kN", "hydrodynamic force along the flow"),
+      side_kN = real(drag$side_kN, "part", "kN", "hydrodynamic force to starboard of the flow"),
+      lift_kN = real(drag$lift_kN, "part", "kN", "hydrodynamic force upward"),
+      weight_in_water_kN = real(drag$weight_in_water_kN, "part", "kN", "weight minus buoyancy")
     ),
-    model_variables(state$mesh), saved_variables(kept)
+    model_variables(state$mesh)
   )
 }
 
+# Returns variables that read_state() needs to restore the state exactly.
+restored_variables <- function(state) {
+  plain <- c("si", "recipe", "report", "time", "compared", "step_accuracy")
+  saved_variables(c(
+    Filter(Negate(is.null), lapply(setNames(nm = plain), function(name) .subset2(state, name))),
+    list(gear = state$gear, levels = levels_of(state, plain_measures(measures(state))))
+  ))
+}
+
+# Returns the measures as variables, with their errors.
 measure_numbers <- function(state) {
   found <- measures(state)
   said <- measure_labels(found)
   lapply(setNames(seq_along(found), names(found)), function(k) {
-    file_variable("NC_DOUBLE", character(), said$words[k], cf_unit(said$unit[k]), found[[k]])
+    file_variable("NC_DOUBLE", character(), said$words[k], cf_unit(said$unit[k]), found[[k]],
+      attr(found, "error")[[k]])
   })
 }

@@ -43,19 +43,19 @@ file_ends <- c("interrupted", "reached", "stuck", "unbalanced")
 
 # Unit and description of node variables; frame_fields lists the others.
 node_variables <- rbind(
-  x = c("m", "position aft of the start, over the ground"),
-  y = c("m", "position to starboard of the start, over the ground"),
-  z = c("m", "height above the water surface"),
-  x_velocity = c("m s-1", "velocity aft of the start, over the ground"),
-  y_velocity = c("m s-1", "velocity to starboard of the start, over the ground"),
-  z_velocity = c("m s-1", "upward velocity")
+  x_m = c("m", "position aft of the start, over the ground"),
+  y_m = c("m", "position to starboard of the start, over the ground"),
+  z_m = c("m", "height above the water surface"),
+  x_velocity_m_per_s = c("m s-1", "velocity aft of the start, over the ground"),
+  y_velocity_m_per_s = c("m s-1", "velocity to starboard of the start, over the ground"),
+  z_velocity_m_per_s = c("m s-1", "upward velocity")
 )
 
 vessel_variables <- rbind(
-  vessel_x = c("m", "position of the vessel aft of its start, over the ground"),
-  vessel_y = c("m", "position of the vessel to starboard of its start, over the ground"),
-  vessel_speed = c("m s-1", "speed of the vessel over the ground"),
-  course = c("radian", "course relative to the start, positive to starboard")
+  vessel_x_m = c("m", "position of the vessel aft of its start, over the ground"),
+  vessel_y_m = c("m", "position of the vessel to starboard of its start, over the ground"),
+  vessel_speed_m_per_s = c("m s-1", "speed of the vessel over the ground"),
+  course_deg = c("degree", "course relative to the start, positive to starboard")
 )
 
 # Data for a continuation, in addition to the nodes. Controlled lengths and breaking ropes are
@@ -113,14 +113,12 @@ define_trajectory <- function(nc, what, frame, measured) {
   mesh <- what$mesh
   variables <- c(
     record_variables(), model_variables(mesh),
-    list(hexagonal_cell = file_variable("NC_INT", "hexagonal_cell",
-      "cells of hexagonal meshes, from 1", value = which(has_straight_bars(mesh)))),
     resume_variables(), saved_variables(what),
     lapply(measured, function(of) file_variable(of$type, "time", of$words, of$unit))
   )
   sizes <- c(
     bar = length(frame$bar_tension), cell = length(frame$u_tension),
-    hexagonal_cell = length(frame$straight_tension), point = length(frame$wake),
+    point = length(frame$wake),
     catch = length(frame$catch_front), energy_part = length(engine_energy_parts()),
     growing_part = length(frame$done$length), rupture = length(frame$done$broken),
     anchor = length(frame$done$anchor), component = 3L * mesh$nodes, slot = 2L,
@@ -130,8 +128,8 @@ define_trajectory <- function(nc, what, frame, measured) {
   define_file(nc, variables, sizes, mesh, what$gear, paste("Tow of", what$gear$plan$name),
     "trajectory")
   put_attributes(nc, "time", c(axis = "T", standard_name = "time"))
-  put_attributes(nc, "vessel_speed", c(standard_name = "platform_speed_wrt_ground"))
-  put_attributes(nc, "energy", c(energy_parts = paste(engine_energy_parts(), collapse = " ")))
+  put_attributes(nc, "vessel_speed_m_per_s", c(standard_name = "platform_speed_wrt_ground"))
+  put_attributes(nc, "energy_J", c(energy_parts = paste(engine_energy_parts(), collapse = " ")))
   put_attributes(nc, "end", c(flag_meanings = paste(file_ends, collapse = " ")))
   RNetCDF::att.put.nc(nc, "end", "flag_values", "NC_INT", seq_along(file_ends) - 1L)
   for (name in names(variables)) put(nc, name, variables[[name]]$value)
@@ -154,7 +152,7 @@ record_variables <- function() {
       complete = file_variable("NC_INT", "time", "1 where all numbers of a time are written", "1"),
       end = file_variable("NC_INT", character(), "how the tow ended", value = 0L)
     ),
-    of_table(node_variables, "node"), setNames(frames, frame_fields$name),
+    of_table(node_variables, "node"), setNames(frames, frame_fields$variable),
     of_table(vessel_variables)
   )
 }
@@ -185,13 +183,13 @@ put_frame <- function(nc, what, frame, k, measured) {
     put_at(rownames(node_variables)[axis], now$position[axis, , 1L])
     put_at(rownames(node_variables)[axis + 3L], now$velocity[axis, , 1L])
   }
-  for (name in frame_fields$name) {
-    put_at(name, as.vector(now[[name]]))
+  for (row in seq_len(nrow(frame_fields))) {
+    put_at(frame_fields$variable[row], as.vector(now[[frame_fields$name[row]]]))
   }
-  put_at("vessel_x", now$conditions$x)
-  put_at("vessel_y", now$conditions$y)
-  put_at("vessel_speed", now$conditions$speed)
-  put_at("course", now$conditions$course)
+  put_at("vessel_x_m", now$conditions$x)
+  put_at("vessel_y_m", now$conditions$y)
+  put_at("vessel_speed_m_per_s", now$conditions$speed)
+  put_at("course_deg", in_unit(now$conditions$course, "deg"))
   found <- plain_measures(measures(state_at(now, now$time)))
   for (name in measured) put_at(name, unname(found[name]))
   if (!is.null(frame$step)) put_resume(nc, frame, k)
@@ -232,7 +230,7 @@ read_frames <- function(get, n) {
     if (length(value)) value[, seq_len(n), drop = FALSE] else matrix(value, 0L, n)
   }
   of_nodes <- lapply(rownames(node_variables), records)
-  other <- lapply(setNames(frame_fields$name, frame_fields$name), records)
+  other <- setNames(lapply(frame_fields$variable, records), frame_fields$name)
   time <- as.vector(get("time"))[seq_len(n)]
   bound <- function(axes, k) {
     as.vector(do.call(rbind, lapply(of_nodes[axes], function(x) x[, k])))

@@ -2,13 +2,15 @@
 # this table.
 #
 # `name`: array of the trajectory. `field`, `within`: field of the snapshot and its list ("" for
-# none). `across`: dimension in the file. `unit`, `words`: unit and description in the file.
+# none). `variable`, `across`, `unit`, `words`: name, dimension, unit and description in the file.
 frame_fields <- data.frame(
   name = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
     "winch_length", "broken", "energy"),
   within = c("", "", "", "", "", "", "done", "done", ""),
   field = c("bar_tension", "u_tension", "v_tension", "straight_tension", "wake", "catch_front",
     "length", "broken", "energy"),
+  variable = c("bar_tension_N", "u_tension_N", "v_tension_N", "straight_tension_N", "wake",
+    "catch_front", "winch_length_m", "broken", "energy_J"),
   across = c("bar", "cell", "cell", "hexagonal_cell", "point", "catch", "growing_part",
     "rupture", "energy_part"),
   unit = c("N", "N", "N", "N", "1", "1", "m", "1", "J"),

@@ -208,15 +208,15 @@ state_files <- list(
   nc = function(file, state) {
     nc <- RNetCDF::open.nc(file)
     on.exit(RNetCDF::close.nc(nc))
-    check_near(RNetCDF::var.get.nc(nc, "x"), state$position[1L, ], 0, "x")
+    check_near(RNetCDF::var.get.nc(nc, "x_m"), state$position[1L, ], 0, "x")
     if (length(state$bar_tension)) {
-      check_near(RNetCDF::var.get.nc(nc, "bar_tension"), state$bar_tension, 0, "tension of bars")
+      check_near(RNetCDF::var.get.nc(nc, "bar_tension_N"), state$bar_tension, 0, "tension of bars")
     }
     check_near(measures(read_result(file)), measures(state), 0, "measures of the file")
   },
   json = function(file, state) {
     variables <- jsonlite::fromJSON(file_text(file))$variables
-    check_near(variables$x$values, state$position[1L, ], 0, "x")
+    check_near(variables$x_m$values, state$position[1L, ], 0, "x")
     check_finite(variables, "the file of JSON")
   },
   csv = function(file, state) {
@@ -258,7 +258,7 @@ tow_checks <- list(
     write_result(tow, file)
     nc <- RNetCDF::open.nc(file)
     on.exit(RNetCDF::close.nc(nc))
-    check_near(RNetCDF::var.get.nc(nc, "x"), tow$position[1L, , ], 0, "x")
+    check_near(RNetCDF::var.get.nc(nc, "x_m"), tow$position[1L, , ], 0, "x")
     check_near(read_result(file)$position, tow$position, 0, "positions of the file")
   },
   "plot" = function(tow, folder) check_plot(tow, folder, "svg"),

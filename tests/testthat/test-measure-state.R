@@ -105,16 +105,6 @@ test_that("measure_definitions() describes most measures as a sensor sees them",
   expect_identical(of_state$sensor, defined$sensor[match(kind, defined$name)])
 })
 
-test_that("state_record() survives JSON", {
-  state <- settled("towed_cable")
-  record <- state_record(state)
-  back <- jsonlite::fromJSON(jsonlite::toJSON(record, auto_unbox = TRUE, digits = NA))
-  expect_equal(back, record)
-  expect_true(back$converged)
-  expect_equal(back[c("nodes", "bars", "cells")], list(nodes = 201, bars = 200, cells = 0))
-  expect_equal(unlist(back$measures), unlist(as.list(measures(state))))
-})
-
 test_that("state of 3,700 nodes takes at most 0.3 MB in a file", {
   state <- settled("midwater_trawl", nodes = 3700)
   measures(state)

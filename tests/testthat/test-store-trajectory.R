@@ -89,12 +89,12 @@ test_that("saved tow is plain NetCDF", {
   nc <- RNetCDF::open.nc(file)
   on.exit(RNetCDF::close.nc(nc))
   expect_equal(as.vector(RNetCDF::var.get.nc(nc, "time")), c(0, 5, 10))
-  expect_identical(RNetCDF::var.get.nc(nc, "z"), trajectory$position[3, , ])
-  expect_identical(RNetCDF::var.get.nc(nc, "bar_tension"), trajectory$bar_tension)
-  expect_equal(as.vector(RNetCDF::var.get.nc(nc, "vessel_x")), trajectory$conditions$x)
-  expect_equal(RNetCDF::att.get.nc(nc, "z", "units"), "m")
-  expect_equal(RNetCDF::att.get.nc(nc, "z_velocity", "units"), "m s-1")
-  part <- as.vector(RNetCDF::var.get.nc(nc, "part_name"))[RNetCDF::var.get.nc(nc, "bar_part")]
+  expect_identical(RNetCDF::var.get.nc(nc, "z_m"), trajectory$position[3, , ])
+  expect_identical(RNetCDF::var.get.nc(nc, "bar_tension_N"), trajectory$bar_tension)
+  expect_equal(as.vector(RNetCDF::var.get.nc(nc, "vessel_x_m")), trajectory$conditions$x)
+  expect_equal(RNetCDF::att.get.nc(nc, "z_m", "units"), "m")
+  expect_equal(RNetCDF::att.get.nc(nc, "z_velocity_m_per_s", "units"), "m s-1")
+  part <- as.vector(RNetCDF::var.get.nc(nc, "part"))[RNetCDF::var.get.nc(nc, "bar_part")]
   expect_equal(part, rep(c("cable", "tail"), c(12, 4)))
   plan <- file.path(dirname(file), "plan.yaml")
   writeBin(charToRaw(RNetCDF::att.get.nc(nc, "NC_GLOBAL", "plan")), plan)
@@ -110,9 +110,9 @@ test_that("xarray opens a tow with its measures over time", {
     "import json, sys, xarray",
     "data = xarray.open_dataset(sys.argv[1])",
     "drag = data['total_drag_kN']",
-    "print(json.dumps({'z': data['z'].values.tolist(), 'drag': drag.values.tolist(),",
+    "print(json.dumps({'z': data['z_m'].values.tolist(), 'drag': drag.values.tolist(),",
     "  'units': drag.attrs['units'], 'across': list(drag.dims),",
-    "  'names': [str(data[v].attrs.get('standard_name')) for v in ['time', 'vessel_speed']]}))"
+    "  'names': [str(data[v].attrs.get('standard_name')) for v in ['time', 'vessel_speed_m_per_s']]}))"
   )
   expect_identical(found$z, t(trajectory$position[3, , ]))
   table <- as.data.frame(trajectory, what = "measures")

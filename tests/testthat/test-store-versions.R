@@ -9,7 +9,7 @@ test_that("read_result() reads a saved state of the present format", {
   read <- read_result(file)
   nc <- RNetCDF::open.nc(file)
   on.exit(RNetCDF::close.nc(nc))
-  written <- do.call(rbind, lapply(c("x", "y", "z"), function(name) RNetCDF::var.get.nc(nc, name)))
+  written <- do.call(rbind, lapply(c("x_m", "y_m", "z_m"), function(name) RNetCDF::var.get.nc(nc, name)))
   expect_identical(matrix(read$position, 3L), unname(written))
   expect_identical(read$gear$plan$name, "Flat panel of netting")
   expect_true(settle(read$gear, nodes = 40, from = read)$report$converged)

@@ -6,6 +6,9 @@ PATH=$HOME/.local/bin:$PATH
 make() { { local -; set +x; } 2>/dev/null; command make --dry-run -C "$ROOT" "$@" >/dev/null; }
 ssh() { :; }
 
+# Debian installs the readers of NetCDF for this Python.
+python3() { /usr/bin/python3 "$@"; }
+
 # Run the tank on a free port until its page has loaded.
 codend() {
   { local -; set +x; } 2>/dev/null
