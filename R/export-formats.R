@@ -61,16 +61,17 @@ formats_text <- function(of) {
 #' |---|---|---|
 #' | `door_spread_m` and every other measure | | value, unit, standard `error` and `long_name` |
 #' | `x_m`, `y_m`, `z_m` | `node` | position: aft, to starboard, up from the water surface |
-#' | `x_force_N`, `y_force_N`, `z_force_N` | `node` | net force; on a fixed node the opposite of the support's force |
+#' | `x_force_N`, `y_force_N`, `z_force_N` | `node` | net force (fixed nodes: minus the support's) |
 #' | `x_velocity_m_per_s`, `y_`, `z_` | `node` | velocity, in motion |
 #' | `held` | `node` | 1 on fixed nodes |
 #' | `bar_node`, `bar_part` | `bar` | the two nodes and the part of a bar |
 #' | `bar_tension_N` | `bar` | tension of one line |
 #' | `cell_node`, `cell_part` | `cell` | the four nodes and the part of a netting cell |
 #' | `u_tension_N`, `v_tension_N` | `cell` | tension of one twine |
-#' | `straight_tension_N` | `hexagonal_cell` | tension of one straight bar, for the cells in `hexagonal_cell` |
+#' | `straight_tension_N` | `hexagonal_cell` | tension of one straight bar |
+#' | `hexagonal_cell` | `hexagonal_cell` | numbers of these cells |
 #' | `part` | `part` | names of ropes, panels, pieces and boards |
-#' | `drag_kN`, `side_kN`, `lift_kN` | `part` | hydrodynamic force along the flow, to starboard, up |
+#' | `drag_kN`, `side_kN`, `lift_kN` | `part` | hydrodynamic force: along the flow, starboard, up |
 #' | `weight_in_water_kN` | `part` | weight minus buoyancy |
 #'
 #' Numbers of nodes and parts start at 1. Numbers above the last node are points that hang between

@@ -115,7 +115,8 @@ test_that("names in NetCDF, JSON and tables of a state are the same", {
     if (what == "drag") table <- table[match(parts_of(state)$name, table$part), ]
     for (name in tables[[what]]) expect_identical(json$variables[[name]]$values, table[[name]])
   }
-  expect_identical(json$variables$held$values, as.integer(as.data.frame(state, what = "nodes")$held))
+  held <- as.data.frame(state, what = "nodes")$held
+  expect_identical(json$variables$held$values, as.integer(held))
 })
 
 test_that("JSON of a state satisfies its schema", {

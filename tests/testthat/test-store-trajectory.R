@@ -112,7 +112,8 @@ test_that("xarray opens a tow with its measures over time", {
     "drag = data['total_drag_kN']",
     "print(json.dumps({'z': data['z_m'].values.tolist(), 'drag': drag.values.tolist(),",
     "  'units': drag.attrs['units'], 'across': list(drag.dims),",
-    "  'names': [str(data[v].attrs.get('standard_name')) for v in ['time', 'vessel_speed_m_per_s']]}))"
+    "  'names': [str(data[v].attrs.get('standard_name'))",
+    "    for v in ['time', 'vessel_speed_m_per_s']]}))"
   )
   expect_identical(found$z, t(trajectory$position[3, , ]))
   table <- as.data.frame(trajectory, what = "measures")
