@@ -2,7 +2,7 @@ run_settle <- function(plan, options) {
   json <- options$json
   check_place(json, "--json")
   state <- tryCatch(settle_changed(plan, options), codend_error_not_converged = function(e) {
-    if (!is.null(json)) write_json(unsettled_json(e), json)
+    if (!is.null(json)) write_json(unsettled_record(e), json)
     stop(e)
   })
   how_sure <- if (options$uncertainty) uncertainty(state)
@@ -19,15 +19,19 @@ print_settled <- function(state, how_sure) {
   }
 }
 
-# Returns the JSON text for a gear that does not settle.
-unsettled_json <- function(error) {
-  record <- c(codend = "unsettled", error$report[c("converged", "iterations", "residual")],
+# Returns the record of a gear that does not settle.
+unsettled_record <- function(error) {
+  c(codend = "unsettled", error$report[c("converged", "iterations", "residual")],
     message = conditionMessage(error))
-  paste0(jsonlite::toJSON(record, auto_unbox = TRUE, digits = NA), "\n")
 }
 
-# file: a path, or "-" for standard output.
-write_json <- function(text, file) if (file == "-") cat(text) else write_text(text, file)
+# record: a list, or JSON text. file: a path, or "-" for standard output.
+write_json <- function(record, file) {
+  text <- if (is.character(record)) record else {
+    jsonlite::toJSON(record, auto_unbox = TRUE, digits = NA, na = "null", pretty = TRUE)
+  }
+  if (file == "-") cat(text, "\n", sep = "") else write_text(c(text, ""), file)
+}
 
 write_settled <- function(state, folder) {
   dir.create(folder, showWarnings = FALSE, recursive = TRUE)

@@ -1,6 +1,6 @@
 # States as JSON (inst/schema/state.schema.json), for languages without a NetCDF reader.
 
-write_state_json <- function(state, file) write_text(state_json(state), file)
+write_state_json <- function(state, file) write_text(c(state_json(state), ""), file)
 
 # Returns the JSON text of a state. `uncertainty`: NULL, or the result of uncertainty().
 state_json <- function(state, uncertainty = NULL) {
@@ -27,7 +27,7 @@ state_json <- function(state, uncertainty = NULL) {
   }
   text <- as.character(jsonlite::toJSON(record, auto_unbox = TRUE, digits = NA, null = "null",
     na = "null", json_verbatim = TRUE))
-  paste0(substr(text, 1L, nchar(text) - 1L), ",\"plan\":", json_plan(state$gear), "}\n")
+  paste0(substr(text, 1L, nchar(text) - 1L), ",\"plan\":", json_plan(state$gear), "}")
 }
 
 # Returns a number with 17 digits, because jsonlite writes fewer.
