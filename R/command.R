@@ -45,7 +45,10 @@ command_runs <- function() {
     share = run_share, export = run_export, draw = run_draw, study = run_study_command,
     find = run_find, optimise = run_optimise, calibrate = run_calibrate,
     sensitivities = run_sensitivities, flume = run_flume, new = run_new,
-    expand = function(plan, options) cat(format(assembly(read_gear(plan))))
+    expand = function(plan, options) {
+      whole <- if (isTRUE(options$net)) net_form else assembly
+      cat(format(whole(read_gear(plan))))
+    }
   )
 }
 

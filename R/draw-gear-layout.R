@@ -17,7 +17,11 @@ flat_panels <- function(si, joints) {
     }
     data.frame(
       name = name, upper = width[[1L]], lower = width[[2L]], depth = panel_depth(panel),
-      shift = (width[[1L]] - width[[2L]]) * panel$taper_left
+      shift = panel$lost_left * if (panel$upper == panel$lower) {
+        width[[1L]] / panel$upper
+      } else {
+        (width[[1L]] - width[[2L]]) / (panel$upper - panel$lower)
+      }
     )
   })
   do.call(rbind, rows)
@@ -52,7 +56,7 @@ hung_widths <- function(si, joints) {
 
 # Returns the stretched depth (m): the length of an edge without taper.
 panel_depth <- function(panel) {
-  panel$lower <- panel$upper
+  panel$lost_left <- 0
   edge_length(panel, "left")
 }
 

@@ -16,13 +16,15 @@ wing_fields <- c(upper = "tip", lower = "base")
 
 drawn_path <- function(ref, plan, tree, leaves) {
   steps <- path_steps(ref)
+  has <- function(path) !is.null(path) && !is.null(plan_field(plan, path))
+  found <- net_path(plan, steps)
+  if (!is.null(found)) return(if (has(found)) found else "")
   if (steps[1] == "panels" && steps[length(steps)] == "cutting") {
     # The plan may omit the cutting rate, so its path is derived from the mesh size of the panel.
     part <- drawn_path(sub("cutting$", "mesh_size", ref), plan, tree, leaves)
     path <- sub("mesh_size$", "cutting", part)
     return(if (nzchar(part) && !is.null(path_node(plan, path))) path else "")
   }
-  has <- function(path) !is.null(path) && !is.null(plan_field(plan, path))
   if (has(ref)) return(ref)
   value <- tryCatch(tree[[steps]], error = function(e) NULL)
   # A whole part maps to the plan group that contains its first known field.

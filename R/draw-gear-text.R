@@ -29,14 +29,13 @@ rtex_text <- function(panel, unit = "") {
 # Returns the cutting rates of a panel's left and right edges: from the plan, otherwise the simplest
 # rate that matches the counts. given: the checked fields of the panel.
 drawn_rates <- function(panel, given) {
-  loss <- panel$upper - panel$lower
-  share <- c(left = panel$taper_left, right = panel$taper_right)
-  vapply(names(share), function(side) {
+  lost <- c(left = panel$lost_left, right = panel$lost_right)
+  vapply(names(lost), function(side) {
     stated <- given$cutting
     if (is_map(stated)) stated <- stated[[side]]
-    cut <- abs(loss) * share[[side]] > 1e-9
+    cut <- abs(lost[[side]]) > 1e-9
     if (is_text(stated) && (cut || stated %in% c("AN", "AT"))) return(gsub(" ", "", stated))
-    simple_cutting_rate(loss * share[[side]], panel$deep, panel$orientation)
+    simple_cutting_rate(lost[[side]], panel$deep, panel$orientation)
   }, "")
 }
 

@@ -132,7 +132,8 @@ define_finding("number of panels", "plan",
   "The plan of a trawl omits `panels`. The default is 2 for a bottom trawl and 4 for a midwater
   trawl.",
   function(gear, state) {
-    if (!first_of(gear$plan$kind, "") %in% trawls_of_panels || !is.null(gear$plan$panels)) {
+    if (!first_of(gear$plan$kind, "") %in% trawls_of_panels || !is.null(gear$plan$panels) ||
+      !is.null(gear$plan$net)) {
       return(list())
     }
     taken <- plan_node(gear$plan)$properties$panels[["default"]]

@@ -4,7 +4,7 @@
 # The top-level plan fields in each group of the form, by title.
 form_sections <- list(
   Netting = c(
-    "panels", "wings", "square", "sections", "wall", "bottom", "shape", "diameter", "depth",
+    "panels", "net", "wings", "square", "sections", "wall", "bottom", "shape", "diameter", "depth",
     "length", "mouth", "selvedges", "seams", "grids", "catch"
   ),
   Ropes = c(

@@ -1,7 +1,7 @@
 # Completes mesh counts, cutting rates and twines that follow from other fields of a plan.
 
 # Plan groups that determine the mesh counts.
-count_groups <- c("panels", "wings", "square", "sections", "materials")
+count_groups <- c("panels", "net", "wings", "square", "sections", "materials")
 
 # Completes the counts and twines of a plan. `fields`: checked fields in SI; `plan`: the plan as
 # given; `twines`: FALSE for expanded short forms, which have no twine given by weight.
@@ -9,6 +9,8 @@ count_groups <- c("panels", "wings", "square", "sections", "materials")
 # Returns list(fields, plan, derived): both trees with the computed counts; the counts by path.
 complete_counts <- function(fields, plan, twines = TRUE) {
   done <- list(fields = fields, plan = plan, derived = numeric())
+  if (!is.null(fields$net)) done <- complete_net(fields, plan)
+  fields <- done$fields
   put <- function(path, value) {
     done$fields <<- put_in(done$fields, path, value)
     done$plan <<- put_in(done$plan, path, value)
@@ -81,7 +83,8 @@ complete_meshes <- function(given, path, narrow = "upper", wide = "lower") {
   meshes <- given$meshes
   counts <- c(narrow, wide, "deep")
   missing <- setdiff(counts, names(meshes))
-  if (is.null(given$cutting)) {
+  # A plan that gives the lost meshes of each edge states the cutting rate for drawings only.
+  if (is.null(given$cutting) || !is.null(given$lost)) {
     if (!length(missing)) return(NULL)
     abort_field(paste0(path, ".meshes.", missing[1]), NULL,
       "given, or computed from the other two counts and a `cutting` rate", "is missing")
@@ -142,8 +145,6 @@ complete_meshes <- function(given, path, narrow = "upper", wide = "lower") {
 
 given_orientation <- function(given) first_of(given$orientation, "diamond")
 
-displayed_count <- function(x) shortest_decimal(round(x, 2))
-
 show_cutting <- function(cutting) {
   if (is_text(cutting)) return(cutting)
   paste(names(cutting), unlist(cutting), collapse = ", ")
@@ -169,11 +170,24 @@ cutting_slopes <- function(given, path, one_edge = FALSE) {
   )
 }
 
-# Returns the fraction of the width difference of a panel that its left edge takes.
-left_taper <- function(panel, path) {
-  if (!is_map(panel$cutting)) return(switch(panel$tapered, both = 0.5, left = 1, right = 0))
-  slopes <- cutting_slopes(panel, path)
-  if (sum(slopes) == 0) 0.5 else slopes[["left"]] / sum(slopes)
+# Returns the meshes that a panel loses along its left and right edges (negative: gains).
+edge_losses <- function(panel, path) {
+  loss <- panel$meshes$upper - panel$meshes$lower
+  if (!is.null(panel$lost)) {
+    lost <- c(left = panel$lost$left, right = panel$lost$right)
+    if (abs(sum(lost) - loss) > 1e-6) {
+      abort_field(paste0(path, ".lost"), sum(lost),
+        paste("in total the difference of the upper and the lower count,", displayed_count(loss)))
+    }
+    return(lost)
+  }
+  left <- if (!is_map(panel$cutting)) {
+    switch(panel$tapered, both = 0.5, left = 1, right = 0)
+  } else {
+    slopes <- cutting_slopes(panel, path)
+    if (sum(slopes) == 0) 0.5 else slopes[["left"]] / sum(slopes)
+  }
+  loss * c(left = left, right = 1 - left)
 }
 
 # Applies a take-up ratio: "2:3" joins two meshes of the section ahead to three of this section.

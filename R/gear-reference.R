@@ -76,14 +76,14 @@ find_edge <- function(text, path, known) {
     return(edge)
   }
   meshes <- switch(edge$edge, upper = panel$upper, lower = panel$lower, panel$deep)
-  if (edge$from >= edge$to || edge$to > meshes) {
+  if (edge$from >= edge$to || edge$to > meshes * (1 + 1e-12)) {
     abort_field(
       path, text,
       sprintf("a range of increasing numbers within the %s meshes of the edge", format(meshes))
     )
   }
   edge$from <- edge$from / meshes
-  edge$to <- edge$to / meshes
+  edge$to <- min(1, edge$to / meshes)
   edge
 }
 
@@ -97,7 +97,7 @@ find_run <- function(texts, path, known) {
 
 # Fields of a panel that determine its edges, their lengths and its mesh.
 panel_shape_fields <- c(
-  "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "orientation", "straight_bar"
+  "mesh_size", "upper", "lower", "deep", "lost_left", "lost_right", "orientation", "straight_bar"
 )
 
 panel_shapes <- function(panels) lapply(panels, `[`, panel_shape_fields)
@@ -106,10 +106,8 @@ panel_shapes <- function(panels) lapply(panels, `[`, panel_shape_fields)
 # across and j down it is 2 max(i, j) bars in diamond netting. In square netting, with i and j in
 # bars, it is i + j bars. Hexagonal meshes are shorter across their straight bars.
 edge_length <- function(panel, edge) {
-  loss <- panel$upper - panel$lower
   across <- switch(edge,
-    upper = panel$upper, lower = panel$lower,
-    left = loss * panel$taper_left, right = loss * panel$taper_right
+    upper = panel$upper, lower = panel$lower, left = panel$lost_left, right = panel$lost_right
   )
   down <- if (edge %in% c("left", "right")) panel$deep else 0
   across <- abs(across)

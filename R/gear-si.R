@@ -287,7 +287,7 @@ si_panel <- function(panel, path, fields, law) {
   } else {
     fields$netting_drag
   }
-  left <- left_taper(panel, path)
+  lost <- edge_losses(panel, path)
   si <- list(
     mesh_size = panel$mesh_size,
     upper = meshes$upper, lower = meshes$lower, deep = meshes$deep,
@@ -301,7 +301,7 @@ si_panel <- function(panel, path, fields, law) {
     volume_per_length = line$volume_per_length * count,
     material = first_of(twine$material, NA_character_),
     orientation = panel$orientation, straight_bar = hexagons,
-    taper_left = left, taper_right = 1 - left,
+    lost_left = lost[["left"]], lost_right = lost[["right"]],
     knot_diameter = first_of(panel$knot_diameter, usual_knot * in_knots),
     knot_twine = first_of(panel$knot_twine, usual_knot_twine) * in_knots,
     netting = first_of(panel$netting, fields$netting),

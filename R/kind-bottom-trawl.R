@@ -30,7 +30,6 @@ rigged_net <- function(fields, plan, rig) {
 boardless_rig <- function(fields, plan, apart) {
   check_section_names(fields)
   check_wing_ends(fields)
-  check_middle_bridle(fields)
   ends <- paste0("warp_end_", trawl_sides)
   rig <- list(
     points = c(
@@ -71,7 +70,6 @@ check_bottom_trawl <- function(fields) {
   }
   check_section_names(fields)
   check_wing_ends(fields)
-  check_middle_bridle(fields)
 }
 
 # Returns the stretched depth (m) along the upper, lower and side seams ahead of section 1.
@@ -87,6 +85,7 @@ front_depth <- function(fields) {
 }
 
 check_wing_ends <- function(fields) {
+  if (!is.null(fields$net)) return(invisible())
   wings <- fields$wings
   sides <- fields$panels == 4
   if (sides && is.null(wings$side)) {
@@ -155,25 +154,19 @@ check_wing_ends <- function(fields) {
   }
 }
 
-check_middle_bridle <- function(fields) {
-  if (!is.null(fields$bridles$middle) && is.null(fields$wings$jib)) {
-    # Suggest a jib half as deep as the side wing.
-    deep <- ceiling(fields$wings$side$meshes$deep / 2)
-    words <- "omitted in a plan without `wings.jib`"
-    if (length(deep)) words <- sprintf("%s, such as `jib: {deep: %s}`", words, format(deep))
-    if (fields$panels == 2) words <- paste(words, "(in a trawl of 4 panels)")
-    abort_field("bridles.middle", "given", words)
-  }
-}
-
 # Returns list(panels, seams, points, ropes) of the net of a bottom trawl.
 bottom_trawl_net <- function(fields, plan) {
-  net <- trawl_net(bottom_trawl_grid(fields, plan), fields, plan)
-  if (is.null(fields$wings$jib)) return(net)
-  tips <- list(
-    middle_port = list(at = "side_port_jib.upper_left"),
-    middle_starboard = list(at = "side_starboard_jib.upper_left")
-  )
+  grid <- if (is.null(fields$net)) bottom_trawl_grid(fields, plan) else net_grid(fields, plan)
+  net <- trawl_net(grid, fields, plan)
+  if (is.null(fields$bridles$middle) && is.null(fields$wings$jib)) return(net)
+  # A middle bridle leads to the tip of a jib, otherwise to the middle of the side line.
+  middle <- function(side) {
+    front <- column_cells(grid, paste0("side_", side))[[1L]]
+    pointed <- isTRUE(front$counts$upper == 0)
+    list(at = if (pointed) paste0(names(front$pieces), ".upper_left") else
+      paste0("side_line_", side, ".middle"))
+  }
+  tips <- list(middle_port = middle("port"), middle_starboard = middle("starboard"))
   net$points <- append(net$points, tips, match("codline", names(net$points)) - 1L)
   net
 }

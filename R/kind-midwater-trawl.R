@@ -1,21 +1,10 @@
 # Midwater trawl (short form).
 
-# Panels around the net, by their number.
-panels_by_number <- list(
-  `2` = c("back", "belly"),
-  `4` = c("back", "side_starboard", "belly", "side_port"),
-  `6` = c(
-    "back", "upper_side_starboard", "lower_side_starboard", "belly", "lower_side_port",
-    "upper_side_port"
-  )
-)
-
-panels_around <- function(fields) panels_by_number[[as.character(fields$panels)]]
-
 expand_midwater_trawl <- function(fields, plan) {
   check_trawl(fields)
-  net <- trawl_net(midwater_trawl_grid(fields, plan), fields, plan)
-  rig <- trawl_rig(fields, plan)
+  grid <- if (is.null(fields$net)) midwater_trawl_grid(fields, plan) else net_grid(fields, plan)
+  net <- trawl_net(grid, fields, plan)
+  rig <- trawl_rig(fields, plan, is.null(net$ropes$side_line_port))
   out <- shared_fields(plan, fields)
   out$points <- c(rig$points, net$points)
   out$ropes <- c(rig$ropes, net$ropes)
@@ -33,7 +22,8 @@ check_trawl <- function(fields) {
     abort_field("side_lines", NULL, "given in a trawl with side panels", "is missing")
   }
   check_section_names(fields)
-  if (fields$panels == 2 && is.null(fields$wings) && !is.null(fields$side_lines)) {
+  if (fields$panels == 2 && is.null(fields$wings) && is.null(fields$net) &&
+    !is.null(fields$side_lines)) {
     abort_field("side_lines", "given", "omitted in a trawl of 2 panels without wings")
   }
   if (!is.null(fields$wings) && fields$panels == 6) {
@@ -57,7 +47,8 @@ midwater_trawl_grid <- function(fields, plan) {
     cells = c(wings, grid$cells), gathered = TRUE)
 }
 
-trawl_rig <- function(fields, plan) {
+# `apart`: TRUE if only side lines connect the upper and lower wing tips.
+trawl_rig <- function(fields, plan, apart) {
   free <- fields$otter_boards$attitude == "free"
   boards <- trawl_boards(plan, free)
   points <- c(
@@ -75,8 +66,7 @@ trawl_rig <- function(fields, plan) {
     }
     pieces[[paste0("hammer_", side)]] <- part_with_role(plan$hammers, "hammer",
       at = paste0("lower_", side))
-    # Without side panels, only the side line connects the wing tips.
-    if (fields$panels == 2) {
+    if (apart) {
       ropes[[paste0("side_line_", side)]] <- part_with_role(plan$side_lines, "side_line",
         from = paste0("upper_", side), to = paste0("lower_", side))
     }

@@ -10,14 +10,30 @@
 # `cells`: the cell of each panel and row, named "panel_row".
 # `gathered`: TRUE if each wing tip is gathered at a point, FALSE if a line is laced along the tips.
 
+nothing <- stats::setNames(list(), character())
+
+# Panels around the net, by their number.
+panels_by_number <- list(
+  `2` = c("back", "belly"),
+  `4` = c("back", "side_starboard", "belly", "side_port"),
+  `6` = c(
+    "back", "upper_side_starboard", "lower_side_starboard", "belly", "lower_side_port",
+    "upper_side_port"
+  )
+)
+
+panels_around <- function(fields) panels_by_number[[as.character(fields$panels)]]
+
 # Returns a cell of one piece, or of a pair of wings.
 #
 # `pieces`: panels of the assembly from left to right, by name; `counts`: meshes `upper`, `lower`
 # and `deep` of a piece; `free`: meshes of the left and the right edge without a seam, from the
 # front; `covers`: netting over the piece, by name; `inner`: stretched length of a wing's inner edge
-# relative to the other wings of the panel.
-new_cell <- function(pieces, counts, free = c(left = 0, right = 0), covers = list(), inner = 1) {
-  list(pieces = pieces, counts = counts, free = free, covers = covers, inner = inner)
+# relative to the other wings of the panel; `joined`: meshes behind to which a wing is joined.
+new_cell <- function(pieces, counts, free = c(left = 0, right = 0), covers = list(), inner = 1,
+                     joined = counts$lower) {
+  list(pieces = pieces, counts = counts, free = free, covers = covers, inner = inner,
+    joined = joined)
 }
 
 # Returns a cell of two wings, `name`_left and `name`_right, with straight outer edges. `given`:
@@ -73,7 +89,7 @@ panel_front <- function(grid, panel) {
   wings <- cells[seq_len(match(FALSE, vapply(cells, is_pair, NA)) - 1L)]
   behind <- cells[[length(wings) + 1L]]
   front <- behind$counts$upper
-  base <- if (length(wings)) wings[[length(wings)]]$counts$lower else 0
+  base <- if (length(wings)) wings[[length(wings)]]$joined else 0
   piece <- function(k) vapply(wings, function(wing) names(wing$pieces)[k], "")
   tip <- function(k) {
     if (!length(wings) || grid$gathered) return(NULL)
@@ -179,7 +195,7 @@ rear_seams <- function(joint) {
   } else if (is_pair(behind)) {
     Map(c, rear, front)
   } else {
-    base <- cell$counts$lower
+    base <- cell$joined
     across <- behind$counts$upper
     range <- function(from, to) edge_range(names(behind$pieces), "upper", from, to, across)
     list(c(rear[1L], range(0, base)), c(rear[2L], range(across - base, across)))
@@ -208,23 +224,28 @@ side_seams <- function(grid) {
   seams
 }
 
-# Returns the joined stretches of the seam between a panel and the next one, as lists of chains:
-# each row that both have, and the rows in between. Stretches are named after their row; "wings" is the
-# stretch ahead of the first common row.
-seam_stretches <- function(panel, after, grid) {
+# Returns the stretch of the seam between a panel and the next one to which each row of both panels
+# belongs: each row that both have, and the rows in between. Stretches are named after their row;
+# "wings" is the stretch ahead of the first common row.
+row_stretches <- function(grid, panel, after) {
   rows <- grid$columns[c(panel, after)]
   both <- intersect(rows[[1L]], rows[[2L]])
   between <- c("wings", paste0("behind_", both))
-  stretch <- lapply(rows, function(rows) {
+  lapply(rows, function(rows) {
     ifelse(rows %in% both, rows, between[cumsum(rows %in% both) + 1L])
   })
+}
+
+# Returns the joined chains of edges of each stretch of the seam between two panels, by name.
+seam_stretches <- function(panel, after, grid) {
+  stretch <- row_stretches(grid, panel, after)
   chains <- function(name) {
     sides <- Map(function(panel, stretch, side) {
       cells <- column_cells(grid, panel)[stretch == name]
       covers <- names(do.call(c, lapply(unname(cells), `[[`, "covers")))
       chain <- outer_edges(cells, side, "joined")
       if (length(chain)) c(list(chain), paste0(covers, rep(paste0(".", side), length(covers))))
-    }, names(rows), stretch, c("right", "left"))
+    }, names(stretch), stretch, c("right", "left"))
     if (all(lengths(sides))) unlist(unname(sides), recursive = FALSE)
   }
   lapply(stats::setNames(nm = unique(unlist(stretch, use.names = FALSE))), chains)
@@ -243,36 +264,3 @@ tip_seams <- function(grid, panel, after) {
   seams <- lapply(unique(ends), function(end) list(edges = tips[ends == end], gathered_at = end))
   stats::setNames(seams, paste0("tip_", unique(ends)))
 }
-
-# Returns the ropes along the mouth (chains of edges by name), along the seams between panels and
-# around the net.
-grid_ropes <- function(grid, plan, mouth) {
-  around <- names(grid$columns)
-  line <- function(given, role, along) c(list(along = along), given, list(role = role))
-  ropes <- list()
-  for (name in names(mouth)) {
-    role <- sub("_(port|starboard)$", "", name)
-    given <- if (role == "side_line") plan$side_lines else plan[[name]]
-    ropes[[name]] <- line(given, role, mouth[[name]])
-  }
-  if (!is.null(plan$belly_lines)) {
-    given <- plan$belly_lines[setdiff(names(plan$belly_lines), "until")]
-    for (k in seq_along(around)) {
-      panel <- panel_after(around)[k]
-      rows <- grid$columns[[panel]]
-      until <- match(first_of(plan$belly_lines$until, rows[length(rows)]), rows)
-      cells <- column_cells(grid, panel)[seq_len(until)]
-      ropes[[paste("belly_line", around[k], panel, sep = "_")]] <-
-        line(given, "belly_line", outer_edges(cells, "left", "joined"))
-    }
-  }
-  for (name in names(plan$cross_ropes)) {
-    given <- plan$cross_ropes[[name]]
-    ropes[[name]] <- line(given[setdiff(names(given), "behind")], "cross_rope",
-      rear_edges(around, given$behind))
-  }
-  ropes
-}
-
-# Returns the rear edges of a row, around the net.
-rear_edges <- function(around, row) paste0(section_panel_name(around, row), ".lower")

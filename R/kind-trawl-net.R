@@ -1,10 +1,4 @@
-# Common parts of trawl short forms: the net behind its mouth, wings, and the ropes along them.
-#
-# Panels are in clockwise order as seen from the vessel's deck looking aft: back, starboard sides
-# from top to bottom, belly, port sides from bottom to top. Seen from outside with its front edge
-# up, each panel's left edge is joined to the previous panel.
-
-nothing <- stats::setNames(list(), character())
+# Common parts of trawl short forms: the sections of a net, and the ropes along them.
 
 # Returns a rope or piece with its position (`...`) and its role; NULL if the plan has none.
 part_with_role <- function(given, role, ...) {
@@ -101,6 +95,39 @@ trawl_net <- function(grid, fields, plan) {
   net
 }
 
+# Returns the ropes along the mouth (chains of edges by name), along the seams between panels and
+# around the net.
+grid_ropes <- function(grid, plan, mouth) {
+  around <- names(grid$columns)
+  line <- function(given, role, along) c(list(along = along), given, list(role = role))
+  ropes <- list()
+  for (name in names(mouth)) {
+    role <- sub("_(port|starboard)$", "", name)
+    given <- if (role == "side_line") plan$side_lines else plan[[name]]
+    ropes[[name]] <- line(given, role, mouth[[name]])
+  }
+  if (!is.null(plan$belly_lines)) {
+    given <- plan$belly_lines[setdiff(names(plan$belly_lines), "until")]
+    for (k in seq_along(around)) {
+      panel <- panel_after(around)[k]
+      rows <- grid$columns[[panel]]
+      until <- match(first_of(plan$belly_lines$until, rows[length(rows)]), rows)
+      cells <- column_cells(grid, panel)[seq_len(until)]
+      ropes[[paste("belly_line", around[k], panel, sep = "_")]] <-
+        line(given, "belly_line", outer_edges(cells, "left", "joined"))
+    }
+  }
+  for (name in names(plan$cross_ropes)) {
+    given <- plan$cross_ropes[[name]]
+    ropes[[name]] <- line(given[setdiff(names(given), "behind")], "cross_rope",
+      rear_edges(around, given$behind))
+  }
+  ropes
+}
+
+# Returns the rear edges of a row, around the net.
+rear_edges <- function(around, row) paste0(section_panel_name(around, row), ".lower")
+
 # Number of positions around the net that share a grid's weight and drag.
 places_of_grid <- 12
 
@@ -121,7 +148,7 @@ trawl_grids <- function(fields, around) {
 # section has a cover, which needs a section in front.
 check_section_names <- function(fields) {
   check_section <- function(name, path) {
-    sections <- names(fields$sections)
+    sections <- c(names(fields$sections), Reduce(intersect, lapply(fields$net, names)))
     if (!is.null(name) && !name %in% sections) {
       abort_reference(name, name, sections, "section", path)
     }
@@ -133,7 +160,7 @@ check_section_names <- function(fields) {
   for (name in names(fields$grids)) {
     check_section(fields$grids[[name]]$behind, paste0("grids.", name, ".behind"))
   }
-  if (length(fields$sections[[1L]]$covers)) {
+  if (length(fields$sections) && length(fields$sections[[1L]]$covers)) {
     abort_field(paste0("sections.", names(fields$sections)[1L], ".covers"), "given",
       "omitted in the first section; use it on a later section (cut the first one in two)")
   }

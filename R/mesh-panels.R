@@ -5,7 +5,7 @@ panel_table <- remembered(new_panel_table)
 
 new_panel_table <- function(panels) {
   numbers <- c(
-    "mesh_size", "upper", "lower", "deep", "taper_left", "taper_right", "mass_per_length",
+    "mesh_size", "upper", "lower", "deep", "lost_left", "lost_right", "mass_per_length",
     "volume_per_length", "twine_diameter", "twine_count", "knot_diameter", "knot_twine",
     "straight_bar"
   )
@@ -30,13 +30,13 @@ cell_twine <- function(panel) panel$mesh_size - panel$straight_bar
 # hexagonal cell has two joins of three bars, each counted as half a knot.
 cell_twine_with_knots <- function(panel) cell_twine(panel) + panel$knot_twine
 
-side_fields <- c("upper", "lower", "deep", "taper_left", "taper_right")
+side_fields <- c("upper", "lower", "deep", "lost_left", "lost_right")
 
 # Returns the position of the left or right side of a panel at depth j (meshes), in meshes across.
 panel_left <- function(panel, j) {
-  panel$taper_left * (panel$upper - panel$lower) * j / panel$deep
+  panel$lost_left * j / panel$deep
 }
 
 panel_right <- function(panel, j) {
-  panel$upper - panel$taper_right * (panel$upper - panel$lower) * j / panel$deep
+  panel$upper - panel$lost_right * j / panel$deep
 }

@@ -49,6 +49,8 @@ part_text <- function(path) {
 written_path <- function(plan, path, value, leaves = plan_leaves(plan)) {
   path <- dotted_path(path)
   steps <- path_steps(path)
+  found <- net_path(plan, steps)
+  if (!is.null(found)) return(found)
   last <- sub("^.*[.]", "", leaves$path)
   fits <- last == steps[length(steps)]
   if (!is.null(value)) fits[fits] <- vapply(leaves$value[fits], same_value, NA, value)
@@ -63,6 +65,31 @@ written_path <- function(plan, path, value, leaves = plan_leaves(plan)) {
     return(paste(maps[which.max(score)], steps[length(steps)], sep = "."))
   }
   candidates[which.max(vapply(candidates, likeness, 0, whole = path))]
+}
+
+# Panels of the field `net` by the start of the names of their panels in the assembly.
+net_names <- c(back = "upper", belly = "lower", side_starboard = "side", side_port = "side",
+  upper_side_starboard = "upper_side", upper_side_port = "upper_side",
+  lower_side_starboard = "lower_side", lower_side_port = "lower_side")
+
+# Returns the path in the field `net` of a panel's field in the assembly, or NULL. A piece may take
+# the field from the piece of the same name in the upper panel.
+net_path <- function(plan, steps) {
+  if (is.null(plan$net) || length(steps) < 2L || steps[1L] != "panels") return(NULL)
+  rest <- c(upper = "front", lower = "rear")[steps]
+  rest <- ifelse(is.na(rest) | !"meshes" %in% steps, steps, rest)[-(1:2)]
+  # The rates of wings are inner and outer, those of panels left and right.
+  if ("cutting" %in% rest) rest <- "cutting"
+  for (start in names(net_names)[startsWith(steps[2L], paste0(names(net_names), "_"))]) {
+    row <- substring(steps[2L], nchar(start) + 2L)
+    of <- plan$net[[net_names[[start]]]]
+    row <- intersect(c(row, sub("_(left|right)$", "", row)), names(of))[1L]
+    if (is.na(row)) next
+    paths <- lapply(c(net_names[[start]], "upper"), function(panel) c("net", panel, row, rest))
+    paths <- vapply(paths, paste, "", collapse = ".")
+    return(first_of(Find(function(path) !is.null(plan_field(plan, path)$value), paths), paths[1L]))
+  }
+  NULL
 }
 
 # Returns the number of words in common with a part's path, minus 0.1 for each other word.

@@ -41,3 +41,6 @@ shortest_decimal <- function(x) {
 four_figures <- function(x) {
   with_plain_numbers(vapply(x, function(one) format(signif(one, 4), digits = 6), ""))
 }
+
+# Returns a count of meshes as a string.
+displayed_count <- function(x) shortest_decimal(round(x, 2))

@@ -1,6 +1,5 @@
 # Returns the cutting rates of a panel's left and right edges, and TRUE if they are equal.
 panel_rates <- function(panel) {
-  loss <- panel$upper - panel$lower
-  rate <- function(share) cutting_rate(loss * share, panel$deep, panel$orientation)
-  c(left = rate(panel$taper_left), right = rate(panel$taper_right))
+  rate <- function(lost) cutting_rate(lost, panel$deep, panel$orientation)
+  c(left = rate(panel$lost_left), right = rate(panel$lost_right))
 }

@@ -32,8 +32,8 @@ test_that("cutting rate determines the omitted count", {
 test_that("different cutting rates split the mesh loss between edges", {
   gear <- cut_panel("{upper: 60, deep: 20}", "cutting: {left: AB, right: 1N2B}")
   expect_equal(counts(gear)[["lower"]], 60 - 20 - 10)
-  expect_equal(unlist(gear_si(gear)$panels$net[c("taper_left", "taper_right")]),
-    c(taper_left = 2 / 3, taper_right = 1 / 3))
+  expect_equal(unlist(gear_si(gear)$panels$net[c("lost_left", "lost_right")]),
+    c(lost_left = 20, lost_right = 10))
   expect_identical(panel_rates(gear_si(gear)$panels$net), c(left = "AB", right = "1N2B"))
 })
 

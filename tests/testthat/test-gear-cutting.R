@@ -61,9 +61,9 @@ test_that("cutting_rate() has rules for turned, square and hexagonal netting", {
 })
 
 test_that("panel taper is divided between its edges", {
-  panel <- list(upper = 60, lower = 20, deep = 40, orientation = "diamond", taper_left = 0.5,
-    taper_right = 0.5)
+  panel <- list(upper = 60, lower = 20, deep = 40, orientation = "diamond", lost_left = 20,
+    lost_right = 20)
   expect_identical(panel_rates(panel), c(left = "1N2B", right = "1N2B"))
-  panel[c("taper_left", "taper_right")] <- list(0, 1)
+  panel[c("lost_left", "lost_right")] <- list(0, 40)
   expect_identical(panel_rates(panel), c(left = "AN", right = "AB"))
 })

@@ -8,7 +8,7 @@ test_that("gear_si() fills in defaults and converts units", {
   expect_identical(si$points$knot$load, c(0, 0, 0))
   net <- si$panels$net
   expect_equal(net$mesh_size, 0.1, tolerance = 1e-15)
-  expect_identical(c(net$taper_left, net$taper_right), c(0.5, 0.5))
+  expect_identical(c(net$lost_left, net$lost_right), rep((net$upper - net$lower) / 2, 2))
   # the schema's default
   expect_equal(net$knot_diameter, 2 * net$twine_diameter, tolerance = 1e-15)
   expect_match(path_node(list(), "panels.any.knot_diameter")$description, fixed = TRUE,
@@ -84,7 +84,8 @@ test_that("edge length equals the shortest path along its twines", {
   for (square in c(FALSE, TRUE)) {
     for (lower in c(8, 4, 0)) {
       panel <- list(
-        mesh_size = 0.2, upper = 8, lower = lower, deep = 3, taper_left = 1, taper_right = 0,
+        mesh_size = 0.2, upper = 8, lower = lower, deep = 3, lost_left = 8 - lower,
+        lost_right = 0,
         orientation = if (square) "square" else "diamond"
       )
       expect_equal(edge_length(panel, "left"), 0.1 * walk(8 - lower, 3, square), tolerance = 1e-14)

@@ -174,8 +174,6 @@ test_that("bottom trawl plans are rejected with the missing or wrong field", {
   line <- small_bottom_trawl()$plan$headline
   refused("headline.bosom.*less than its whole length", headline = modifyList(line,
     list(bosom = "18 m")))
-  bridles <- small_bottom_trawl()$plan$bridles
-  refused("bridles.middle.*jib", bridles = c(bridles, list(middle = bridles$upper)))
 })
 
 test_that("pointed panel ends in one node, gathered or not", {

@@ -24,11 +24,10 @@ void Joined::join(int a, int b) {
 bool ChainTable::whole(int row) const { return std::abs(to[row] - from[row]) == 1.0; }
 
 double edge_length(const GearPanel& panel, int side) {
-  const double loss = panel.upper - panel.lower;
-  const double across =
-      std::abs(side == 0   ? panel.upper
-               : side == 1 ? panel.lower
-                           : loss * (side == 2 ? panel.taper_left : panel.taper_right));
+  const double across = std::abs(side == 0   ? panel.upper
+                                 : side == 1 ? panel.lower
+                                 : side == 2 ? panel.lost_left
+                                             : panel.lost_right);
   const double down = side >= 2 ? panel.deep : 0.0;
   if (panel.square()) return panel.mesh_size / 2 * (across + down);
   const bool turned = panel.orientation == MeshOrientation::hexagonal_turned;

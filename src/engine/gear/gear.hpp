@@ -113,7 +113,7 @@ struct GearPanel {
   double mesh_size = 0.0;                                 // stretched, m
   double upper = 0.0, lower = 0.0;                        // meshes along its edges
   double deep = 0.0;                                      // meshes
-  double taper_left = 0.5, taper_right = 0.5;             // fractions of the lost meshes per side
+  double lost_left = 0.0, lost_right = 0.0;               // meshes lost along each side
   double mass_per_length = 0.0, volume_per_length = 0.0;  // all parallel twines, kg/m, m2
   double twine_diameter = 0.0, twine_count = 1.0;         // m; number of parallel twines
   double knot_diameter = 0.0, knot_twine = 0.0;           // m; 0: no knots
@@ -133,8 +133,8 @@ struct GearPanel {
     visit("upper", upper);
     visit("lower", lower);
     visit("deep", deep);
-    visit("taper_left", taper_left);
-    visit("taper_right", taper_right);
+    visit("lost_left", lost_left);
+    visit("lost_right", lost_right);
     visit("mass_per_length", mass_per_length);
     visit("volume_per_length", volume_per_length);
     visit("twine_diameter", twine_diameter);
@@ -157,8 +157,8 @@ struct GearPanel {
 
   bool square() const { return orientation == MeshOrientation::square; }
   // Positions of the left and right side at a depth of j meshes, in meshes across.
-  double left(double j) const { return taper_left * (upper - lower) * j / deep; }
-  double right(double j) const { return upper - taper_right * (upper - lower) * j / deep; }
+  double left(double j) const { return lost_left * j / deep; }
+  double right(double j) const { return upper - lost_right * j / deep; }
   // Length of one mesh, in square netting of one bar, m.
   double unit() const { return mesh_size / (1 + square()); }
   // Total width of the parallel twines, m.

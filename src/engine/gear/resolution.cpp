@@ -51,8 +51,7 @@ Resolution::Resolution(const Gear& gear, const EdgePieces& pieces) : gear_(gear)
     asked_.push_back(share * (side < 2 ? panel.columns : panel.rows));
     // Maximum number of twines of one family that end on the edge. An edge that runs i meshes
     // across and j deep is crossed by |i - j| twines of one family and i + j of the other.
-    const double lost = std::abs(panel.upper - panel.lower);
-    const double across = lost * (side == 2 ? panel.taper_left : panel.taper_right);
+    const double across = std::abs(side == 2 ? panel.lost_left : panel.lost_right);
     const double ends = side == 0        ? panel.upper
                         : side == 1      ? panel.lower
                         : panel.square() ? std::max(across, panel.deep)

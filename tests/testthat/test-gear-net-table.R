@@ -1,0 +1,33 @@
+two_seam <- function() read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
+
+test_that("a net is unchanged after writing and reading its table", {
+  file <- withr::local_tempfile(fileext = ".csv")
+  trawl <- two_seam()
+  write_net(trawl, file)
+  expect_identical(names(utils::read.csv(file))[1:4], c("panel", "row", "pair", "mesh_size"))
+  again <- update(trawl, net = read_net(file))
+  expect_equal(gear_si(again)$panels, gear_si(trawl)$panels)
+  other <- update(trawl, net.lower.codend.covers = list(chafer = list(mesh_size = "120 mm",
+    meshes = list(upper = 40, lower = 40, deep = 40), twine = list(diameter = "4 mm",
+      material = "PE"))), net.upper.body_2.knotted = FALSE)
+  write_net(other, file)
+  expect_equal(gear_si(update(trawl, net = read_net(file)))$panels, gear_si(other)$panels)
+})
+
+test_that("a pasted sheet with units in its header reads as a net", {
+  sheet <- paste(
+    "Panel\tRow\tPair\tMesh size (mm)\ttwine_mm\tMaterial\tFront\tDeep\tInner\tOuter\tCutting",
+    "upper\twing_1\tyes\t160\t3\tPE\t25\t40\tAB\t1N2B\t",
+    "upper\tbody\t\t140\t2,5\tPE\t190\t60\t\t\t1N2B", sep = "\r\n"
+  )
+  expect_identical(read_net(sheet)$upper, list(
+    wing_1 = list(pair = TRUE, mesh_size = "160 mm", twine = list(diameter = "3 mm",
+      material = "PE"), meshes = list(front = 25, deep = 40),
+    cutting = list(inner = "AB", outer = "1N2B")),
+    body = list(mesh_size = "140 mm", twine = list(diameter = "2.5 mm", material = "PE"),
+      meshes = list(front = 190, deep = 60), cutting = "1N2B")
+  ))
+  expect_error(read_net("panel,front\nupper,20"), "no column")
+  expect_error(read_net("panel,row\nupper,a\nupper,a"), "two rows")
+  expect_error(write_net(read_gear("pair_trawl"), "x.csv"), "net_form")
+})

@@ -1,0 +1,78 @@
+two_seam <- function() read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
+
+test_that("wings in pieces hang headline and footrope edge by edge", {
+  ropes <- gear_si(two_seam())$ropes
+  edges <- vapply(ropes$headline$along, function(edge) paste0(edge$panel, ".", edge$edge), "")
+  expect_identical(edges, c("back_wing_1_left.right", "back_wing_2_left.right", "back_square.upper",
+    "back_wing_2_right.left", "back_wing_1_right.left"))
+  # 12.5 m of headline along 6.4 m and 7 m of netting; 5 m along the bosom
+  expect_equal(ropes$headline$shares * 30, c(12.5 * c(6.4, 7) / 13.4, 5, 12.5 * c(7, 6.4) / 13.4))
+  expect_equal(range(covered_edges(two_seam())), c(1, 1))
+})
+
+test_that("random nets join or hang each edge once and settle", {
+  found <- vapply(1:12, function(seed) {
+    trawl <- tryCatch(random_net(seed), codend_error_plan = function(e) conditionMessage(e))
+    if (is.character(trawl)) {
+      expect_match(trawl, "`net\\.")
+      return(NA)
+    }
+    expect_equal(range(covered_edges(trawl)), c(1, 1), info = seed)
+    state <- tryCatch(settle(trawl, nodes = 300), codend_error = function(e) NULL)
+    !is.null(state)
+  }, NA)
+  expect_gte(sum(found, na.rm = TRUE), 10)
+  expect_true(all(found, na.rm = TRUE))
+})
+
+test_that("a topless net hangs the free edges of the lower panel on the side lines", {
+  trawl <- two_seam()
+  topless <- update(trawl, net.upper.wing_1 = NULL, net.upper.wing_2 = NULL,
+    net.upper.square = NULL, headline.length = "9 m", headline.bosom = NULL,
+    side_lines.hanging_ratio = 0.9)
+  si <- gear_si(topless)
+  expect_equal(range(covered_edges(topless)), c(1, 1))
+  side <- vapply(si$ropes$side_line_starboard$along, `[[`, "", "panel")
+  expect_identical(side, c("belly_lower_wing_2_left", "belly_lower_wing_1_left",
+    "belly_lower_wing_1_left"))
+  expect_gt(measures(settle(topless, nodes = 300))[["net_mouth_height_m"]], 0.5)
+})
+
+test_that("check names both pieces that cannot be joined", {
+  trawl <- two_seam()
+  expect_refused(update(trawl, net.upper.body_2.meshes.front = 85),
+    "body_1` has 130 meshes of 140 mm at the rear and.*body_2` has 85 of 100 mm in front")
+  expect_refused(update(trawl, net.upper.square.meshes.front = 140), "both wings together")
+  expect_refused(update(trawl, net.upper.square.meshes.deep = 60), "seamed edges must agree")
+  expect_refused(update(trawl, net.lower.cover = trawl$plan$net$upper$codend), "no piece beside")
+  expect_refused(update(trawl, net.upper.body_2.pair = TRUE),
+    "wings are ahead of whole")
+  expect_refused(update(trawl, net.side = list(a = trawl$plan$net$upper$body_1), panels = 2),
+    "panels")
+})
+
+test_that("a piece between parallel edges keeps its width and its netting", {
+  trawl <- update(two_seam(), net.upper.wing_2.meshes = list(front = 51, rear = 51, deep = 50),
+    net.upper.wing_2.cutting = list(inner = "1N2B", outer = "1N2B"))
+  panel <- gear_si(trawl)$panels$back_wing_2_left
+  expect_equal(c(panel$lost_left, panel$lost_right), c(25, -25))
+  expect_no_error(state <- settle(trawl, nodes = 300))
+  # 50 rows of 51 meshes, each with four bars of 70 mm
+  expect_equal(panel_bars(panel) * cell_twine(panel), 51 * 50 * 4 * 0.07)
+})
+
+test_that("middle bridle of a net of two panels leads to the side line", {
+  wire <- list(length = "25 m", diameter = "12 mm", material = "steel_wire")
+  trawl <- update(two_seam(), bridles.middle = wire)
+  expect_identical(assembly(trawl)$plan$points$middle_port$at, "side_line_port.middle")
+  found <- measures(settle(trawl, nodes = 300))
+  expect_gt(found[["bridle_middle_tension_kN"]], 0)
+})
+
+test_that("net_form() keeps the measures of short forms", {
+  for (name in c("poly_noreastern_trawl", "small_midwater_trawl", "pair_trawl")) {
+    short <- read_gear(name)
+    expect_equal(plain_measures(measures(settle(net_form(short), nodes = 300))),
+      plain_measures(measures(settle(short, nodes = 300))), tolerance = 1e-6, info = name)
+  }
+})
