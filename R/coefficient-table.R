@@ -94,7 +94,8 @@ print.codend_coefficients <- function(x, n = 30, ...) {
   count <- function(which) format(tabulate(rows[which], nrow(by)))
   range <- function(end) figures(as.double(tapply(x$value, rows, end)))
   lines <- align_columns(Map(c, c(names(by), "computed", "published", "least", "largest"),
-    c(by, list(count(is.na(x$source)), count(!is.na(x$source)), range(min), range(max)))), left = 1:3)
+    c(by, list(count(is.na(x$source)), count(!is.na(x$source)), range(min), range(max)))),
+    left = 1:3)
   cat(nrow(x), " values of force coefficients\n", sep = "")
   cat(lines[1L], limited_lines(lines[-1L], n - 2), sep = "\n")
   invisible(x)

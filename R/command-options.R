@@ -50,8 +50,8 @@ parts_of <- function(text) {
   if (!is.null(text)) Filter(nzchar, trimws(strsplit(text, ";", fixed = TRUE)[[1L]]))
 }
 
-# Returns the values of an option such as "a = 3 m; b = 4" by name. `read` converts the text after an
-# equals sign, which has the pattern `values`. `form`: string for error messages.
+# Returns the values of an option such as "a = 3 m; b = 4" by name. `read` converts the text after
+# an equals sign, which has the pattern `values`. `form`: string for error messages.
 named_parts <- function(text, option, values, form, read) {
   parts <- parts_of(text)
   if (!length(parts)) abort_usage(option, " is empty; it must be ", form, ".")

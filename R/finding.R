@@ -12,8 +12,8 @@
 #'
 #' @param x A gear ([read_gear()]) for checks of the plan only, or a state ([settle()],
 #'   [state_at()]).
-#' @return A data frame of class `codend_findings`, one row per warning, most important first. It has no rows if there are no
-#'   warnings. Columns:
+#' @return A data frame of class `codend_findings`, one row per warning, most important first. It
+#'   has no rows if there are no warnings. Columns:
 #'
 #'   - `check`: name of the check;
 #'   - `location`: a field of the plan, or parts of the gear;

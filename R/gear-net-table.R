@@ -110,8 +110,8 @@ net_table <- function(x) {
     separators <- c("\t", ";", ",")
     fields <- strsplit(rep(lines[1L], 3L), separators, fixed = TRUE)
     x <- utils::read.table(text = lines, sep = separators[which.max(lengths(fields))],
-      header = TRUE, colClasses = "character", check.names = FALSE, quote = "\"", fill = TRUE, comment.char = "",
-      strip.white = TRUE)
+      header = TRUE, colClasses = "character", check.names = FALSE, quote = "\"", fill = TRUE,
+      comment.char = "", strip.white = TRUE)
   }
   x[] <- lapply(x, function(column) {
     column <- trimws(if (is.numeric(column)) vapply(column, shortest_decimal, "") else column)

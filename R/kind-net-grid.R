@@ -43,7 +43,8 @@ check_column <- function(column, sizes, path) {
   at <- function(k, ...) paste(path, rows[k], ..., sep = ".")
   late <- which(pair & seq_along(pair) > match(FALSE, pair, length(pair)))[1L]
   if (!is.na(late)) {
-    abort_field(at(late, "pair"), TRUE, "omitted behind a whole piece: wings are ahead of whole pieces")
+    abort_field(at(late, "pair"), TRUE,
+      "omitted behind a whole piece: wings are ahead of whole pieces")
   }
   if (all(pair)) abort_field(at(length(rows), "pair"), TRUE, "omitted in the last piece of a panel")
   for (k in seq_along(rows)) {

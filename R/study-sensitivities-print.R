@@ -34,7 +34,8 @@ print.codend_sensitivities <- function(x, n = most_rows, ...) {
       cat("  * not smooth: other values at 1 % less and 1 % more, see `secant_below`\n")
     }
   } else {
-    cat("  No field changes these measures by ", smallest_elasticity, " % per % or more.\n", sep = "")
+    cat("  No field changes these measures by ", smallest_elasticity, " % per % or more.\n",
+      sep = "")
     return(invisible(x))
   }
   for (kind in names(small)) {

@@ -1,5 +1,5 @@
-# Returns a text such as "Towed at 4.5 knot in water of 1025 kg/m3, current 0.5 m/s". plan: gives the
-# units of speeds.
+# Returns a text such as "Towed at 4.5 knot in water of 1025 kg/m3, current 0.5 m/s". plan: gives
+# the units of speeds.
 conditions_text <- function(si, plan = NULL) {
   short <- function(x) with_plain_numbers(format(signif(x, 4)))
   water <- if (si$water$density == 0) {

@@ -119,7 +119,8 @@ test_that("report command writes one page of the changed plan", {
   ran <- command("report", "towed_cable", "--out", file, "--set", "towing.speed=5 knot")
   expect_identical(ran$status, 0L)
   expect_identical(ran$err, paste("Written:", file))
-  expect_match(paste(readLines(file, warn = FALSE), collapse = " "), "Towed at 5 knot", fixed = TRUE)
+  page <- paste(readLines(file, warn = FALSE), collapse = " ")
+  expect_match(page, "Towed at 5 knot", fixed = TRUE)
   expect_identical(list.files(folder), "cable.html")
 })
 

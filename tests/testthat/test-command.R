@@ -57,7 +57,8 @@ wrong_uses <- c(
   "find --change 'towing.speed = 1 .. 3' towed_cable" = "--target is empty",
   "find --target body_depth towed_cable --change 'a = 1 .. 2'" = "MEASURE = VALUE",
   "find --target 'body_depth = 3 m' towed_cable" = "--change is empty",
-  "find --change 'a = 1 .. 2' --target 'a = 1' --json none/a.json gillnet" = "--json is none/a.json",
+  "find --change 'a = 1 .. 2' --target 'a = 1' --json none/a.json gillnet" =
+    "--json is none/a.json",
   "calibrate --data x.csv --match Depth towed_cable" = "COLUMN ~ MEASURE",
   "calibrate --data x.csv --match 'Depth ~ depth' towed_cable" = "--data is x.csv",
   "study new x.study towed_cable" = "either --designs",

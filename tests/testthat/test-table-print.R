@@ -65,7 +65,9 @@ test_that("prints use the units of the option codend.units", {
   on.exit(options(kept))
   state <- settle("towed_cable", nodes = 60)
   # residual forces are rounding errors
-  stable <- function(lines) grep("remainder|residual|within about", lines, invert = TRUE, value = TRUE)
+  stable <- function(lines) {
+    grep("remainder|residual|within about", lines, invert = TRUE, value = TRUE)
+  }
   expect_snapshot({
     print(state$gear)
     print(state)

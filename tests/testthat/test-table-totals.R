@@ -40,7 +40,8 @@ test_that("drag adds up on slopes, under loads and in inclined currents", {
   trawl <- update(read_gear("poly_noreastern_trawl"),
     seabed.slope = list(angle = "3 deg", toward = "30 deg"))
   expect_drag_adds_up(settle(trawl, nodes = 300), "slope")
-  loaded <- update(read_gear("crossing_cables"), points.crossing_south_west.load = list("1 kN", "2 kN", "-10 kN"))
+  loaded <- update(read_gear("crossing_cables"),
+    points.crossing_south_west.load = list("1 kN", "2 kN", "-10 kN"))
   expect_drag_adds_up(settle(loaded), "load")
   expect_drag_adds_up(settle(update(read_gear("cage"), water.current.toward = "40 deg"),
     nodes = 300), "current")
@@ -92,7 +93,8 @@ test_that("printed, reported and live tables of drag show the measure as total",
       }
     }
     live <- gsub("<[^>]*>", " ", as.character(drag_html(state)))
-    expect_match(live, paste0("total\\s+", columns[["drag kN"]][length(columns[[1L]])], "\\s+100.0"))
+    total <- columns[["drag kN"]][length(columns[[1L]])]
+    expect_match(live, paste0("total\\s+", total, "\\s+100.0"))
     expect_match(grep("^  total", drag_lines(said$drag_totals), value = TRUE),
       columns[["drag kN"]][length(columns[[1L]])], fixed = TRUE)
   }
