@@ -74,6 +74,8 @@
 #' @keywords internal
 #' @useDynLib codend, .registration = TRUE
 #' @importFrom stats setNames
+#' @importFrom generics tidy glance augment
+#' @rawNamespace export(tidy, glance, augment)
 #' @examples
 #' state <- settle("midwater_trawl", nodes = 300)
 #' state

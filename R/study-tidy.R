@@ -1,55 +1,55 @@
 # Tables of results of studies, and `tidy()` of all results.
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_state <- function(x, ...) as.data.frame(x, ...)
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_trajectory <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_variations <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_sensitivities <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_effects <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_pair_effects <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_sobol_indices <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_uncertainty <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_calibration <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_posterior <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_optimum <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_found <- tidy.codend_state
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::tidy
+#' @export
 tidy.codend_trade_off <- tidy.codend_state
 
 # ---- calibrations and optima ---------------------------------------------------------------------
@@ -67,7 +67,7 @@ as.data.frame.codend_calibration <- function(x, row.names = NULL, optional = FAL
 }
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::glance
+#' @export
 glance.codend_calibration <- function(x, ...) {
   likely <- logLik(x)
   data.frame(
@@ -78,7 +78,7 @@ glance.codend_calibration <- function(x, ...) {
 }
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::augment
+#' @export
 augment.codend_calibration <- function(x, newdata = NULL, ...) {
   with_data <- function(data, rows, columns) {
     data.frame(as.data.frame(data)[rows, , drop = FALSE], columns, row.names = NULL,
@@ -114,7 +114,7 @@ as.data.frame.codend_posterior <- function(x, row.names = NULL, optional = FALSE
 }
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::glance
+#' @export
 glance.codend_posterior <- function(x, ...) {
   data.frame(
     draws = nrow(x), accepted = attr(x, "accepted"), effective = min(attr(x, "chain")$effective)
@@ -129,7 +129,7 @@ as.data.frame.codend_optimum <- function(x, row.names = NULL, optional = FALSE, 
 }
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::glance
+#' @export
 glance.codend_optimum <- function(x, ...) {
   data.frame(
     name = x$gear$plan$name, objective = x$objective$text, begun = x$objective$begun,
@@ -178,7 +178,7 @@ errors.codend_variations <- function(x) {
 }
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::glance
+#' @export
 glance.codend_variations <- function(x, ...) {
   found <- summary(x)
   as.data.frame(found[c("name", "designs", "done", "settled", "warned")])
@@ -191,7 +191,7 @@ as.data.frame.codend_found <- function(x, row.names = NULL, optional = FALSE, ..
 }
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::glance
+#' @export
 glance.codend_found <- function(x, ...) {
   data.frame(
     name = x$gear$plan$name, reached = all(x$targets$reached), n_solves = x$n_solves,
@@ -235,4 +235,30 @@ as.data.frame.codend_trade_off <- function(x, row.names = NULL, optional = FALSE
   table <- long_table(x, fields, objectives, NA_real_, rep("", length(objectives)))
   table[c("kept", "optimal")] <- list(x$kept, x$optimal)
   with_row_names(table, row.names)
+}
+
+#' @rdname codend_tidy
+#' @export
+glance.codend_sensitivities <- function(x, ...) {
+  data.frame(
+    name = attr(x, "gear_name"), conditions = attr(x, "conditions"),
+    fields = length(unique(x$field)), measures = length(unique(x$measure)), smooth = all(x$smooth)
+  )
+}
+
+#' @rdname codend_tidy
+#' @export
+glance.codend_uncertainty <- function(x, ...) {
+  data.frame(
+    name = x$gear_name, conditions = x$conditions, measures = nrow(x$measures),
+    sources = length(unique(x$sources$source)), level = x$level, method = x$method
+  )
+}
+
+#' @rdname codend_tidy
+#' @export
+glance.codend_trade_off <- function(x, ...) {
+  data.frame(
+    name = attr(x, "gear_name"), points = nrow(x), kept = sum(x$kept), optimal = sum(x$optimal)
+  )
 }

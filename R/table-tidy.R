@@ -4,7 +4,7 @@
 #' `glance()` returns one row. `augment()` adds the results of a calibration to its data.
 #'
 #' `tidy()`, `glance()` and `augment()` are generics of the package \pkg{generics}, which
-#' \pkg{broom} and \pkg{parsnip} also export. They are available if one of these is installed.
+#' \pkg{broom} and \pkg{parsnip} also export. codend exports them too.
 #'
 #' @param x A state ([settle()]), trajectory ([tow()]), variations ([vary()]), sensitivities
 #'   ([sensitivities()]), effects ([effects()][effects.codend_variations]), uncertainty
@@ -61,6 +61,10 @@
 #'   hold), `optimality` (0 at an optimum), `converged` and `n_solves`.
 #' - Found values: `name`, `reached` (`TRUE` if all targets are reached), `n_solves` and `nodes`.
 #' - Variations: `name`, `designs`, `done`, `settled` and `warned`.
+#' - Sensitivities: `name`, `conditions`, numbers of `fields` and `measures`, and `smooth` (`TRUE` if
+#'   all derivatives are).
+#' - Uncertainty: `name`, `conditions`, numbers of `measures` and `sources`, `level` and `method`.
+#' - Trade-off: `name`, and numbers of `points`, `kept` and `optimal`.
 #'
 #' @name codend_tidy
 #' @seealso [errors()] for errors of measures in a wide table, [measures()], [calibration_methods].
@@ -68,9 +72,8 @@
 #' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"))
 #' found$total_drag_kN
 #' subset(as.data.frame(found), measure == "total_drag_kN")
-#' @examplesIf requireNamespace("generics", quietly = TRUE)
-#' generics::tidy(found)
-#' generics::glance(found)
+#' tidy(found)
+#' glance(found)
 NULL
 
 #' Return the errors of measures
@@ -130,7 +133,7 @@ plain_table <- function(x) {
 # ---- one row -------------------------------------------------------------------------------------
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::glance
+#' @export
 glance.codend_state <- function(x, ...) {
   report <- x$report
   data.frame(
@@ -142,7 +145,8 @@ glance.codend_state <- function(x, ...) {
 }
 
 #' @rdname codend_tidy
-#' @exportS3Method generics::glance
+#' @aliases tidy glance augment
+#' @export
 glance.codend_trajectory <- function(x, ...) {
   last <- x$conditions[length(x$time), ]
   put <- first_of(last$energy_put_through, NA)

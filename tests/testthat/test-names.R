@@ -6,6 +6,8 @@ test_that("exports do not clash with common packages", {
   expect_true(all(c("dplyr", "tibble", "ggplot2") %in% names(known)))
   own <- c("base", "stats", "utils", "graphics", "grDevices", "methods", "parallel", "splines")
   known <- c(sapply(own, getNamespaceExports, simplify = FALSE), known)
-  clashes <- lapply(known, intersect, getNamespaceExports("codend"))
+  # codend exports the functions of generics themselves
+  own <- setdiff(getNamespaceExports("codend"), c("tidy", "glance", "augment"))
+  clashes <- lapply(known, intersect, own)
   expect_identical(Filter(length, clashes), stats::setNames(list(), character()))
 })

@@ -35,11 +35,38 @@ test_that("as.data.frame() of a trajectory returns long and wide tables", {
   expect_identical(class(as.data.frame(slopes)), "data.frame")
 })
 
-test_that("generics package dispatches to the tidy methods", {
-  skip_if_not_installed("generics")
+test_that("codend exports the generics of tidy tables", {
+  # without library(generics), as in a script
+  for (name in c("tidy", "glance", "augment")) {
+    expect_identical(getExportedValue("codend", name), getExportedValue("generics", name))
+  }
   state <- settled("towed_cable", nodes = 300)
-  expect_identical(generics::tidy(state), as.data.frame(state))
-  expect_identical(generics::glance(state), glance.codend_state(state))
+  expect_identical(codend::tidy(state), as.data.frame(state))
+  expect_identical(codend::glance(state), glance.codend_state(state))
+})
+
+test_that("glance() of studies of one state returns their size in one row", {
+  state <- settled("towed_cable", nodes = 300)
+  slopes <- sensitivities(state, to = c("towing.speed", "ropes.cable.length"), secants = FALSE)
+  row <- glance.codend_sensitivities(slopes)
+  expect_identical(row[c("name", "fields", "measures")], data.frame(name = state$gear$plan$name,
+    fields = 2L, measures = nrow(slopes) %/% 2L))
+  found <- uncertainty(state, level = 0.8)
+  row <- glance.codend_uncertainty(found)
+  expect_identical(row[c("measures", "level")],
+    data.frame(measures = nrow(as.data.frame(found)), level = 0.8))
+  ends <- trade_off("towed_cable", list(drag = ~ total_drag, pull = ~ ship_tension),
+    change = list(towing.speed = c("3 knot", "4 knot")), points = 3, nodes = 20)
+  expect_identical(glance.codend_trade_off(ends)$points, nrow(ends))
+})
+
+test_that("pipe leads from a plan to its measures", {
+  found <- read_gear("towed_cable") |>
+    update(towing.speed = "3 knot") |>
+    settle(nodes = 40) |>
+    measures()
+  gear <- update(read_gear("towed_cable"), towing.speed = "3 knot")
+  expect_identical(found, measures(settle(gear, nodes = 40)))
 })
 
 test_that("as.data.frame() of a calibration and its posterior returns fields", {
