@@ -14,7 +14,8 @@
 #' - A trajectory: it continues with its own schedule.
 #'
 #' `tow("midwater_trawl")`, or `codend tow midwater_trawl` in a shell, simulates a whole tow: it
-#' shoots the warps, tows, turns by 90 degrees and hauls.
+#' shoots the warps, tows, turns by 90 degrees and hauls. A progress bar appears after two seconds.
+#' If the package progressr is loaded, it reports the progress in percent instead.
 #'
 #' @section Coordinates:
 #' The motion is computed over the ground. x points aft, y to starboard and z up, with the origin of
@@ -233,7 +234,8 @@ continued_accuracy <- function(method) {
 tow_method <- function(scheme, accuracy, step) {
   known <- engine_schemes()
   if (!is_text(scheme) || !scheme %in% known$name) {
-    abort_argument("{.arg scheme} is {.val {scheme}}; it must be one of {.val {known$name}}.")
+    abort_argument("{.arg scheme} is {describe_value(scheme)}; it must be one of
+      {.val {known$name}}.")
   }
   implicit <- known$adaptive[known$name == scheme]
   both <- tow_accuracy(accuracy)

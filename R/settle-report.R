@@ -2,6 +2,17 @@
 
 cpu_clock <- function() sum(proc.time()[c("user.self", "sys.self")])
 
+# Returns a function(now) that reports steps to the package progressr; NULL if it is not loaded.
+progressr_steps <- function(total, done, frame) {
+  if (!isNamespaceLoaded("progressr")) return(NULL)
+  step <- progressr::progressor(steps = total, envir = frame)
+  if (done > 0L) step(amount = done)
+  function(now) {
+    if (now > done) step(amount = now - done)
+    done <<- now
+  }
+}
+
 # Returns a function(iteration, residual) that shows a progress bar after two seconds.
 settle_progress <- function() {
   # loading cli takes longer than settling a small gear

@@ -302,14 +302,8 @@ study_table <- function(study, rows) {
 
 # Returns a function(done) that shows a progress bar after two seconds, or reports to progressr.
 study_progress <- function(total, done = 0L, frame = parent.frame()) {
-  if (isNamespaceLoaded("progressr")) {
-    step <- progressr::progressor(steps = total, envir = frame)
-    if (done > 0L) step(amount = done)
-    return(function(now) {
-      if (now > done) step(amount = now - done)
-      done <<- now
-    })
-  }
+  report <- progressr_steps(total, done, frame)
+  if (!is.null(report)) return(report)
   if (!cli::is_dynamic_tty() || total < 2L) return(function(now) NULL)
   begun <- proc.time()[["elapsed"]]
   bar <- NULL

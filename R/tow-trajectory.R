@@ -81,10 +81,11 @@ integrate_trajectory <- function(trajectory, until, every, method, measured = NU
   tryCatch(
     {
       model <- model_at_time(what, trajectory)
+      progress <- tow_progress(past$now$time, until)
       report <- engine_tow(model, schedule_as_done(what$schedule, past$done), past, method,
-        stops, keep, steerer(what, measured, function() front), refill,
-        tow_progress(past$now$time, until))
+        stops, keep, steerer(what, measured, function() front), refill, progress)
       end <- report$end
+      if (end == "reached") progress(until, report$steps)
     },
     interrupt = function(e) NULL,
     codend_error_file = function(e) {
@@ -182,8 +183,13 @@ trajectory_frames <- function(trajectory) {
   })
 }
 
-# Returns a function(time, steps) that shows progress once a run has taken two seconds.
+# Returns a function(time, steps) that shows progress once a run has taken two seconds, or reports
+# percents to progressr.
 tow_progress <- function(begun, until) {
+  report <- progressr_steps(100, 0, parent.frame())
+  if (!is.null(report)) {
+    return(function(time, steps) report(floor(100 * (time - begun) / (until - begun))))
+  }
   if (!cli::is_dynamic_tty()) return(function(time, steps) NULL)
   started <- proc.time()[["elapsed"]]
   bar <- NULL

@@ -50,13 +50,18 @@ test_that("study continues after a killed worker and names the deadly design", {
   expect_identical(found$total_drag_kN[-7], vary("towed_cable", sixteen)$total_drag_kN[-7])
 })
 
-test_that("study reports progress to progressr by row", {
-  skip_if_not_installed("progressr")
+# Returns the sum of the steps that a call reports to progressr.
+reported_steps <- function(call) {
   told <- 0
   withCallingHandlers(
-    progressr::with_progress(vary("towed_cable", sixteen[1:3, ]), enable = TRUE,
-      handlers = progressr::handler_void),
+    progressr::with_progress(call, enable = TRUE, handlers = progressr::handler_void),
     progression = function(p) if (identical(p$type, "update")) told <<- told + p$amount
   )
-  expect_equal(told, 3)
+  told
+}
+
+test_that("studies report rows and tows report percents to progressr", {
+  skip_if_not_installed("progressr")
+  expect_equal(reported_steps(vary("towed_cable", sixteen[1:3, ])), 3)
+  expect_equal(reported_steps(tow("towed_cable", until = 4, every = 2, nodes = 20)), 100)
 })
