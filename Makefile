@@ -31,6 +31,7 @@
 #   make gallery   all pictures of gears and of the tank, and their scenes in gallery/scenes.csv
 #   make wasm      the engine as WebAssembly in inst/share, for pages of share(); installs codend
 #   make site      help, guides, pictures and live gears as a site in site/; runs make wasm first
+#   make cheat-sheet  the guide "Cheat sheet" as one page: pkgdown/assets/codend-cheat-sheet.pdf
 #   make docs      results that README, guides and help quote from result files
 #   make schema    inst/schema and enumerations of the engine, from tools/schema and tables
 #   make schema-check  fail if these files are outdated
@@ -39,7 +40,7 @@
 #
 # All targets except docs, schema and schema-check install missing dependencies first (tools/setup).
 
-.PHONY: docs trawl install test fast lint fuzz fuzz-engine sanitize-threads coverage check ci lane \
+.PHONY: cheat-sheet docs trawl install test fast lint fuzz fuzz-engine sanitize-threads coverage check ci lane \
   ratchet gallery guides knitted soak bench bench-loops bench-tow netting errors random-gears robust \
   validate condition wasm site schema schema-check
 trawl:
@@ -167,6 +168,10 @@ wasm:
 site: wasm
 	@tools/setup --site
 	@Rscript tools/site.R
+
+cheat-sheet:
+	@tools/setup --ci
+	@tools/cheat-sheet
 
 docs:
 	@Rscript tools/docs.R
