@@ -89,6 +89,10 @@ is_plain_number <- function(value) {
   is.numeric(value) && !is.object(value) && length(value) == 1L && is.finite(value)
 }
 
+check_truth <- function(value, name) {
+  if (!isTRUE(value) && !isFALSE(value)) abort_argument("{.arg {name}} must be TRUE or FALSE.")
+}
+
 check_count <- function(name, value, least = 1) {
   good <- is_plain_number(value) && value == round(value) && value >= least && value < 2^31
   if (good) return(invisible())

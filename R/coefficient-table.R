@@ -147,7 +147,7 @@ published_coefficients <- function(solidity) {
 check_coefficient_arguments <- function(reynolds, solidity) {
   one <- is.numeric(reynolds) && length(reynolds) == 1L && is.finite(reynolds) && reynolds > 0
   if (!one) {
-    abort_argument("{.arg reynolds} is {.val {reynolds}}; it must be one number above 0.")
+    abort_argument("{.arg reynolds} is {describe_value(reynolds)}; it must be one number above 0.")
   }
   good <- is.numeric(solidity) && length(solidity) >= 1L && all(is.finite(solidity)) &&
     all(solidity >= 0.01 & solidity <= 0.5)

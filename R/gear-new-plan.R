@@ -77,6 +77,7 @@ new_plan <- function(kind, ..., file = NULL, ask = FALSE) {
   if (!is.null(file)) check_file_path(file)
   given <- Map(given_value, given, names(given))
   about <- kinds[[kind]]
+  check_truth(ask, "ask")
   if (ask) given <- prompt_for_values(about$requests, given, usual = about$usual)
   new <- if (is.null(about$plan)) new_from_shipped else new_from_numbers
   gear <- tryCatch(new(about, given), codend_error_plan = function(e) {

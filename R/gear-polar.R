@@ -85,6 +85,7 @@ published_polars <- list(
 #' board_polar("krill_cambered")
 board_polar <- function(polar, aspect_ratio = 2) {
   check_given("polar")
+  aspect_ratio <- quantity_number(aspect_ratio, "number", "aspect_ratio", positive = TRUE)
   if (is.character(polar) && length(polar) == 1L && polar %in% names(published_polars)) {
     given <- published_polars[[polar]]$values
   } else if (is.data.frame(polar) && all(c("attack", "lift", "drag") %in% names(polar))) {

@@ -42,7 +42,7 @@ read_sensor_log <- function(file, columns, window = 11, spikes = 4) {
     abort_argument("{.arg window} is {.val {window}}; it must be an odd number, 3 or more.")
   }
   if (!(is.numeric(spikes) && length(spikes) == 1L && is.finite(spikes) && spikes > 0)) {
-    abort_argument("{.arg spikes} is {.val {spikes}}; it must be a number above 0.")
+    abort_argument("{.arg spikes} is {describe_value(spikes)}; it must be a number above 0.")
   }
   columns <- log_columns(columns)
   table <- read_log_table(file)

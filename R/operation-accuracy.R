@@ -94,8 +94,8 @@ accuracy_share <- function(accuracy) {
   share <- given_si(accuracy, "number", "accuracy")
   if (!(is.finite(share) && share > 0 && share < 1)) {
     abort_argument(
-      "{.arg accuracy} is {.val {accuracy}}; it must be a relative error of the main measures,
-      such as {.val 1 %}."
+      "{.arg accuracy} is {describe_value(accuracy)}; it must be a relative error of the main
+      measures, such as {.val 1 %}."
     )
   }
   share

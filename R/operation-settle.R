@@ -162,12 +162,12 @@ check_settle_arguments <- function(gear, nodes, netting) {
     abort_argument("{.arg gear} must be a gear or the name of a plan, not {.cls {class(gear)}}.")
   }
   if (!is_plain_number(nodes) || nodes < 1) {
-    abort_argument("{.arg nodes} is {.val {nodes}}; it must be one number, 1 or more.")
+    abort_argument("{.arg nodes} is {describe_value(nodes)}; it must be one number, 1 or more.")
   }
   if (!is.null(netting) && !(is.character(netting) && length(netting) == 1L &&
     netting %in% c("cells", "bars"))) {
     abort_argument(
-      "{.arg netting} is {.val {netting}}; it must be {.val cells}, {.val bars} or NULL."
+      "{.arg netting} is {describe_value(netting)}; it must be {.val cells}, {.val bars} or NULL."
     )
   }
   check_mesh_size(gear_si(gear), nodes, netting)

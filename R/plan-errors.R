@@ -45,6 +45,7 @@ abort_unknown <- function(path, name, known, value = NULL) {
 
 show_value <- function(value) {
   if (is.null(value)) return("empty")
+  if (!is.atomic(value) && !is.list(value)) return(paste("of class", class(value)[1L]))
   if (identical(value, "given")) return("given")
   if (is.list(value)) {
     return(if (length(names(value))) "a map" else paste("a list of", length(value)))

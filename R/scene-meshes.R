@@ -2,7 +2,7 @@ netting_colours <- c("tension", "mesh_opening", "mesh_angle")
 
 check_colour <- function(colour, known = netting_colours) {
   if (is_text(colour) && colour %in% known) return(invisible())
-  abort_argument("{.arg colour} is {.val {colour}}; it must be one of {.val {known}}.")
+  abort_argument("{.arg colour} is {describe_value(colour)}; it must be one of {.val {known}}.")
 }
 
 # Returns the drawing of a state with its netting coloured by an element of `netting_colours`:

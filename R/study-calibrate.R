@@ -238,11 +238,11 @@ read_matches <- function(match, data, task, error) {
   }
   error <- given_value(if (is.null(error)) rep(NA, length(match)) else error, "error")
   abort_error <- function() {
-    said <- unlist(error)
-    abort_argument("{.arg error} is {.val {said}}; it must be {length(match)} standard
-      deviation{?s} above 0, or NA to estimate {?it/them} from the data.")
+    said <- describe_value(unlist(error))
+    abort_argument("{.arg error} is {said}; it must be {length(match)} standard deviation{?s} above
+      0, or NA to estimate {?it/them} from the data.")
   }
-  if (length(error) != length(match)) abort_error()
+  if (is.function(error) || length(error) != length(match)) abort_error()
   Map(function(one, error) {
     text <- paste(trimws(deparse(one[[2L]], width.cutoff = 500L)), collapse = " ")
     lost <- setdiff(all.vars(one[[2L]]), names(data))

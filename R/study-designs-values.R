@@ -68,10 +68,6 @@ new_distribution <- function(kind, numbers, unit, ends, whole, log = FALSE) {
 
 is_distribution <- function(value) inherits(value, "codend_distribution")
 
-check_truth <- function(value, name) {
-  if (!isTRUE(value) && !isFALSE(value)) abort_argument("{.arg {name}} must be TRUE or FALSE.")
-}
-
 # Returns list(value, unit ("" for bare numbers)) in the unit of the first quantity.
 numbers_in_one_unit <- function(given) {
   split <- lapply(names(given), function(name) {
@@ -79,8 +75,8 @@ numbers_in_one_unit <- function(given) {
     number <- is.numeric(value) && length(value) == 1L && is.finite(value)
     parts <- if (number) c(value, "") else if (is_text(value)) split_quantity(value)
     if (is.null(parts)) {
-      abort_argument("{.arg {name}} is {.val {value}}; it must be one number, or a string such as
-        {.val 3 knot}.")
+      abort_argument("{.arg {name}} is {describe_value(value)}; it must be one number, or a string
+        such as {.val 3 knot}.")
     }
     unit <- plain_unit(parts[2L])
     dimension <- if (nzchar(unit)) quantity_dimension(paste(1, unit)) else ""

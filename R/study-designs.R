@@ -102,6 +102,7 @@ new_designs <- function(table, how, number, seed, axes) {
 }
 
 designs_number <- function(how, number, drawn) {
+  if (!is.null(number)) check_count("number", number)
   if (how == "table") return(NULL)
   if (how %in% c("grid", "one_at_a_time")) {
     if (!drawn) return(NULL)
@@ -111,7 +112,6 @@ designs_number <- function(how, number, drawn) {
     if (is.null(number)) {
       abort_argument("{.arg number} is missing; it must be the number of designs.")
     }
-    check_count("number", number, 1)
   }
   number
 }

@@ -65,7 +65,7 @@ explain_misfit <- function(fit, to = NULL, spread = 0.2, sensor = 0.02, cases = 
 
 check_share <- function(value, name) {
   if (!(is.numeric(value) && length(value) == 1L && is.finite(value) && value > 0)) {
-    abort_argument("{.arg {name}} is {.val {value}}; it must be a fraction above 0.")
+    abort_argument("{.arg {name}} is {describe_value(value)}; it must be a fraction above 0.")
   }
 }
 

@@ -156,12 +156,10 @@ wrong_calls <- expression(
   force_coefficients(solidity = 0), force_coefficients(solidity = numeric()), haul_means(1, 5, 6)
 )
 
-test_that("wrong calls throw a codend error that explains the mistake", {
-  local_reproducible_output(width = 80)
-  kept <- setwd(test_folder())
-  on.exit(setwd(kept))
-  # as a script sees codend
-  exported <- list2env(mget(getNamespaceExports("codend"), envir = asNamespace("codend")),
+# Returns the variables of the calls; their parent has codend's exports, as a script sees them.
+misuse_variables <- function() {
+  exported <- list2env(
+    mget(getNamespaceExports("codend"), envir = asNamespace("codend"), inherits = TRUE),
     parent = globalenv())
   there <- list2env(list(
     g = read_gear("towed_cable"), s = settle("towed_cable", nodes = 50),
@@ -171,6 +169,14 @@ test_that("wrong calls throw a codend error that explains the mistake", {
     hauls = data.frame(towing.speed = 1:4, Drag = c(2, 3, 6, 9))
   ), parent = exported)
   there$fit <- calibrate(there$g, there$hauls, there$cd, Drag ~ total_drag_kN, nodes = 20)
+  there
+}
+
+test_that("wrong calls throw a codend error that explains the mistake", {
+  local_reproducible_output(width = 80)
+  kept <- setwd(test_folder())
+  on.exit(setwd(kept))
+  there <- misuse_variables()
   texts <- vapply(as.list(wrong_calls), function(call) {
     said <- tryCatch({
       eval(call, there)
@@ -187,4 +193,51 @@ test_that("wrong calls throw a codend error that explains the mistake", {
   expect_identical(list.files(all.files = TRUE, no.. = TRUE), character())
   expect_identical(grep("\n  (nothing is wrong|base error)", texts, value = TRUE), character())
   expect_snapshot(cat(texts, sep = "\n"), cran = TRUE)
+})
+
+# A call of each export with its required arguments. gear_point() and other constructors do not check
+# their arguments: gear() and tow() do.
+least_calls <- alist(
+  assembly(g), board_modes(s), board_polar("flat_plate"),
+  calibrate(g, data = hauls, change = cd, match = Drag ~ total_drag, nodes = 20), catalogue(),
+  current_profile(table = 1), designs(towing.speed = 1:2), errors(s), explain_misfit(fit),
+  find_value(g, towing.speed = value_range(1, 3), target = list(body_depth = 100), nodes = 20),
+  findings(g), flume(g), force_coefficients(), gear("a"), haul_means(log = 1, from = 1, to = 2),
+  in_units(s), measure_definitions(), measures(s), mesh_openings(s), new_plan("gillnet"),
+  normal_value(1, 0.1), optimise_gear(g, ~ total_drag, change = ch, nodes = 20),
+  planned_schedule(g), read_currents("a", longitude = 1, latitude = 1, time = 1), read_gear("cage"),
+  read_moordyn("a"), read_result("a"), read_sensor_log("a", columns = 1), read_study("a"),
+  report(s, "a.html"), run_study("a"), sample_posterior(fit), sensitivities(s), settle(g),
+  share(s, "a.html"), state_at(tr, 1), study_status("a"), tensions_along(s), tow(g, until = 2),
+  tow_speed(g), track_schedule(log = 1, from = 1, to = 2),
+  trade_off(g, list(a = ~ total_drag, b = ~ ship_tension), change = ch), uncertainty(s),
+  value_range(1, 2), vary(g, towing.speed = 1:2, nodes = 20), view_3d(s), write_gear(g, "a.yaml"),
+  write_result(s, "a.vtu"), write_study(g, designs(towing.speed = 1:2), "a")
+)
+constructors <- c("gear_point", "kite", "measure", "netting_panel", "otter_board", "piece", "rope",
+  "seam", "tow_schedule")
+
+test_that("every export throws a codend error for an argument of a wrong class", {
+  kept <- setwd(test_folder())
+  on.exit(setwd(kept))
+  there <- misuse_variables()
+  called <- vapply(least_calls, function(call) as.character(call[[1]]), "")
+  expect_setequal(c(called, constructors, "gears", "tidy", "glance", "augment"),
+    getNamespaceExports("codend"))
+  unchecked <- character()
+  for (call in least_calls) {
+    definition <- get(as.character(call[[1]]), there)
+    call <- match.call(definition, call)
+    for (name in setdiff(names(formals(definition)), "...")) {
+      for (wrong in expression(mean, globalenv(), as.Date("2020-01-01"))) {
+        tried <- call
+        tried[[name]] <- wrong
+        outcome <- tryCatch(eval(tried, there), codend_error = identity, error = identity)
+        if (!inherits(outcome, "codend_error")) {
+          unchecked <- c(unchecked, paste(deparse(tried, 500L), collapse = " "))
+        }
+      }
+    }
+  }
+  expect_identical(unchecked, character())
 })
