@@ -9,7 +9,7 @@ requested_sensitivities <- function(state, said) {
   if (!is.character(said) || length(said) > most_edits || any(nchar(said) > most_characters)) {
     abort_argument("The path of the field is missing.")
   }
-  sensitivities(state, to = list(unname(said)))
+  sensitivities(state, fields = list(unname(said)))
 }
 
 # Adds new sensitivities to known ones, and replaces known rows of the same field.

@@ -87,7 +87,8 @@ logLik.codend_calibration <- function(object, ...) {
 
 check_level <- function(level) {
   if (!(is.numeric(level) && length(level) == 1L && is.finite(level) && level > 0 && level < 1)) {
-    abort_argument("{.arg level} is {describe_value(level)}; it must be a fraction between 0 and 1.")
+    abort_argument("{.arg level} is {describe_value(level)}; it must be a fraction between 0 and
+      1.")
   }
 }
 

@@ -14,9 +14,9 @@
 #' - An input with the same effect as the calibrated fields cannot be distinguished from them: its
 #'   `own` is near 0.
 #'
-#' @param fit A calibration, from [calibrate()].
-#' @param to Inputs to test, like `to` of [sensitivities()]. `NULL` (default) selects up to 24
-#'   lengths, masses, areas, buoyancies, diameters and coefficients of the plan.
+#' @param calibration A calibration, from [calibrate()].
+#' @param fields Inputs to test, like `fields` of [sensitivities()]. `NULL` (default) selects up to
+#'   24 lengths, masses, areas, buoyancies, diameters and coefficients of the plan.
 #' @param spread Assumed standard deviation of the inputs, as a fraction of their values. Default
 #'   0.2.
 #' @param sensor Assumed error of an additional sensor, as a fraction of its measured value. Default
@@ -43,23 +43,23 @@
 #' runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
 #' fit <- calibrate("towed_cable", runs,
 #'   change = list(ropes.cable.diameter = c("10 mm", "30 mm")), match = Drag ~ total_drag_kN)
-#' explain_misfit(fit, to = c("pieces.sphere.mass", "pieces.sphere.drag_coefficient"))
-explain_misfit <- function(fit, to = NULL, spread = 0.2, sensor = 0.02, cases = 8) {
-  check_given("fit")
-  if (!inherits(fit, "codend_calibration")) {
-    abort_argument("{.arg fit} must be a calibration, as {.fn calibrate} returns, not
-      {.cls {class(fit)}}.")
+#' explain_misfit(fit, fields = c("pieces.sphere.mass", "pieces.sphere.drag_coefficient"))
+explain_misfit <- function(calibration, fields = NULL, spread = 0.2, sensor = 0.02, cases = 8) {
+  check_given("calibration")
+  if (!inherits(calibration, "codend_calibration")) {
+    abort_argument("{.arg calibration} must be a calibration, as {.fn calibrate} returns, not
+      {.cls {class(calibration)}}.")
   }
   check_count("cases", cases)
   check_share(spread, "spread")
   check_share(sensor, "sensor")
-  found <- explained_cases(fit, explained_inputs(fit, to), cases)
+  found <- explained_cases(calibration, explained_inputs(calibration, fields), cases)
   structure(
     list(
-      inputs = explain_inputs(fit, found, spread), trends = explain_trends(fit),
-      measurements = explain_measurements(fit, found, sensor)
+      inputs = explain_inputs(calibration, found, spread), trends = explain_trends(calibration),
+      measurements = explain_measurements(calibration, found, sensor)
     ),
-    class = "codend_explanation", gear_name = fit$gear$plan$name
+    class = "codend_explanation", gear_name = calibration$gear$plan$name
   )
 }
 
@@ -74,13 +74,13 @@ input_fields <- c("length", "mass", "area", "buoyancy", "diameter", "lift_coeffi
   "drag_coefficient", "drag_area", "friction", "density", "normal", "tangential")
 most_inputs <- 24L
 
-explained_inputs <- function(fit, to) {
+explained_inputs <- function(fit, fields) {
   taken <- c(unlist(lapply(fit$task$points$fields, `[[`, "paths")), fit$conditions)
-  if (!is.null(to)) {
-    found <- sensitivity_fields(fit$gear, to)
+  if (!is.null(fields)) {
+    found <- sensitivity_fields(fit$gear, fields)
     both <- intersect(unlist(lapply(found, `[[`, "paths")), taken)
     if (length(both)) {
-      abort_argument("{.arg to} has {.field {both[1]}}, but the calibration already uses this
+      abort_argument("{.arg fields} has {.field {both[1]}}, but the calibration already uses this
         field.")
     }
     return(lapply(found, `[[`, "paths"))

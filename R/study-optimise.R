@@ -75,7 +75,7 @@
 #'   used for the results. See the section on discretisation.
 #' @param starts Number of starts: the gear's own values and others spread over the ranges. `NULL`
 #'   (default) uses the gear's own values, and two more if the search ends at a kink.
-#' @param most Largest number of settled gears for each start. Default 200.
+#' @param max_solves Largest number of settled gears for each start. Default 200.
 #' @param file Path of a file that records settled gears, to resume after an interruption. Default
 #'   `NULL`: no record. See the section on resuming.
 #' @return An object of class `codend_optimum`, a list:
@@ -119,21 +119,21 @@
 #' )
 #' found
 optimise_gear <- function(gear, minimise, keep = NULL, change, nodes = NULL, netting = NULL,
-                          accuracy = NULL, starts = NULL, most = 200, file = NULL) {
+                          accuracy = NULL, starts = NULL, max_solves = 200, file = NULL) {
   check_given("gear", "minimise", "change")
   task <- new_task(gear, minimise, keep, change, nodes, netting, accuracy, file)
-  task$steps <- new_steps(most)
+  task$steps <- new_steps(max_solves)
   if (!is.null(starts)) check_count("starts", starts)
-  check_count("most", most)
+  check_count("max_solves", max_solves)
   dimensions <- length(task$points$fields)
   places <- rbind(task$first, spread_points(max(starts, kinked_starts) - 1, dimensions))
-  runs <- search_starts(task, places[seq_len(max(starts, 1)), , drop = FALSE], most)
+  runs <- search_starts(task, places[seq_len(max(starts, 1)), , drop = FALSE], max_solves)
   if (is_kinked(task, runs)) {
     if (is.null(starts)) {
       others <- seq_len(kinked_starts)[-1L]
-      runs <- c(runs, search_starts(task, places[others, , drop = FALSE], most))
+      runs <- c(runs, search_starts(task, places[others, , drop = FALSE], max_solves))
     }
-    runs <- leave_kink(task, runs, most)
+    runs <- leave_kink(task, runs, max_solves)
   }
   finish_optimum(task, runs)
 }

@@ -14,7 +14,7 @@
 #'
 #' @param calibration A calibration, from [calibrate()].
 #' @param draws Number of draws to return. Default 1000.
-#' @param begin Number of initial draws to discard. Default 100.
+#' @param burn_in Number of initial draws to discard. Default 100.
 #' @param seed A whole number. Equal seeds give equal draws.
 #' @return A data frame of class `codend_posterior`: one row per draw, one column per field, in the
 #'   units of `calibration$fields`. It has two attributes:
@@ -36,15 +36,15 @@
 #' fit <- calibrate("towed_cable", runs, nodes = 20,
 #'   change = list(ropes.cable.diameter = c("10 mm", "30 mm")), match = Drag ~ total_drag_kN)
 #' \donttest{
-#' sample_posterior(fit, draws = 60, begin = 30)
+#' sample_posterior(fit, draws = 60, burn_in = 30)
 #' }
-sample_posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
+sample_posterior <- function(calibration, draws = 1000, burn_in = 100, seed = 1) {
   check_given("calibration")
   if (!inherits(calibration, "codend_calibration")) {
     abort_argument("{.arg calibration} must be a result of {.fn calibrate}.")
   }
   check_count("draws", draws)
-  check_count("begin", begin)
+  check_count("burn_in", burn_in)
   check_count("seed", seed)
   check_package("mcmc", "A posterior")
   task <- calibration$task
@@ -58,9 +58,9 @@ sample_posterior <- function(calibration, draws = 1000, begin = 100, seed = 1) {
     -misfit_at(task, scaled + 0)$value
   }
   run <- with_seed(seed, mcmc::metrop(
-    likely, calibration$scaled, nbatch = begin + draws, scale = chain_scale(calibration, width)
+    likely, calibration$scaled, nbatch = burn_in + draws, scale = chain_scale(calibration, width)
   ))
-  kept <- run$batch[begin + seq_len(draws), , drop = FALSE]
+  kept <- run$batch[burn_in + seq_len(draws), , drop = FALSE]
   values <- sweep(sweep(kept, 2L, width, "*"), 2L, task$points$lower, "+")
   found <- as.data.frame(values)
   names(found) <- calibration$fields$field

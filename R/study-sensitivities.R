@@ -38,8 +38,8 @@
 #'
 #' @param state A settled state, from [settle()].
 #' @param of Names of measures, as in [measures()], with or without unit. Default `NULL`: all.
-#' @param to Numeric fields by path, as in [update()][update.codend_gear]. A list item with several
-#'   paths changes these fields together. `NULL` (default) selects up to 12 common fields. `"all"`
+#' @param fields Numeric fields by path, as in [update()][update.codend_gear]. A list item with
+#'   several paths changes these fields together. `NULL` (default) selects up to 12 common fields. `"all"`
 #'   selects every number except the settings of the mesh.
 #' @param secants `FALSE` skips the settled gears, which take longer than the tangents. `smooth`
 #'   then describes the state itself only. Default `TRUE`.
@@ -63,15 +63,15 @@
 #' @seealso [vary()] for large changes, [uncertainty()], [codend_charts].
 #' @export
 #' @examples
-#' found <- sensitivities(settle("towed_cable"), to = c("towing.speed", "ropes.cable.length"))
+#' found <- sensitivities(settle("towed_cable"), fields = c("towing.speed", "ropes.cable.length"))
 #' found[found$measure == "total_drag_kN", ]
-sensitivities <- function(state, of = NULL, to = NULL, secants = TRUE) {
+sensitivities <- function(state, of = NULL, fields = NULL, secants = TRUE) {
   check_given("state")
   check_is_settled(state)
   check_truth(secants, "secants")
   base <- state_values(state)
   of <- chosen_measures(of, names(base$values))
-  fields <- sensitivity_fields(state$gear, to)
+  fields <- sensitivity_fields(state$gear, fields)
   work <- tangent_work(state, base)
   found <- lapply(fields, function(field) lapply(field_sensitivities(work, field, secants), `[`,
     of))
@@ -107,10 +107,10 @@ dividing_fields <- c("segments", "bar_segments", "columns", "rows")
 # ---- fields --------------------------------------------------------------------------------------
 
 # Returns a list per field: name, paths, value, unit, whole.
-sensitivity_fields <- function(gear, to) {
-  if (is.null(to) || identical(to, "all")) {
+sensitivity_fields <- function(gear, fields) {
+  if (is.null(fields) || identical(fields, "all")) {
     every <- as.list(given_paths(gear$plan))
-    if (is.null(to)) {
+    if (is.null(fields)) {
       last <- vapply(every, function(path) sub(".*[.]", "", path), "")
       every <- every[last %in% telling_fields]
     }
@@ -127,19 +127,19 @@ sensitivity_fields <- function(gear, to) {
       fresh
     }, found)
     if (!length(found)) abort_argument("The plan has no numeric field.")
-    return(if (is.null(to)) utils::head(found, most_sensitivity_fields) else found)
+    return(if (is.null(fields)) utils::head(found, most_sensitivity_fields) else found)
   }
-  groups <- as.list(to)
+  groups <- as.list(fields)
   if (!length(groups) || !all(vapply(groups, is.character, NA)) || !all(lengths(groups) > 0L) ||
     anyNA(unlist(groups))) {
-    abort_argument("{.arg to} must be paths of plan fields, such as {.val towing.speed}, or a
+    abort_argument("{.arg fields} must be paths of plan fields, such as {.val towing.speed}, or a
       list of such paths that change together.")
   }
   lapply(groups, function(paths) {
     found <- sensitivity_field(gear, paths)
     if (is.list(found)) return(found)
     path <- paste(paths, collapse = " + ")
-    abort_argument("{.arg to} has {.val {path}}, which {found}.")
+    abort_argument("{.arg fields} has {.val {path}}, which {found}.")
   })
 }
 

@@ -14,7 +14,7 @@
 #' @param minimise A named list of two objectives, each like `minimise` of [optimise_gear()]:
 #'   `list(drag = ~ total_drag_kN, height = ~ -headline_height_m)`.
 #' @param points Number of gears on the front, including both ends, at least 3. Default 7.
-#' @param most Largest number of settled gears for each point. Default 100.
+#' @param max_solves Largest number of settled gears for each point. Default 100.
 #' @return A data frame of class `codend_trade_off`: one row per gear, from the best for the first
 #'   objective to the best for the second. Columns: both objectives under their names, each changed
 #'   field with its unit, `kept` (`TRUE` if the conditions hold) and `optimal`. The attribute
@@ -29,7 +29,7 @@
 #' )
 #' found
 trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = NULL,
-                      netting = NULL, accuracy = NULL, most = 100) {
+                      netting = NULL, accuracy = NULL, max_solves = 100) {
   check_given("gear", "minimise", "change")
   named <- is.list(minimise) && length(minimise) == 2L && !is.null(names(minimise)) &&
     all(nzchar(names(minimise))) && !anyDuplicated(names(minimise))
@@ -39,21 +39,22 @@ trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = N
   }
   check_count("points", points)
   if (points < 3) abort_argument("{.arg points} is {.val {points}}; it must be 3 or more.")
-  check_count("most", most)
+  check_count("max_solves", max_solves)
   tasks <- lapply(minimise, function(objective) {
     new_task(gear, objective, keep, change, nodes, netting, accuracy)
   })
   ends <- lapply(1:2, function(k) {
-    alone <- finish_optimum(tasks[[k]], list(find_optimum(tasks[[k]], tasks[[k]]$first, most)))
+    run <- find_optimum(tasks[[k]], tasks[[k]]$first, max_solves)
+    alone <- finish_optimum(tasks[[k]], list(run))
     # Among gears that are equally good in this objective, select the best in the other.
     limit <- objective_of(tasks[[k]], alone) + end_share * tasks[[k]]$size
-    optimum_within(tasks[[3L - k]], tasks[[k]]$objective, limit, alone, most)
+    optimum_within(tasks[[3L - k]], tasks[[k]]$objective, limit, alone, max_solves)
   })
   second <- vapply(ends, function(end) objective_of(tasks[[2L]], end), 0)
   limits <- seq(second[1L], second[2L], length.out = points)[-c(1L, points)]
   near <- ends[[1L]]
   between <- lapply(limits, function(limit) {
-    near <<- optimum_within(tasks[[1L]], tasks[[2L]]$objective, limit, near, most)
+    near <<- optimum_within(tasks[[1L]], tasks[[2L]]$objective, limit, near, max_solves)
     near
   })
   optima <- c(ends[1L], between, ends[2L])

@@ -8,7 +8,7 @@ test_that("page receives sensitivities to a field in its preferred units", {
     expect_length(told, 1L)
     expect_identical(unclass(told[[1]]$paths), "ropes.cable.length")
     expect_identical(told[[1]]$unit, "m")
-    found <- sensitivities(tank$state, to = "ropes.cable.length")
+    found <- sensitivities(tank$state, fields = "ropes.cable.length")
     expect_identical(unclass(told[[1]]$slope), found$derivative)
     # Compared with a design settled with the larger value. The sensitivity is within 0.5 % of 1 %
     # steps to both sides where it is marked as smooth.
@@ -82,7 +82,7 @@ test_that("page rejects sensitivities to unknown fields", {
 
 test_that("sensitivities_html() marks sensitivities that are not smooth with a star", {
   state <- settled("towed_cable", nodes = 300)
-  slopes <- sensitivities(state, to = c("towing.speed", "ropes.cable.length"))
+  slopes <- sensitivities(state, fields = c("towing.speed", "ropes.cable.length"))
   slopes$smooth[slopes$field == "towing.speed"] <- FALSE
   html <- as.character(sensitivities_html(slopes))
   row <- regmatches(html, regexpr("<tr><th scope='row'>body depth</th>.*?</tr>", html, perl = TRUE))

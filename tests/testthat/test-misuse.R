@@ -73,12 +73,13 @@ wrong_calls <- expression(
   state_at(tr, 1e6), state_at(tr, -1),
   state_at(tr, "a week"), state_at(tr, c(1, 2)),
   # studies
-  sensitivities(), sensitivities(g), sensitivities(s, of = "drag"), sensitivities(s, to = "speed"),
-  sensitivities(s, to = 3), sensitivities(s, secants = 1), sensitivities(s, to = "none.at.all"),
-  sensitivities(s, to = "points.ship.held"), sensitivities(s, to = "ropes.cable.segments"),
-  sensitivities(s, to = list(c("towing.speed", "ropes.cable.length"))),
+  sensitivities(), sensitivities(g), sensitivities(s, of = "drag"),
+  sensitivities(s, fields = "speed"), sensitivities(s, fields = 3), sensitivities(s, secants = 1),
+  sensitivities(s, fields = "none.at.all"),
+  sensitivities(s, fields = "points.ship.held"), sensitivities(s, fields = "ropes.cable.segments"),
+  sensitivities(s, fields = list(c("towing.speed", "ropes.cable.length"))),
   sensitivities(settle(update(g, pieces.sphere.drag_coefficient = 0), nodes = 50),
-    to = "pieces.sphere.drag_coefficient"),
+    fields = "pieces.sphere.drag_coefficient"),
   vary(), vary(1), vary(g, 3),
   vary(g, towing.sped = 1:2), vary(g, towing.speed = NULL),
   vary(g, towing.speed = list(1, 2)), vary(g, towing.speed = c(1, NA)), vary(g, 1:3),
@@ -121,7 +122,7 @@ wrong_calls <- expression(
   optimise_gear(g, ~ total_drag, change = list(towing.speed = c("fast", "3 m/s"))),
   optimise_gear(g, ~ total_drag, change = list(pieces.sphere.mass = c(-1, 3000))),
   optimise_gear(g, ~ total_drag, change = c(ch, ch)),
-  optimise_gear(g, ~ total_drag, change = ch, most = "many"),
+  optimise_gear(g, ~ total_drag, change = ch, max_solves = "many"),
   find_value(), find_value(g), find_value(g, towing.speed = c(1, 3)),
   find_value(g, target = list(body_depth = "300 m")),
   find_value(g, towing.sped = c(1, 3), target = list(body_depth = "300 m")),
@@ -147,7 +148,7 @@ wrong_calls <- expression(
   calibrate(g, hauls, cd, Drag ~ total_drag, error = c(1, 2)),
   calibrate(g, hauls, cd, Drag ~ total_drag, error = -1), confint(fit, level = 90),
   confint(fit, "mass"), predict(fit, data.frame(a = 1)), residuals(fit, "raw"),
-  explain_misfit(fit, to = "towing.speed"), plot(fit, by = "depth"),
+  explain_misfit(fit, fields = "towing.speed"), plot(fit, by = "depth"),
   sample_posterior(), sample_posterior(1), explain_misfit(), explain_misfit(1), tow_speed(),
   tow_speed(1), read_sensor_log(), read_sensor_log("none.csv"), haul_means(1),
   read_currents("none.nc"), current_profile(), current_profile(1), flume(1), flume(fields = "a"),
@@ -195,8 +196,8 @@ test_that("wrong calls throw a codend error that explains the mistake", {
   expect_snapshot(cat(texts, sep = "\n"), cran = TRUE)
 })
 
-# A call of each export with its required arguments. gear_point() and other constructors do not check
-# their arguments: gear() and tow() do.
+# A call of each export with its required arguments. gear_point() and other constructors do not
+# check their arguments: gear() and tow() do.
 least_calls <- alist(
   assembly(g), board_modes(s), board_polar("flat_plate"),
   calibrate(g, data = hauls, change = cd, match = Drag ~ total_drag, nodes = 20), catalogue(),

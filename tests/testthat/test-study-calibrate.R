@@ -53,7 +53,7 @@ test_that("calibrate() recovers two true values and explain_misfit() names other
   expect_lt(max(fit$fields$error / c(0.8, 150)), 0.05)
   # If one field is fixed at a wrong value, the misfit identifies it.
   blind <- calibrate(towed_sphere, runs, coefficient, list(Pull ~ pull_kN, Depth ~ depth))
-  found <- explain_misfit(blind, to = c("pieces.sphere.mass", "pieces.sphere.volume",
+  found <- explain_misfit(blind, fields = c("pieces.sphere.mass", "pieces.sphere.volume",
     "pieces.sphere.diameter"))
   expect_identical(found$inputs$field[1], "pieces.sphere.mass")
   expect_lt(found$inputs$p[1], 1e-4)

@@ -145,7 +145,7 @@ test_that("find_value() accepts targets with and without their unit", {
 test_that("find_value() estimates the effect of discretisation errors on fields", {
   found <- find_value("towed_cable", towing.speed = c("2 knot", "6 knot"),
     target = list(body_depth = "600 m"), nodes = 20)
-  slope <- sensitivities(found$state, of = "body_depth_m", to = "towing.speed")$derivative
+  slope <- sensitivities(found$state, of = "body_depth_m", fields = "towing.speed")$derivative
   expect_equal(found$fields$error, abs(found$targets$error / slope), tolerance = 1e-3)
 })
 

@@ -26,7 +26,7 @@ test_that("sample_posterior() with known error gives the normal posterior", {
   sd <- 1 / sqrt(1 / 0.05^2 + 1 / 0.1^2)
   expect_drawn(draws, mean, sd, mean - 1.645 * sd, mean + 1.645 * sd)
   expect_gt(attr(draws, "chain")$effective, 50)
-  few <- function(...) suppressWarnings(sample_posterior(fit, draws = 20, begin = 1, ...))
+  few <- function(...) suppressWarnings(sample_posterior(fit, draws = 20, burn_in = 1, ...))
   expect_identical(few(), few())
   expect_false(identical(few(), few(seed = 2)))
   expect_output(print(draws), "400 draws.*pieces.sphere.drag_coefficient")
@@ -54,7 +54,7 @@ test_that("sample_posterior() warns about few draws and rejects wrong arguments"
   skip_if_not_installed("mcmc")
   fit <- calibrate(towed_sphere, data.frame(towing.speed = 2, Drag = 1500),
     list(pieces.sphere.drag_coefficient = c(0.2, 1.5)), Drag ~ total_drag, error = 100)
-  expect_warning(draws <- sample_posterior(fit, draws = 20, begin = 5),
+  expect_warning(draws <- sample_posterior(fit, draws = 20, burn_in = 5),
     class = "codend_warning_few_draws")
   expect_identical(dim(draws), c(20L, 1L))
   expect_wrong(sample_posterior(fit, draws = 0), "draws")

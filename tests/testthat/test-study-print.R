@@ -69,7 +69,7 @@ test_that("prints of a calibration and its posterior fit a screen", {
   expect_screen(fit)
   expect_screen(summary(fit))
   skip_if_not_installed("mcmc")
-  expect_screen(suppressWarnings(sample_posterior(fit, draws = 60, begin = 30)))
+  expect_screen(suppressWarnings(sample_posterior(fit, draws = 60, burn_in = 30)))
 })
 
 test_that("prints of an optimum and a trade-off fit a screen", {

@@ -34,7 +34,8 @@ slope_of <- function(found, measure, field) {
 
 test_that("sensitivities() of a towed sphere equal the analytical derivatives", {
   state <- settle(as_gear(towed_sphere))
-  found <- sensitivities(state, to = c("towing.speed", "ropes.line.length", "pieces.sphere.mass"))
+  found <- sensitivities(state,
+    fields = c("towing.speed", "ropes.line.length", "pieces.sphere.mass"))
   drag <- 0.47 * pi / 16 * 1025 * 2^2 / 2
   weight <- 9.81 * (200 - 0.01 * 1025)
   pull <- sqrt(drag^2 + weight^2)
@@ -62,28 +63,28 @@ test_that("sensitivities() flags all artificial kinks", {
   # The second line becomes taut at 0.3 % more of the first; from there each carries half of the
   # load.
   near <- sensitivities(settle(two_lines(10.03)), of = c("depth_m", "pull_kN"),
-    to = "ropes.first.length")
+    fields = "ropes.first.length")
   expect_false(any(near$smooth))
   expect_equal(near$derivative[1], 1 + 1e-3, tolerance = 1e-6)
   expect_equal(near$secant_below[1], 1 + 1e-3, tolerance = 1e-6)
   # Then both follow the second line, which is not paid out.
   expect_equal(near$secant_above[1], 0.3003, tolerance = 1e-3)
   # Both taut: one becomes slack at 0.1 % to either side, with equal secant errors above and below.
-  both <- sensitivities(settle(two_lines(10)), of = "depth_m", to = "ropes.first.length")
+  both <- sensitivities(settle(two_lines(10)), of = "depth_m", fields = "ropes.first.length")
   expect_equal(both$derivative, 0.5, tolerance = 1e-3)
   expect_false(both$smooth)
   # No kink nearby: smooth, and a slack line has no effect.
   far <- sensitivities(settle(two_lines(10.3)), of = "depth_m",
-    to = c("ropes.first.length", "ropes.second.length"))
+    fields = c("ropes.first.length", "ropes.second.length"))
   expect_true(all(far$smooth))
   expect_equal(far$derivative, c(1 + 1e-3, 0), tolerance = 1e-6)
   # The bed, 0.5 % below the weight, and 4 %.
   expect_identical(
     sensitivities(settle(above_bed(9.85)), of = c("depth_m", "pull_kN"),
-      to = "ropes.line.length")$smooth, c(FALSE, FALSE)
+      fields = "ropes.line.length")$smooth, c(FALSE, FALSE)
   )
   expect_true(all(sensitivities(settle(above_bed(9.5)), of = c("depth_m", "pull_kN"),
-    to = "ropes.line.length")$smooth))
+    fields = "ropes.line.length")$smooth))
 })
 
 test_that("sensitivities() of a trawl equal differences with few factorisations", {
@@ -99,7 +100,7 @@ test_that("sensitivities() of a trawl equal differences with few factorisations"
   )
   of <- c("door_spread_m", "net_mouth_height_m", "total_drag_kN", "warp_tension_port_kN",
     "door_depth_m")
-  found <- sensitivities(state, of = of, to = names(shares), secants = FALSE)
+  found <- sensitivities(state, of = of, fields = names(shares), secants = FALSE)
   # One for all fields, and at most three for each side of a field.
   expect_lt(attr(found, "factorisations"), state$report$factorisations)
   expect_true(all(is.na(found$secant_above)))
@@ -153,7 +154,7 @@ test_that("sensitivities() accept single, joint and default fields", {
     "secant_below", "secant_above", "smooth"))
   expect_output(print(found), "pieces.sphere.mass +[+]1[.]03")
   expect_output(print(found[1:2]), "total_drag_kN")
-  every <- sensitivities(state, of = "total_drag_kN", to = "all", secants = FALSE)
+  every <- sensitivities(state, of = "total_drag_kN", fields = "all", secants = FALSE)
   expect_true(all(c("ropes.cable.diameter", "pieces.sphere.volume") %in% every$field))
   expect_false("ropes.cable.segments" %in% every$field)
   of_trawl <- vapply(sensitivity_fields(read_gear("midwater_trawl"), "all"), `[[`, "", "name")
@@ -164,15 +165,15 @@ test_that("sensitivities() accept single, joint and default fields", {
     ropes.cable.coefficients.normal = 1.5)
   state <- settle(gear)
   paths <- c("pieces.sphere.drag_coefficient", "ropes.cable.coefficients.normal")
-  both <- sensitivities(state, of = "total_drag_kN", to = list(paths), secants = FALSE)
-  each <- sensitivities(state, of = "total_drag_kN", to = paths, secants = FALSE)
+  both <- sensitivities(state, of = "total_drag_kN", fields = list(paths), secants = FALSE)
+  each <- sensitivities(state, of = "total_drag_kN", fields = paths, secants = FALSE)
   expect_identical(both$field, paste(paths, collapse = " + "))
   expect_equal(both$elasticity, sum(each$elasticity), tolerance = 1e-7)
 })
 
 test_that("sensitivities() change an integer field by one", {
   state <- settle("midwater_trawl", nodes = 300)
-  found <- sensitivities(state, of = "net_mouth_height_m", to = "floats.number")
+  found <- sensitivities(state, of = "net_mouth_height_m", fields = "floats.number")
   more <- settle(update(state$gear, floats.number = 31), nodes = 300, from = state)
   change <- measures(more)[["net_mouth_height_m"]] - measures(state)[["net_mouth_height_m"]]
   expect_equal(found$secant_above, change, tolerance = 1e-6)
@@ -182,7 +183,7 @@ test_that("sensitivities() change an integer field by one", {
 test_that("sensitivities() return NA for a field that changes the parts", {
   state <- settle("longline", nodes = 200)
   found <- sensitivities(state, of = "total_drag_kN",
-    to = c("branch_lines.number", "floats.buoyancy"))
+    fields = c("branch_lines.number", "floats.buoyancy"))
   expect_identical(is.na(found$derivative), c(TRUE, FALSE))
   expect_identical(found$smooth, c(FALSE, TRUE))
 })
@@ -194,7 +195,8 @@ test_that("tornado plot is written atomically", {
 })
 
 test_that("default plot has tornados of one field for all measures", {
-  found <- sensitivities(settle("midwater_trawl", nodes = 60), to = "towing.speed", secants = FALSE)
+  found <- sensitivities(settle("midwater_trawl", nodes = 60), fields = "towing.speed",
+    secants = FALSE)
   expect_picture(found)
 })
 
@@ -202,7 +204,7 @@ test_that("process forked after sensitivities() terminates", {
   skip_on_os("windows")
   # large enough for two threads
   state <- settle("poly_noreastern_trawl", nodes = 6000)
-  found <- sensitivities(state, of = "total_drag_kN", to = "towing.speed", secants = FALSE)
+  found <- sensitivities(state, of = "total_drag_kN", fields = "towing.speed", secants = FALSE)
   # the child frees its copy of the factorisation
   child <- parallel::mcparallel({
     rm(state, found)
@@ -221,7 +223,7 @@ test_that("process forked after sensitivities() terminates", {
 test_that("sensitivities() name fields without effect", {
   cable <- update(read_gear("towed_cable"), ropes.cable.strength = "200 kN")
   found <- sensitivities(settle(cable), of = c("total_drag_kN", "body_depth_m"),
-    to = c("towing.speed", "ropes.cable.strength"))
+    fields = c("towing.speed", "ropes.cable.strength"))
   expect_output(print(found), "Below 0.01 % per %: fields ropes.cable.strength", fixed = TRUE)
   # no such line if every field has an effect
   moved <- found[found$field == "towing.speed" & found$measure == "body_depth_m", ]
@@ -230,8 +232,8 @@ test_that("sensitivities() name fields without effect", {
 
 test_that("sensitivities() accepts names of measures without unit", {
   state <- settle("towed_cable", nodes = 20)
-  short <- sensitivities(state, of = "total_drag", to = "towing.speed")
-  expect_identical(short, sensitivities(state, of = "total_drag_kN", to = "towing.speed"))
+  short <- sensitivities(state, of = "total_drag", fields = "towing.speed")
+  expect_identical(short, sensitivities(state, of = "total_drag_kN", fields = "towing.speed"))
   expect_error(sensitivities(state, of = "total"), "`of` is \"total\"",
     class = "codend_error_argument")
 })

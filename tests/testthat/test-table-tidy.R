@@ -30,7 +30,7 @@ test_that("as.data.frame() of a trajectory returns long and wide tables", {
   # tow() itself stops if the energy imbalance exceeds 2 %
   expect_lt(abs(row$energy_imbalance), 0.02)
 
-  slopes <- sensitivities(state, to = "towing.speed", secants = FALSE)
+  slopes <- sensitivities(state, fields = "towing.speed", secants = FALSE)
   expect_identical(tidy.codend_sensitivities(slopes)$derivative, slopes$derivative)
   expect_identical(class(as.data.frame(slopes)), "data.frame")
 })
@@ -47,7 +47,7 @@ test_that("codend exports the generics of tidy tables", {
 
 test_that("glance() of studies of one state returns their size in one row", {
   state <- settled("towed_cable", nodes = 300)
-  slopes <- sensitivities(state, to = c("towing.speed", "ropes.cable.length"), secants = FALSE)
+  slopes <- sensitivities(state, fields = c("towing.speed", "ropes.cable.length"), secants = FALSE)
   row <- glance.codend_sensitivities(slopes)
   expect_identical(row[c("name", "fields", "measures")], data.frame(name = state$gear$plan$name,
     fields = 2L, measures = nrow(slopes) %/% 2L))
@@ -92,7 +92,7 @@ test_that("as.data.frame() of a calibration and its posterior returns fields", {
   expect_true(all(new$.lower < new$.fitted & new$.fitted < new$.upper))
 
   skip_if_not_installed("mcmc")
-  draws <- suppressWarnings(sample_posterior(fit, draws = 20, begin = 10))
+  draws <- suppressWarnings(sample_posterior(fit, draws = 20, burn_in = 10))
   table <- as.data.frame(draws, level = 0.5)
   expect_identical(names(table)[1:6], c("field", "value", "error", "unit", "lower", "upper"))
   expect_identical(table$value, mean(draws[[1]]))

@@ -32,7 +32,7 @@ test_that("plans and files do not depend on R's number options", {
     write_result(state, files[2])
     plot(read_gear("gillnet"), files[3])
     plot(state, file = picture)
-    slopes <- sensitivities(state, of = "total_drag_kN", to = "ropes.cable.length")
+    slopes <- sensitivities(state, of = "total_drag_kN", fields = "ropes.cable.length")
     best <- optimise_gear(state$gear, minimise = "total_drag_kN",
       change = list(ropes.cable.length = c("999.5 m", "1000.25 m")))
     list(

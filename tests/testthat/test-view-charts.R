@@ -89,7 +89,7 @@ test_that("equal ropes and equal panels are both visible", {
 })
 
 test_that("bars are sorted by size in each panel", {
-  found <- sensitivities(settled("towed_cable"), to = c("towing.speed", "ropes.cable.length",
+  found <- sensitivities(settled("towed_cable"), fields = c("towing.speed", "ropes.cable.length",
     "ropes.cable.diameter"))
   chart <- ggplot2::autoplot(found, c("total_drag_kN", "body_depth_m"))
   for (panel in split(chart$data, chart$data$panel)) {
