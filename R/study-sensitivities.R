@@ -39,8 +39,8 @@
 #' @param state A settled state, from [settle()].
 #' @param of Names of measures, as in [measures()], with or without unit. Default `NULL`: all.
 #' @param fields Numeric fields by path, as in [update()][update.codend_gear]. A list item with
-#'   several paths changes these fields together. `NULL` (default) selects up to 12 common fields. `"all"`
-#'   selects every number except the settings of the mesh.
+#'   several paths changes these fields together. `NULL` (default) selects up to 12 common fields.
+#'   `"all"` selects every number except the settings of the mesh.
 #' @param secants `FALSE` skips the settled gears, which take longer than the tangents. `smooth`
 #'   then describes the state itself only. Default `TRUE`.
 #' @return A data frame of class `codend_sensitivities`, one row per measure and field:

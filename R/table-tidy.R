@@ -6,7 +6,7 @@
 #' `tidy()`, `glance()` and `augment()` are generics of the package \pkg{generics}, which
 #' \pkg{broom} and \pkg{parsnip} also export. codend exports them too.
 #'
-#' @param x A state ([settle()]), trajectory ([tow()]), variations ([vary()]), sensitivities
+#' @param x Measures ([measures()]), a state ([settle()]), trajectory ([tow()]), variations ([vary()]), sensitivities
 #'   ([sensitivities()]), effects ([effects()][effects.codend_variations]), uncertainty
 #'   ([uncertainty()]), calibration ([calibrate()]), posterior ([sample_posterior()]), optimum
 #'   ([optimise_gear()]), found values ([find_value()]) or trade-off ([trade_off()]).
@@ -143,6 +143,10 @@ glance.codend_state <- function(x, ...) {
     residual = first_of(report$residual, NA), cpu_seconds = first_of(report$cpu_seconds, NA)
   )
 }
+
+#' @rdname codend_tidy
+#' @export
+tidy.codend_measures <- function(x, ...) as.data.frame(x, ...)
 
 #' @rdname codend_tidy
 #' @aliases tidy glance augment

@@ -5,6 +5,7 @@ test_that("as.data.frame() and tidy() of a state return the same measures", {
   expect_identical(table, data.frame(measure = names(found), value = as.double(found),
     error = unname(attr(found, "error")), unit = unname(attr(found, "unit"))))
   expect_identical(tidy.codend_state(state), table)
+  expect_identical(tidy.codend_measures(found), table)
   expect_identical(errors(state), setNames(table$error, table$measure))
   expect_wrong(errors(1), "measures, a state or variations")
   row <- glance.codend_state(state)
