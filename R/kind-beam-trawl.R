@@ -46,7 +46,7 @@ expand_beam_trawl <- function(fields, plan) {
   out$ropes <- c(ropes, frame_struts(start), net$ropes)
   out$panels <- net$panels
   out$seams <- net$seams
-  out$pieces <- c(shoe_pieces(fields), trawl_fittings(fields, plan, panels_around(fields)))
+  out$pieces <- c(shoe_pieces(fields), trawl_fittings(fields, plan, net))
   out$measures <- beam_trawl_measures(fields)
   out
 }
@@ -157,7 +157,7 @@ beam_trawl_measures <- function(fields) {
     headline_height = list(clearance = "headline.middle"),
     footrope_height = list(clearance = "footrope.middle"),
     mouth_area = list(
-      area = c("headline", "side_line_starboard", "footrope", "side_line_port")
+      area = c("headline", "side_line_starboard", rope_names("footrope", fields), "side_line_port")
     ),
     warp_tension = list(tension = "warp.start"),
     warp_declination = list(angle = list(warp.start = "declination")),

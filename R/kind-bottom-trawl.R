@@ -22,7 +22,7 @@ rigged_net <- function(fields, plan, rig) {
   out$ropes <- c(rig$ropes, net$ropes)
   out$panels <- net$panels
   out$seams <- net$seams
-  out$pieces <- c(rig$pieces, trawl_fittings(fields, plan, panels_around(fields)))
+  out$pieces <- c(rig$pieces, trawl_fittings(fields, plan, net))
   out
 }
 
@@ -64,9 +64,6 @@ check_bottom_trawl <- function(fields) {
       abort_field("towing_points.height", fields$towing_points$height,
         paste("less than the depth of the sea bed,", format_si(fields$seabed$depth, "length")))
     }
-  }
-  if (!free && !is.null(fields$backstrops)) {
-    abort_field("backstrops", "given", "omitted without free otter boards")
   }
   check_section_names(fields)
   check_wing_ends(fields)
@@ -181,10 +178,11 @@ bottom_trawl_grid <- function(fields, plan) {
     given <- plan$wings[[tier]]
     counts <- wing_counts(wing$meshes, behind$counts$upper, paste0("wings.", tier, ".meshes"))
     wing_cell(paste0(panel, "_wing"), given[setdiff(names(given), c("flying", "meshes"))], counts,
-      wing$flying)
+      wing$mesh_size, wing$flying)
   }
   square <- if (!is.null(plan$square)) {
-    new_cell(list(back_square = c(plan$square, list(part = "square"))), fields$square$meshes)
+    new_cell(list(back_square = c(plan$square, list(part = "square"))), fields$square$meshes,
+      fields$square$mesh_size)
   }
   first <- lapply(stats::setNames(nm = names(grid$columns)), function(panel) {
     column_cells(grid, panel)[[1L]]
@@ -214,7 +212,8 @@ side_cells <- function(fields, plan, side) {
   given <- plan$wings$side
   name <- paste0("side_", side, c("_wing", "_jib"))
   piece <- function(name, given) stats::setNames(list(c(given, list(part = "wings"))), name)
-  cells <- stats::setNames(list(new_cell(piece(name[1L], given), wing$meshes)), name[1L])
+  cells <- list(new_cell(piece(name[1L], given), wing$meshes, wing$mesh_size))
+  names(cells) <- name[1L]
   deep <- fields$wings$jib$deep
   if (is.null(deep)) return(cells)
   depth <- front_depth(fields)
@@ -226,35 +225,39 @@ side_cells <- function(fields, plan, side) {
   jib <- c(given[setdiff(names(given), c("meshes", "cutting"))], list(
     meshes = counts, tapered = if (side == "starboard") "right" else "left"
   ))
-  cells[[name[2L]]] <- new_cell(piece(name[2L], jib), counts, free)
+  cells[[name[2L]]] <- new_cell(piece(name[2L], jib), counts, wing$mesh_size, free)
   cells
 }
 
 # Mass in air over mass in water of steel, for ground gear with only the mass in water.
 steel_in_air <- 7850 / (7850 - 1025)
 
-# Returns the ground gear as a rope along the footrope, from its material or its mass in water. The
-# difference of mass and mass in water gives its volume. `lengths`: lengths of the footrope along
+# Returns the ground gear as a rope along the footrope. `lengths`: lengths of the footrope along
 # each edge, which define the distribution of the ground gear, or NULL.
 ground_gear_rope <- function(fields, plan, along, lengths) {
   gear <- fields$ground_gear
-  density <- fields$water$density
   own <- plan$ground_gear[names(plan$ground_gear) != "discs"]
-  if (is.null(gear$material)) {
-    in_air <- first_of(gear$mass_per_length, steel_in_air * gear$mass_in_water)
-    if (in_air < gear$mass_in_water) {
-      abort_field("ground_gear.mass_per_length", in_air,
-        paste("at least the mass in water,", format_si(gear$mass_in_water, "mass_per_length")))
-    }
-    own <- own[setdiff(names(own), c("mass_in_water", "mass_per_length"))]
-    own$mass_per_length <- in_air
-    own$volume_per_length <- if (density > 0) (in_air - gear$mass_in_water) / density else 0
-  }
+  own <- weighed_line(gear, own, fields$water$density)
   if (!is.null(lengths) && !is.null(gear[["length"]])) {
     own$length <- NULL
     own$lengths <- lengths * gear[["length"]] / sum(lengths)
   }
   c(list(along = along), own, list(role = "ground_gear"))
+}
+
+# Returns the fields `own` of ground gear with its mass in air and its volume, from its material or
+# its mass in water. `gear`: the fields in SI; `density`: of the water.
+weighed_line <- function(gear, own, density) {
+  if (!is.null(gear$material) || is.null(gear$mass_in_water)) return(own)
+  in_air <- first_of(gear$mass_per_length, steel_in_air * gear$mass_in_water)
+  if (in_air < gear$mass_in_water) {
+    abort_field("ground_gear.mass_per_length", in_air,
+      paste("at least the mass in water,", format_si(gear$mass_in_water, "mass_per_length")))
+  }
+  own <- own[setdiff(names(own), c("mass_in_water", "mass_per_length"))]
+  own$mass_per_length <- in_air
+  own$volume_per_length <- if (density > 0) (in_air - gear$mass_in_water) / density else 0
+  own
 }
 
 bottom_trawl_rig <- function(fields, plan) {
@@ -271,13 +274,15 @@ bottom_trawl_rig <- function(fields, plan) {
     points = c(towing_points(paste0("block_", trawl_sides), fields$warps$spacing), boards$points),
     ropes = trawl_warps(plan), pieces = boards$pieces, otter_boards = boards$otter_boards
   )
-  if (free) {
+  if (!is.null(plan$backstrops)) {
     start <- paste0("backstrop_end_", trawl_sides)
     rig$points[start] <- list(nothing)
     for (side in trawl_sides) {
       for (tier in c("upper", "lower")) {
         name <- paste("backstrop", tier, side, sep = "_")
-        rig$ropes[[name]] <- rope_between(name, paste0("backstrop_end_", side),
+        # A board of fixed attitude is a point, from which both backstrops lead.
+        from <- if (free) name else paste0("board_", side)
+        rig$ropes[[name]] <- rope_between(from, paste0("backstrop_end_", side),
           of_side(plan$backstrops, side), "backstrop")
       }
     }
@@ -303,7 +308,8 @@ bottom_trawl_measures <- function(fields, free_boards, joint = "board",
     headline_depth = list(depth = "headline.middle"),
     wing_end_height = list(height = paste0(c("upper", lower), "_port")),
     mouth_area = list(
-      area = c("headline", "side_line_starboard", "footrope", "side_line_port")
+      area = c(rope_names("headline", fields), "side_line_starboard",
+        rope_names("footrope", fields), "side_line_port")
     ),
     bridle_angle = angle(first, "divergence")
   )

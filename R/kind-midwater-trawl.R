@@ -4,7 +4,7 @@ expand_midwater_trawl <- function(fields, plan) {
   check_trawl(fields)
   grid <- if (is.null(fields$net)) midwater_trawl_grid(fields, plan) else net_grid(fields, plan)
   net <- trawl_net(grid, fields, plan)
-  rig <- trawl_rig(fields, plan, is.null(net$ropes$side_line_port))
+  rig <- trawl_rig(fields, plan, net)
   out <- shared_fields(plan, fields)
   out$points <- c(rig$points, net$points)
   out$ropes <- c(rig$ropes, net$ropes)
@@ -12,7 +12,7 @@ expand_midwater_trawl <- function(fields, plan) {
   out$seams <- net$seams
   out$pieces <- rig$pieces
   out$otter_boards <- rig$otter_boards
-  out$measures <- trawl_measures(fields$panels, names(rig$otter_boards))
+  out$measures <- trawl_measures(fields, names(rig$otter_boards))
   out
 }
 
@@ -41,14 +41,13 @@ midwater_trawl_grid <- function(fields, plan) {
   wings <- lapply(stats::setNames(around, paste0(around, "_wings")), function(panel) {
     across <- column_cells(grid, panel)[[1L]]$counts$upper
     wing_cell(paste0(panel, "_wing"), given,
-      wing_counts(fields$wings$meshes, across, "wings.meshes"))
+      wing_counts(fields$wings$meshes, across, "wings.meshes"), fields$wings$mesh_size)
   })
   list(columns = lapply(grid$columns, function(rows) c("wings", rows)),
     cells = c(wings, grid$cells), gathered = TRUE)
 }
 
-# `apart`: TRUE if only side lines connect the upper and lower wing tips.
-trawl_rig <- function(fields, plan, apart) {
+trawl_rig <- function(fields, plan, net) {
   free <- fields$otter_boards$attitude == "free"
   boards <- trawl_boards(plan, free)
   points <- c(
@@ -66,19 +65,19 @@ trawl_rig <- function(fields, plan, apart) {
     }
     pieces[[paste0("hammer_", side)]] <- part_with_role(plan$hammers, "hammer",
       at = paste0("lower_", side))
-    if (apart) {
+    if (is.null(net$ropes$side_line_port)) {
       ropes[[paste0("side_line_", side)]] <- part_with_role(plan$side_lines, "side_line",
         from = paste0("upper_", side), to = paste0("lower_", side))
     }
   }
   list(
     points = points, ropes = ropes,
-    pieces = c(pieces, trawl_fittings(fields, plan, panels_around(fields))),
+    pieces = c(pieces, trawl_fittings(fields, plan, net)),
     otter_boards = boards$otter_boards
   )
 }
 
-trawl_measures <- function(panels, free_boards) {
+trawl_measures <- function(fields, free_boards) {
   pair <- function(tier) paste0(tier, c("_port", "_starboard"))
   out <- list(
     door_spread = list(spread = pair("board")),
@@ -86,10 +85,9 @@ trawl_measures <- function(panels, free_boards) {
     net_mouth_height = list(height = c("headline.middle", "footrope.middle")),
     wing_end_height = list(height = c("upper_port", "lower_port"))
   )
-  if (panels > 2) {
-    out$mouth_area <- list(
-      area = c("headline", "side_line_starboard", "footrope", "side_line_port")
-    )
+  if (fields$panels > 2) {
+    out$mouth_area <- list(area = c(rope_names("headline", fields), "side_line_starboard",
+      rope_names("footrope", fields), "side_line_port"))
   }
   out <- c(out, board_measures(free_boards))
   c(out, list(

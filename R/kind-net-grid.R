@@ -167,6 +167,7 @@ net_cell <- function(row, fields, given, panel) {
   }
   covers <- given$covers
   if (length(covers)) names(covers) <- paste(name, names(covers), sep = "_")
-  new_cell(pieces, counts, flying, covers, edge_depth(fields, "inner"),
-    first_of(fields$joined, counts$lower))
+  new_cell(pieces, counts, fields$mesh_size, flying, covers,
+    gain = if (isTRUE(fields$pair)) -fields$lost[["inner"]] else 0,
+    joined = first_of(fields$joined, counts$lower))
 }

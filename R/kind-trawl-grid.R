@@ -27,23 +27,23 @@ panels_around <- function(fields) panels_by_number[[as.character(fields$panels)]
 # Returns a cell of one piece, or of a pair of wings.
 #
 # `pieces`: panels of the assembly from left to right, by name; `counts`: meshes `upper`, `lower`
-# and `deep` of a piece; `free`: meshes of the left and the right edge without a seam, from the
-# front; `covers`: netting over the piece, by name; `inner`: stretched length of a wing's inner edge
-# relative to the other wings of the panel; `joined`: meshes behind to which a wing is joined.
-new_cell <- function(pieces, counts, free = c(left = 0, right = 0), covers = list(), inner = 1,
-                     joined = counts$lower) {
-  list(pieces = pieces, counts = counts, free = free, covers = covers, inner = inner,
-    joined = joined)
+# and `deep` of a piece; `mesh_size` in m; `free`: meshes of the left and the right edge without a
+# seam, from the front; `covers`: netting over the piece, by name; `gain`: meshes that a wing gains
+# along its inner edge; `joined`: meshes behind to which a wing is joined.
+new_cell <- function(pieces, counts, mesh_size, free = c(left = 0, right = 0), covers = list(),
+                     gain = counts$lower - counts$upper, joined = counts$lower) {
+  list(pieces = pieces, counts = counts, mesh_size = mesh_size, free = free, covers = covers,
+    inner_length = mesh_size * max(counts$deep, abs(gain)), joined = joined)
 }
 
 # Returns a cell of two wings, `name`_left and `name`_right, with straight outer edges. `given`:
 # their fields except their counts; `flying`: meshes of the outer edges without a seam.
-wing_cell <- function(name, given, counts, flying = 0) {
+wing_cell <- function(name, given, counts, mesh_size, flying = 0) {
   pieces <- lapply(c(left = "right", right = "left"), function(inner) {
     c(given, list(meshes = counts, tapered = inner, part = "wings"))
   })
   names(pieces) <- paste(name, names(pieces), sep = "_")
-  new_cell(pieces, counts, c(left = flying, right = flying))
+  new_cell(pieces, counts, mesh_size, c(left = flying, right = flying))
 }
 
 is_pair <- function(cell) length(cell$pieces) == 2L

@@ -59,8 +59,9 @@ section_grid <- function(fields, plan, around) {
       covers <- Map(function(cover, part) c(cover, list(part = part)), covers,
         sub(paste0(name, "_"), "", names(covers), fixed = TRUE))
       piece <- c(section_panel(given, panel), list(part = section))
-      cells[[name]] <- new_cell(stats::setNames(list(piece), name),
-        section_panel(fields$sections[[section]], panel)$meshes, covers = covers)
+      own <- section_panel(fields$sections[[section]], panel)
+      cells[[name]] <- new_cell(stats::setNames(list(piece), name), own$meshes, own$mesh_size,
+        covers = covers)
     }
   }
   columns <- lapply(stats::setNames(nm = around), function(panel) names(plan$sections))
@@ -81,6 +82,10 @@ wing_counts <- function(meshes, across, path) {
 trawl_net <- function(grid, fields, plan) {
   net <- joined_grid(grid)
   mouth <- mouth_chains(grid)
+  for (line in c("headline", "footrope", "ground_gear")) {
+    fields[[line]]$length <- line_length(fields[[line]])
+  }
+  net$lines <- list(headline = "headline")
   fronts <- c(headline = "back", footrope = "belly", side_lines = "side_port")
   for (line in intersect(names(fronts), names(plan))) {
     chain <- mouth[[if (line == "side_lines") "side_line_port" else line]]
@@ -89,8 +94,16 @@ trawl_net <- function(grid, fields, plan) {
   }
   if (!grid$gathered) net$points <- c(wing_end_points(grid), net$points)
   net$ropes <- grid_ropes(grid, plan, mouth)
-  if (!is.null(plan$ground_gear)) {
+  if (!is.null(plan$ground_gear) && is.null(plan$ground_gear$sections)) {
     net$ropes$ground_gear <- ground_gear_rope(fields, plan, mouth$footrope, plan$footrope$lengths)
+  }
+  for (line in c("headline", "footrope", "ground_gear")) {
+    if (is.null(fields[[line]]$sections)) next
+    of <- if (line == "headline") line else "footrope"
+    ropes <- section_ropes(line, fields, plan, chain_edges(grid, mouth[[of]]), plan[[of]])
+    at <- match(line, names(net$ropes), nomatch = length(net$ropes) + 1L)
+    net$ropes <- append(net$ropes[setdiff(names(net$ropes), line)], ropes, at - 1L)
+    net$lines[[line]] <- mouth[[of]]
   }
   net
 }
@@ -186,10 +199,13 @@ hung_line <- function(fields, plan, line, edges, wings) {
   }
   bosom <- fields[[line]]$bosom
   whole <- fields[[line]]$length
+  if (is.null(whole)) {
+    abort_field(path, given$bosom, "used with the `length` of the line, not with a hanging ratio")
+  }
   if (bosom >= whole) {
     abort_field(path, given$bosom, paste("less than its whole length,", format_si(whole, "length")))
   }
-  long <- vapply(wings, `[[`, 0, "inner")
+  long <- vapply(wings, `[[`, 0, "inner_length")
   c(
     given[setdiff(names(given), c("length", "bosom"))],
     list(lengths = along((whole - bosom) / 2 * long / sum(long), bosom))

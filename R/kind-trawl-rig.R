@@ -130,22 +130,22 @@ set_back <- function(given, fields, side) {
 }
 
 # Returns a group of floats as a piece along the headline. `fields`: the checked group; `given`: as
-# in the plan; `line`: fields of the headline; `path`: path of the group.
-float_group <- function(fields, given, line, path) {
-  piece <- c(list(along = "headline"), given[setdiff(names(given), "spacing")],
+# in the plan; `line`: fields of the line; `path`: path of the group; `along`: its rope or chain.
+float_group <- function(fields, given, line, path, along) {
+  piece <- c(list(along = along), given[setdiff(names(given), "spacing")],
     list(role = "float"))
   spaced_group(piece, fields, given, line, path, "the headline")
 }
 
 # Returns a group of discs or bobbins as a piece along the ground gear. Mass and volume equal a
 # solid cylinder. The drag equals a short cylinder with its axis normal to the flow.
-disc_group <- function(fields, given, line, path) {
+disc_group <- function(fields, given, line, path, along) {
   full <- pi / 4 * fields$diameter^2 * fields$width
   density <- first_of(fields$density, rubber_density)
   mass <- first_of(fields$mass, density * full)
   volume <- if (!is.null(fields$mass) && !is.null(fields$density)) mass / density else full
   piece <- c(
-    list(along = "ground_gear"), given[intersect(c("number", "extent"), names(given))],
+    list(along = along), given[intersect(c("number", "extent"), names(given))],
     list(mass = mass, volume = volume, area = fields$diameter * fields$width,
       drag_coefficient = fields$drag_coefficient, role = "disc")
   )
@@ -157,13 +157,13 @@ disc_group <- function(fields, given, line, path) {
 rubber_density <- 1250
 
 # Returns one group or a list of groups along a line as pieces: `name`, or `name_1`, `name_2`...
-grouped_pieces <- function(group, fields, given, line, name, path) {
+grouped_pieces <- function(group, fields, given, line, name, path, along) {
   if (is.null(given)) return(list())
   if (!is.null(names(given))) {
-    return(stats::setNames(list(group(fields, given, line, path)), name))
+    return(stats::setNames(list(group(fields, given, line, path, along)), name))
   }
   pieces <- lapply(seq_along(given), function(k) {
-    group(fields[[k]], given[[k]], line, sprintf("%s[%d]", path, k))
+    group(fields[[k]], given[[k]], line, sprintf("%s[%d]", path, k), along)
   })
   stats::setNames(pieces, sprintf("%s_%d", name, seq_along(given)))
 }
@@ -194,16 +194,22 @@ spaced_group <- function(piece, fields, given, line, path, called) {
 }
 
 # Returns floats on the headline, discs on the ground gear, grids, and a catch as a piece at the
-# codline. `around`: panels around the net.
-trawl_fittings <- function(fields, plan, around) {
+# codline. `net`: result of `trawl_net()`.
+trawl_fittings <- function(fields, plan, net) {
+  headline <- net$lines$headline
+  if (!is.null(fields$floats) && !is.null(fields$headline$sections)) {
+    abort_field("floats", "given", "replaced by `floats` of each of `headline.sections`")
+  }
   pieces <- c(
-    grouped_pieces(float_group, fields$floats, plan$floats, fields$headline, "floats", "floats"),
+    grouped_pieces(float_group, fields$floats, plan$floats, fields$headline, "floats", "floats",
+      headline),
+    section_pieces("headline", "floats", float_group, fields, plan),
     grouped_pieces(disc_group, fields$ground_gear$discs, plan$ground_gear$discs,
-      fields$ground_gear, "discs", "ground_gear.discs"),
-    trawl_grids(fields, around)
+      fields$ground_gear, "discs", "ground_gear.discs", "ground_gear"),
+    section_pieces("ground_gear", "discs", disc_group, fields, plan),
+    trawl_grids(fields, panels_around(fields))
   )
-  pieces$canvas <- part_with_role(plan$canvas, "canvas", along = "headline",
-    lift_direction = "up")
+  pieces$canvas <- part_with_role(plan$canvas, "canvas", along = headline, lift_direction = "up")
   pieces$catch <- part_with_role(plan$catch, "catch", at = "codline")
   pieces
 }

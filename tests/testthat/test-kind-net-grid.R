@@ -1,4 +1,8 @@
-two_seam <- function() read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
+two_seam <- function() {
+  update(read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend")),
+    headline = list(length = "30 m", bosom = "5 m", diameter = "22 mm", material = "PE"),
+    floats = list(number = 60L, buoyancy = "2.7 kgf", diameter = "200 mm"))
+}
 
 test_that("wings in pieces hang headline and footrope edge by edge", {
   ropes <- gear_si(two_seam())$ropes

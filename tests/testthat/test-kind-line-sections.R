@@ -1,0 +1,74 @@
+two_seam <- function(...) {
+  update(read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend")), ...)
+}
+
+# Returns the ropes of a line in sections.
+ropes_of <- function(gear, name) {
+  ropes <- gear_si(gear)$ropes
+  ropes[grepl(paste0("^", name), names(ropes))]
+}
+
+test_that("ground gear in sections has the length and weight of each section on both sides", {
+  section <- function(length, mass) {
+    list(length = length, diameter = "100 mm", mass_in_water = mass, axial_stiffness = "10 MN")
+  }
+  ropes <- ropes_of(two_seam(ground_gear = list(
+    sections = list(section("6 m", "9 kg/m"), section("5 m", "7 kg/m"), section("10 m", "4 kg/m"))
+  )), "ground_gear")
+  expect_setequal(names(ropes), c("ground_gear", "ground_gear_2_port", "ground_gear_2_starboard",
+    "ground_gear_3_port", "ground_gear_3_starboard"))
+  long <- vapply(ropes, `[[`, 0, "length")
+  expect_equal(sort(unname(long)), c(5, 5, 6, 10, 10))
+  density <- 1025
+  in_water <- vapply(ropes, function(rope) {
+    rope$length * (rope$mass_per_length - density * rope$volume_per_length)
+  }, 0)
+  expect_equal(sum(in_water), 6 * 9 + 2 * 5 * 7 + 2 * 10 * 4)
+})
+
+test_that("sections cover the chain of a line once, from port to starboard", {
+  trawl <- two_seam(
+    headline.sections = list(list(length = "8 m"), list(length = "11 m", diameter = "20 mm")))
+  ropes <- ropes_of(trawl, "headline")
+  expect_identical(names(ropes), c("headline_2_port", "headline", "headline_2_starboard"))
+  expect_equal(range(covered_edges(trawl)), c(1, 1))
+  # the bosom of 5 m is the middle of the middle section of 8 m
+  expect_equal(ropes$headline$shares * 8, c(1.5, 5, 1.5))
+  expect_identical(vapply(ropes, `[[`, 0, "diameter"), c(headline_2_port = 0.02, headline = 0.022,
+    headline_2_starboard = 0.02))
+})
+
+test_that("a line in equal sections keeps the shape of the net", {
+  floats <- function(number) list(number = number, buoyancy = "2.7 kgf", diameter = "200 mm")
+  line <- list(bosom = "5 m", diameter = "22 mm", material = "combination_rope")
+  whole <- two_seam(headline = c(list(length = "30 m"), line), floats = floats(60L))
+  cut <- two_seam(headline = c(line, list(sections = list(
+    list(length = "5 m", floats = floats(10L)), list(length = "12.5 m", floats = floats(25L))
+  ))))
+  found <- lapply(list(whole, cut), function(gear) measures(settle(gear, nodes = 600)))
+  for (name in c("net_mouth_height_m", "wing_end_spread_m", "mouth_area_m2")) {
+    expect_equal(found[[2]][[name]], found[[1]][[name]], tolerance = 0.02, info = name)
+  }
+})
+
+test_that("floats and discs of a section are on each side", {
+  float <- function(number) list(number = number, buoyancy = "2.7 kgf", diameter = "200 mm")
+  trawl <- two_seam(headline.sections = list(
+    list(length = "6 m", floats = float(14L)), list(length = "12 m", floats = list(float(8L),
+      c(float(5L), list(extent = c(0, 0.5)))))
+  ))
+  pieces <- gear_si(trawl)$pieces
+  floats <- Filter(function(piece) identical(piece$role, "float"), pieces)
+  expect_equal(sum(vapply(floats, `[[`, 0, "number")), 14 + 2 * (8 + 5))
+  expect_setequal(unname(vapply(floats, function(piece) piece$along$name, "")),
+    c("headline", "headline_2_port", "headline_2_starboard"))
+})
+
+test_that("backstrops of fixed boards share the pull of the sweep", {
+  trawl <- two_seam(backstrops = list(length = "3 m", diameter = "18 mm", material = "steel_wire"))
+  state <- settle(trawl, nodes = 300)
+  tensions <- as.data.frame(state, what = "tensions")
+  at <- function(rope) tensions[tensions$rope == rope, grep("^tension.*kN$|^end_kN$", names(tensions))[1]]
+  expect_equal(at("backstrop_upper_port") + at("backstrop_lower_port"), at("sweep_port"),
+    tolerance = 0.05)
+})
