@@ -4,8 +4,8 @@
 # The top-level plan fields in each group of the form, by title.
 form_sections <- list(
   Netting = c(
-    "panels", "net", "wings", "square", "sections", "wall", "bottom", "shape", "diameter", "depth",
-    "length", "mouth", "selvedges", "seams", "grids", "catch"
+    "panels", "net", "separators", "wings", "square", "sections", "wall", "bottom", "shape",
+    "diameter", "depth", "length", "mouth", "selvedges", "seams", "grids", "catch"
   ),
   Ropes = c(
     "headline", "headline_extensions", "footrope", "footrope_extensions", "side_lines",

@@ -44,12 +44,12 @@ net_size <- function(fields, plan) {
 }
 
 # Returns the pieces of a net with the fields that they omit and the piece of the same name in the
-# upper panel has. Counts and cutting are taken together.
+# upper panel has, except its window. Counts and cutting are taken together.
 inherited_pieces <- function(net) {
   for (panel in setdiff(names(net), "upper")) {
     for (row in intersect(names(net[[panel]]), names(net$upper))) {
       own <- net[[panel]][[row]]
-      base <- net$upper[[row]]
+      base <- net$upper[[row]][names(net$upper[[row]]) != "window"]
       if (any(c("meshes", "cutting") %in% names(own))) {
         base[c("meshes", "cutting", "joined")] <- NULL
       }

@@ -44,7 +44,7 @@ midwater_trawl_grid <- function(fields, plan) {
       wing_counts(fields$wings$meshes, across, "wings.meshes"), fields$wings$mesh_size)
   })
   list(columns = lapply(grid$columns, function(rows) c("wings", rows)),
-    cells = c(wings, grid$cells), gathered = TRUE)
+    cells = c(wings, grid$cells), gathered = TRUE, separators = grid$separators)
 }
 
 trawl_rig <- function(fields, plan, net) {

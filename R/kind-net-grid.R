@@ -14,15 +14,22 @@ net_grid <- function(fields, plan) {
     rows <- names(fields$net[[name]])
     sizes <- vapply(plan$net[[name]], function(piece) show_value(piece$mesh_size), "")
     check_column(fields$net[[name]], sizes, paste0("net.", name))
+    for (row in rows[lengths(lapply(fields$net[[name]], `[[`, "window")) > 0L]) {
+      check_window(fields$net[[name]][[row]], paste("net", name, row, "window", sep = "."))
+    }
+    fields$net[[name]] <- divided_at_windows(fields$net[[name]])
+    rows <- names(fields$net[[name]])
+    given <- plan$net[[name]][vapply(fields$net[[name]], `[[`, "", "of")]
     for (panel in grid_panels[[name]]) {
       columns[[panel]] <- rows
       cells[paste(panel, rows, sep = "_")] <-
-        Map(net_cell, rows, fields$net[[name]], plan$net[[name]], MoreArgs = list(panel = panel))
+        Map(net_cell, rows, fields$net[[name]], given, MoreArgs = list(panel = panel))
     }
   }
   around <- panels_around(fields)
   gathered <- unlist(lapply(fields$net, function(column) isTRUE(column[[1L]]$gathered)))
-  grid <- list(columns = columns[around], cells = cells, gathered = all(gathered))
+  grid <- list(columns = columns[around], cells = cells, gathered = all(gathered),
+    separators = net_separators(fields, plan, columns))
   for (k in seq_along(around)) {
     grid <- check_stretches(grid, around[k], panel_after(around)[k], fields$net)
   }
@@ -137,7 +144,7 @@ flying_meshes <- function(piece, mirrored = FALSE) {
 }
 
 # Fields of a piece that are not fields of a panel of the assembly.
-piece_fields <- c("pair", "gathered", "meshes", "cutting", "flying", "joined", "covers")
+piece_fields <- c("pair", "gathered", "window", "meshes", "cutting", "flying", "joined", "covers")
 
 # Returns the cell of a piece. The port side is the mirror image of the starboard side.
 net_cell <- function(row, fields, given, panel) {
@@ -159,7 +166,14 @@ net_cell <- function(row, fields, given, panel) {
   name <- paste(panel, row, sep = "_")
   mirrored <- endsWith(panel, "_port")
   flying <- flying_meshes(fields, mirrored)
-  pieces <- if (isTRUE(fields$pair)) {
+  pieces <- if (!is.null(fields$window)) {
+    sides <- if (mirrored) c("right", "left") else c("left", "right")
+    if (mirrored) {
+      fields$window$left <- fields$meshes$front - fields$window$left - fields$window$across
+    }
+    stats::setNames(window_pieces(row, own, unname(fields$lost[sides]), fields, given$window),
+      paste0(name, c("_left", "", "_right")))
+  } else if (isTRUE(fields$pair)) {
     stats::setNames(list(piece(c("outer", "inner")), piece(c("inner", "outer"))),
       paste0(name, c("_left", "_right")))
   } else {

@@ -4,11 +4,12 @@
 # from top to bottom, belly, port sides from bottom to top. Seen from outside with its front edge
 # up, each panel's left edge is joined to the previous panel.
 #
-# A grid is list(columns, cells, gathered):
+# A grid is list(columns, cells, gathered, separators):
 # `columns`: for each panel, the names of its rows from front to rear. Neighbouring panels are
 # joined from end to end of each row that both have, and along the rows in between.
 # `cells`: the cell of each panel and row, named "panel_row".
 # `gathered`: TRUE if each wing tip is gathered at a point, FALSE if a line is laced along the tips.
+# `separators`: netting between the seams of both sides, by name (R/kind-net-inside.R).
 
 nothing <- stats::setNames(list(), character())
 
@@ -24,7 +25,7 @@ panels_by_number <- list(
 
 panels_around <- function(fields) panels_by_number[[as.character(fields$panels)]]
 
-# Returns a cell of one piece, or of a pair of wings.
+# Returns a cell of one piece, of pieces side by side, or of a pair of wings.
 #
 # `pieces`: panels of the assembly from left to right, by name; `counts`: meshes `upper`, `lower`
 # and `deep` of a piece; `mesh_size` in m; `free`: meshes of the left and the right edge without a
@@ -32,7 +33,8 @@ panels_around <- function(fields) panels_by_number[[as.character(fields$panels)]
 # along its inner edge; `joined`: meshes behind to which a wing is joined.
 new_cell <- function(pieces, counts, mesh_size, free = c(left = 0, right = 0), covers = list(),
                      gain = counts$lower - counts$upper, joined = counts$lower) {
-  list(pieces = pieces, counts = counts, mesh_size = mesh_size, free = free, covers = covers,
+  list(name = if (length(pieces) == 3L) names(pieces)[2L] else names(pieces), pieces = pieces,
+    counts = counts, mesh_size = mesh_size, free = free, covers = covers,
     inner_length = mesh_size * max(counts$deep, abs(gain)), joined = joined)
 }
 
@@ -141,8 +143,21 @@ wing_end_points <- function(grid) {
   )
 }
 
-# Returns the edges of the pieces of a cell and of their covers.
-whole_edges <- function(cell, edge) paste0(c(names(cell$pieces), names(cell$covers)), ".", edge)
+# Returns the edges of a cell as chains: its pieces side by side, and each cover.
+whole_edges <- function(cell, edge) {
+  covers <- vapply(names(cell$covers), paste, "", edge, sep = ".", USE.NAMES = FALSE)
+  c(list(paste0(names(cell$pieces), ".", edge)), covers)
+}
+
+# Returns the seams between the pieces of a cell that are side by side.
+inner_seams <- function(cell) {
+  pieces <- names(cell$pieces)
+  if (length(pieces) < 3L) return(list())
+  seams <- Map(function(left, right) {
+    list(edges = c(paste0(left, ".right"), paste0(right, ".left")))
+  }, pieces[-length(pieces)], pieces[-1L])
+  stats::setNames(seams, paste0(pieces[-length(pieces)], "_", pieces[-1L]))
+}
 
 # Returns list(panels, seams, points) of a grid: its pieces and covers, joined around the net and
 # end to end, and gathered at the point `codline`.
@@ -156,8 +171,12 @@ join_grid <- function(grid) {
   })
   tips <- unlist(lapply(unname(sides), `[[`, "gathered_at"))
   list(
-    panels = do.call(c, lapply(unname(grid$cells), function(cell) c(cell$pieces, cell$covers))),
+    panels = c(
+      do.call(c, lapply(unname(grid$cells), function(cell) c(cell$pieces, cell$covers))),
+      lapply(grid$separators, `[[`, "piece")
+    ),
     seams = c(joined(joints[!ring]), sides, joined(joints[ring]),
+      do.call(c, lapply(unname(grid$cells), inner_seams)),
       list(codline_gathered = list(edges = unlist(last), gathered_at = "codline"))),
     points = stats::setNames(rep(list(nothing), length(tips) + 1L), c(tips, "codline"))
   )
@@ -176,7 +195,7 @@ cell_joints <- function(grid) {
       cell <- grid$cells[[cells[k - 1L]]]
       ring <- rows[k - 1L] %in% rings && !is_pair(cell)
       list(cell = cell, behind = grid$cells[[cells[k]]], ring = ring,
-        name = if (ring) paste(cells[k - 1L], rows[k], sep = "_") else names(cell$pieces))
+        name = if (ring) paste(cells[k - 1L], rows[k], sep = "_") else cell$name)
     })
   })
   joints <- unlist(joints, recursive = FALSE)
@@ -193,8 +212,9 @@ rear_seams <- function(joint) {
   edges <- if (!is_pair(cell)) {
     list(c(rear, front))
   } else if (is_pair(behind)) {
-    Map(c, rear, front)
+    Map(c, rear[[1L]], front[[1L]])
   } else {
+    rear <- rear[[1L]]
     base <- cell$joined
     across <- behind$counts$upper
     range <- function(from, to) edge_range(names(behind$pieces), "upper", from, to, across)
@@ -246,7 +266,8 @@ seam_stretches <- function(panel, after, grid) {
       chain <- outer_edges(cells, side, "joined")
       if (length(chain)) c(list(chain), paste0(covers, rep(paste0(".", side), length(covers))))
     }, names(stretch), stretch, c("right", "left"))
-    if (all(lengths(sides))) unlist(unname(sides), recursive = FALSE)
+    if (!all(lengths(sides))) return(NULL)
+    c(unlist(unname(sides), recursive = FALSE), separator_edges(grid, panel, after, name))
   }
   lapply(stats::setNames(nm = unique(unlist(stretch, use.names = FALSE))), chains)
 }

@@ -65,7 +65,8 @@ section_grid <- function(fields, plan, around) {
     }
   }
   columns <- lapply(stats::setNames(nm = around), function(panel) names(plan$sections))
-  list(columns = columns, cells = cells, gathered = FALSE)
+  list(columns = columns, cells = cells, gathered = FALSE,
+    separators = net_separators(fields, plan, columns))
 }
 
 # Returns list(upper, lower, deep): the counts of a wing. Throws an error if two wings are wider
