@@ -17,6 +17,10 @@ expand_bottom_trawl <- function(fields, plan) {
 # Returns the assembly of a bottom trawl's net and its rig.
 rigged_net <- function(fields, plan, rig) {
   net <- bottom_trawl_net(fields, plan)
+  # A jib has a point at its tip even without a middle bridle.
+  if (!is.null(fields$bridles$middle) || !is.null(fields$wings$jib)) {
+    net$points <- append(net$points, middle_points(net), match("codline", names(net$points)) - 1L)
+  }
   out <- shared_fields(plan, fields)
   out$points <- c(rig$points, net$points)
   out$ropes <- c(rig$ropes, net$ropes)
@@ -154,18 +158,19 @@ check_wing_ends <- function(fields) {
 # Returns list(panels, seams, points, ropes) of the net of a bottom trawl.
 bottom_trawl_net <- function(fields, plan) {
   grid <- if (is.null(fields$net)) bottom_trawl_grid(fields, plan) else net_grid(fields, plan)
-  net <- trawl_net(grid, fields, plan)
-  if (is.null(fields$bridles$middle) && is.null(fields$wings$jib)) return(net)
-  # A middle bridle leads to the tip of a jib, otherwise to the middle of the side line.
-  middle <- function(side) {
-    front <- column_cells(grid, paste0("side_", side))[[1L]]
-    pointed <- isTRUE(front$counts$upper == 0)
-    list(at = if (pointed) paste0(names(front$pieces), ".upper_left") else
+  trawl_net(grid, fields, plan)
+}
+
+# Returns the points at the ends of the middle bridles: the tip of a pointed piece at the front of a
+# side panel, otherwise the middle of the side line.
+middle_points <- function(net) {
+  ends <- lapply(trawl_sides, function(side) {
+    front <- net$panels[[net$fronts[[side]]]]
+    pointed <- !is.null(front) && front$meshes$upper == 0
+    list(at = if (pointed) paste0(net$fronts[[side]], ".upper_left") else
       paste0("side_line_", side, ".middle"))
-  }
-  tips <- list(middle_port = middle("port"), middle_starboard = middle("starboard"))
-  net$points <- append(net$points, tips, match("codline", names(net$points)) - 1L)
-  net
+  })
+  stats::setNames(ends, paste0("middle_", trawl_sides))
 }
 
 # Returns the grid of a bottom trawl: wings, jibs and square ahead of the sections.

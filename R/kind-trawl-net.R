@@ -87,6 +87,9 @@ trawl_net <- function(grid, fields, plan) {
     fields[[line]]$length <- line_length(fields[[line]])
   }
   net$lines <- list(headline = "headline")
+  net$fronts <- lapply(stats::setNames(nm = trawl_sides), function(side) {
+    names(column_cells(grid, paste0("side_", side))[[1L]]$pieces)
+  })
   fronts <- c(headline = "back", footrope = "belly", side_lines = "side_port")
   for (line in intersect(names(fronts), names(plan))) {
     chain <- mouth[[if (line == "side_lines") "side_line_port" else line]]
@@ -209,6 +212,6 @@ hung_line <- function(fields, plan, line, edges, wings) {
   long <- vapply(wings, `[[`, 0, "inner_length")
   c(
     given[setdiff(names(given), c("length", "bosom"))],
-    list(lengths = along((whole - bosom) / 2 * long / sum(long), bosom))
+    list(lengths = along((whole - bosom) / 2 * (long / sum(long)), bosom))
   )
 }

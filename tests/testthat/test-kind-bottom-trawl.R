@@ -117,7 +117,6 @@ test_that("free boards tow sweeps by their backstrops", {
   expect_gt(sum(tension[pulled]), tension[["sweep_port"]])
   expect_lt(max(tension[pulled]), tension[["sweep_port"]])
   expect_refused(small_bottom_trawl(otter_boards = boards), "backstrops")
-  expect_refused(small_bottom_trawl(backstrops = backstrops), "backstrops")
 })
 
 test_that("pair trawl spreads with the distance of the vessels", {
