@@ -55,7 +55,7 @@
 #' - Guide: `vignette("calibrate-to-your-sensors", "codend")`.
 #'
 #' @section Motion:
-#' - Simulate: [tow()], [tow_schedule()], [track_schedule()].
+#' - Simulate: [tow()], [tow_schedule()], [planned_schedule()], [track_schedule()].
 #' - Read: [state_at()], [summary()][summary.codend_trajectory],
 #'   [as.data.frame()][as.data.frame.codend_trajectory].
 #' - Guide: `vignette("motion", "codend")`.

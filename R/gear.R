@@ -127,7 +127,7 @@ print.codend_gear <- function(x, ...) {
 #' @param ... Fields by their path in the plan, such as `towing.speed = "5 knot"` or
 #'   `ropes.warp.length = 300`. `NULL` removes a field. Use numbers in SI, strings with a unit, or
 #'   objects of the package units. An angle without a unit is at most 2 pi (rad). Address a list
-#'   item by its number (`water.current.1.speed`).
+#'   item by its number (`water.current.1.speed`). `tow` may be a schedule ([tow_schedule()]).
 #' @return A gear of class `codend_gear`. If the plan gives a field in another unit than SI, a
 #'   message of class `codend_message_units` reports once how a number is read. An unknown path is
 #'   an error of class `codend_error_plan`. A value of an unsupported class, such as a date, is an
@@ -147,13 +147,22 @@ update.codend_gear <- function(object, ...) {
   twice <- names(fields)[duplicated(names(fields))]
   if (length(twice)) abort_argument("{.arg {twice[1]}} is given twice.")
   plan <- object$plan
-  for (path in names(fields)) plan <- set_plan_field(plan, path, fields[[path]])
+  for (path in names(fields)) {
+    fields[path] <- list(plan_value(fields[[path]], plan[[path]]))
+    plan <- set_plan_field(plan, path, fields[[path]])
+  }
   gear <- as_gear(plan, file = object$file, like = object,
     changed = changed_steps(object, names(fields)))
   # codend itself updates gears in loops
   if (!identical(topenv(parent.frame()), topenv())) note_bare_numbers(object$plan, fields)
   gear
 }
+
+# Returns a value for a plan in place of the `present` value.
+plan_value <- function(value, present) UseMethod("plan_value")
+
+#' @export
+plan_value.default <- function(value, present) value
 
 #' @export
 update.codend_state <- function(object, ...) {

@@ -106,8 +106,8 @@
 #' start far from equilibrium: the same tow first runs on a mesh with other `nodes`, and the
 #' difference gives the error.
 #'
-#' @param gear A gear, from [read_gear()] or the constructors; the name or file of a plan; a state
-#'   from [settle()]; or a trajectory to continue.
+#' @param state A state from [settle()]; a gear, or the name or file of a plan; or a trajectory to
+#'   continue.
 #' @param schedule Changes over time, from [tow_schedule()]. The section `tow` of the plan fills its
 #'   gaps.
 #' @param until End time, s, or a string such as `"10 min"`. `NULL` (default): as in the plan.
@@ -136,9 +136,9 @@
 #' trajectory <- tow(state, faster, until = 60, every = 20)
 #' measures(state_at(trajectory, 60))[["total_drag_kN"]]
 #' @export
-tow <- function(gear, schedule = NULL, until = NULL, every = NULL, scheme = NULL,
+tow <- function(state, schedule = NULL, until = NULL, every = NULL, scheme = NULL,
                 accuracy = NULL, step = NULL, nodes = NULL, netting = NULL, file = NULL) {
-  check_given("gear")
+  check_given("state")
   if (!is.null(file)) {
     check_netcdf()
     check_file_path(file, ".nc")
@@ -147,14 +147,14 @@ tow <- function(gear, schedule = NULL, until = NULL, every = NULL, scheme = NULL
   if (!inherits(schedule, "codend_schedule")) {
     abort_schedule("schedule", "must be a schedule from {.fn tow_schedule}.")
   }
-  going_on <- inherits(gear, "codend_trajectory")
-  if (is.character(gear)) gear <- read_gear(gear)
+  going_on <- inherits(state, "codend_trajectory")
+  if (is.character(state)) state <- read_gear(state)
   planned <- if (going_on) {
-    c(gear["every"], scheme = gear$method$scheme, accuracy = continued_accuracy(gear$method))
-  } else if (inherits(gear, "codend_state")) {
-    tow_section(gear$gear)[if (is.null(until)) TRUE else c("scheme", "accuracy")]
+    c(state["every"], scheme = state$method$scheme, accuracy = continued_accuracy(state$method))
+  } else if (inherits(state, "codend_state")) {
+    tow_section(state$gear)[if (is.null(until)) TRUE else c("scheme", "accuracy")]
   } else {
-    tow_section(check_is_gear(gear))
+    tow_section(check_is_gear(state))
   }
   asked <- function(name, value) if (is.null(value)) planned[[name]] else value
   given <- unclass(with_planned(schedule, planned))
@@ -177,28 +177,26 @@ tow <- function(gear, schedule = NULL, until = NULL, every = NULL, scheme = NULL
       {show_value(duration)}.")
   }
   every <- min(every, until)
-  before <- if (going_on) gear$given$control_every
-  given$control_every <- first_of(given$control_every, first_of(before, usual_control_every))
+  before <- if (going_on) state$given$control_every
+  given$control_every <- first_of(si_control_every(given$control_every),
+    first_of(before, usual_control_every))
   steered <- if (!is.null(given[["control"]])) given$control_every
   check_tow_times(until, c(every = every, control_every = steered), duration)
   trajectory <- if (going_on) {
-    continued_trajectory(with_last_moment(gear), given, until)
-  } else if (inherits(gear, "codend_state")) {
-    started_trajectory(gear, given, until, compared_meshes(gear))
+    continued_trajectory(with_last_moment(state), given, until)
+  } else if (inherits(state, "codend_state")) {
+    started_trajectory(state, given, until, compared_meshes(state))
   } else {
-    settled_trajectory(gear, given, until, nodes, netting)
+    settled_trajectory(state, given, until, nodes, netting)
   }
   if (!going_on && starts_elsewhere(trajectory)) {
     asked <- trajectory$mesh$counts$asked$nodes
-    trajectory$compared <- moments_elsewhere(gear, given, until, every, method, asked, netting,
+    trajectory$compared <- moments_elsewhere(state, given, until, every, method, asked, netting,
       trajectory$mesh$nodes)
   }
   record <- if (!is.null(file)) function(what, frames) record_trajectory(what, frames, file)
   integrate_trajectory(trajectory, until, every, method, measures, record)
 }
-
-# Default interval between calls of a control function (s).
-usual_control_every <- 10
 
 # Upper limits of the duration (s) and of the number of saved times, to bound memory.
 most_tow_time <- 1e6

@@ -4,6 +4,8 @@
 # breaks). `schedule`: input of engine_tow(). `curves`: speed, course, heave, warps by rope, catch.
 # `breaks`: times (s) at which the motion has a discontinuity.
 scheduled_motion <- function(si, mesh, given, until) {
+  given["winch"] <- list(si_winch(given$winch))
+  if (is_swell(given$heave)) given$heave <- swell(given$heave)
   curve <- function(name, dimension, otherwise) {
     if (is.null(given[[name]])) return(constant_curve(otherwise))
     schedule_curve(given[[name]], name, dimension, until)

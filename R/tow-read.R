@@ -1,58 +1,69 @@
-# Section `tow` of a plan as arguments of tow().
+# The section `tow` of a plan: as arguments of tow(), as a schedule, and from a schedule.
 
+# Returns the section of the gear's assembly with its quantities as in the plan; lists of times
+# become data frames. A purse seine has a section from its phases.
 tow_section <- function(gear) {
   # no partial match with the section `towing`
-  tow <- gear_fields(gear)[["tow"]]
-  if (is.null(tow)) return(list())
-  for (name in intersect(c("speed", "course", "catch"), names(tow))) {
-    tow[[name]] <- schedule_table(tow[[name]], name)
+  section <- first_of(gear_checked(gear)$tree, gear$plan)[["tow"]]
+  if (is.null(section)) return(list())
+  section <- map_changes(section, function(value, path, dimension) rows_table(value))
+  for (name in intersect(c("response", "record"), names(section$vessel_motion))) {
+    section$vessel_motion[[name]] <- rows_table(section$vessel_motion[[name]])
   }
-  if (!is.null(tow$warp_out)) {
-    by_rope <- !is.null(names(tow$warp_out))
-    tow$warp_out <- if (by_rope) {
-      lapply(tow$warp_out, schedule_table)
-    } else {
-      schedule_table(tow$warp_out)
-    }
-  }
-  if (!is.null(tow$current)) {
-    one <- !is.null(names(tow$current))
-    layers <- if (one) list(tow$current) else tow$current
-    tow$current <- lapply(layers, function(layer) Map(schedule_table, layer, names(layer)))
-  }
-  tow$heave <- if (!is.null(names(tow$heave))) {
-    swell(tow$heave$amplitude, tow$heave$period)
-  } else if (!is.null(tow$heave)) {
-    schedule_table(tow$heave)
-  }
-  for (table in intersect(c("response", "record"), names(tow$vessel_motion))) {
-    tow$vessel_motion[[table]] <- rows_table(tow$vessel_motion[[table]])
-  }
-  tow
+  section
 }
 
-# Converts a list of rows to a data frame; missing fields become 0.
+# Converts a list of rows to a data frame; missing fields become 0. Other values stay.
 rows_table <- function(rows) {
+  if (!is.list(rows) || !is.null(names(rows))) return(rows)
   names <- unique(unlist(lapply(rows, names)))
-  list2DF(lapply(setNames(names, names), function(name) {
-    vapply(rows, function(row) as.double(first_of(row[[name]], 0)), 0)
+  list2DF(lapply(setNames(nm = names), function(name) {
+    plain_column(lapply(rows, function(row) first_of(row[[name]], 0)))
   }))
 }
 
-# Converts a list of list(time, value) in SI to a data frame. Angles get a unit, because they may
-# exceed a turn. `name`: of the argument.
-schedule_table <- function(given, name = "") {
-  unit <- if (name %in% c("course", "toward")) "rad" else ""
-  if (!is.list(given)) return(if (nzchar(unit)) with_bare_unit(given, unit) else given)
-  table <- data.frame(
-    time = vapply(given, `[[`, 0, "time"), value = vapply(given, `[[`, 0, "value")
-  )
-  setNames(table, with_unit(names(table), c("", unit)))
+# Converts a data frame to a list of rows. Other values stay.
+table_rows_list <- function(table) {
+  if (!is.data.frame(table)) return(table)
+  lapply(seq_len(nrow(table)), function(k) lapply(as.list(table), `[[`, k))
+}
+
+# Returns the section `tow` with the inputs of a schedule instead of its own.
+#' @export
+plan_value.codend_schedule <- function(value, present) {
+  given <- Filter(Negate(is.null), unclass(value))
+  for (name in intersect(c("control", "control_every"), names(given))) abort_unplanned(name)
+  given <- map_changes(given, function(value, path, dimension) {
+    if (is.function(value)) abort_unplanned(path)
+    table_rows_list(value)
+  })
+  for (name in intersect(c("response", "record"), names(given$vessel_motion))) {
+    table <- given$vessel_motion[[name]]
+    if (is_text(table)) table <- utils::read.csv(table, comment.char = "#")
+    given$vessel_motion[[name]] <- table_rows_list(table)
+  }
+  section <- c(present[setdiff(names(present), names(value))], given)
+  if (length(section)) section
+}
+
+abort_unplanned <- function(path) {
+  abort_argument(c(
+    "{.arg {path}} is a function, which a plan cannot hold.",
+    i = "Give a table of {.field time} and {.field value}, or pass the schedule to {.fn tow}."
+  ))
+}
+
+#' @rdname schedules
+#' @export
+planned_schedule <- function(gear) {
+  check_given("gear")
+  section <- tow_section(check_is_gear(if (is.character(gear)) read_gear(gear) else gear))
+  do.call(tow_schedule, section[intersect(names(formals(tow_schedule)), names(section))])
 }
 
 # Returns a function of time (s): height (m) of a regular swell, rising from 0.
-swell <- function(amplitude, period) {
-  force(amplitude)
-  force(period)
+swell <- function(given) {
+  amplitude <- quantity_number(given$amplitude, "length", "heave$amplitude")
+  period <- quantity_number(given$period, "time", "heave$period", positive = TRUE)
   function(time) amplitude * sin(2 * pi * time / period)
 }

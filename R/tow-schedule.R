@@ -45,16 +45,17 @@
 #' @param control_every Time between calls of `control`, s or string. `NULL` (default): 10 s.
 #' @param current `list(speed = , toward = )` in m/s and rad, or a list with one such entry per
 #'   depth of the plan's current.
-#' @param heave Height of the towing points above the plan's position, m. Use a function for a
-#'   swell.
+#' @param heave Height of the towing points above the plan's position, m. For a regular swell, use
+#'   `list(amplitude = , period = )` in m and s.
 #' @param vessel_motion Motion of the vessel about its track, see the section on vessel motion.
 #' @param catch Fraction of the plan's catch that is in the codend.
 #' @param breaking Ropes that break: a list of `list(rope = , time = , position = )`, with position
 #'   `"start"`, `"middle"` or `"end"`. Without a time, the rope breaks at its breaking load.
 #' @return A schedule of class `codend_schedule`: a list of the arguments. [tow()] checks them
 #'   against the gear. A wrong argument is an error of class `codend_error_argument`.
-#' @seealso [tow()]; [track_schedule()] for the schedule of a vessel's track;
-#'   `vignette("motion", "codend")`.
+#' @seealso [tow()]; [schedules] to change, combine and store schedules;
+#'   [plot()][plot.codend_schedule] for a chart; [track_schedule()] for the schedule of a vessel's
+#'   track; `vignette("motion", "codend")`.
 #' @examples
 #' faster <- tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
 #' faster
@@ -70,41 +71,78 @@ tow_schedule <- function(speed = NULL, course = NULL, warp_out = NULL, winch = N
     abort_schedule("control", "must be a function of {.arg measures} and {.arg time}.")
   }
   given <- mget(names(formals()))
-  given <- Map(given_value, given, names(given))
-  given["winch"] <- list(checked_winch(given$winch))
-  if (!is.null(control_every)) {
-    given$control_every <- quantity_number(control_every, "time", "control_every", positive = TRUE)
-  }
+  given <- map_changes(Map(given_value, given, names(given)), plain_change)
+  given["vessel_motion"] <- list(plain_motion(given$vessel_motion))
+  given["breaking"] <- list(lapply(given$breaking, lapply, plain_column))
+  if (!length(given$breaking)) given["breaking"] <- list(NULL)
+  si_winch(given$winch)
+  si_control_every(control_every)
   structure(given, class = "codend_schedule")
 }
 
-#' @export
-print.codend_schedule <- function(x, ...) {
-  given <- Filter(Negate(is.null), unclass(x))
-  if (!length(given)) {
-    cat("Tow schedule: empty; only the plan's section `tow` applies\n")
-    return(invisible(x))
+# Inputs that change over time, and their dimension.
+changing_inputs <- c(
+  speed = "speed", course = "angle", warp_out = "length", heave = "length", catch = "number"
+)
+changing_current <- c(speed = "speed", toward = "angle")
+
+# Applies `of(value, path, dimension)` to each quantity over time. `given`: the fields of a schedule
+# or of a section `tow`. A list with names has a quantity per rope, a current without names a list
+# per depth.
+map_changes <- function(given, of) {
+  each <- function(values, path, dimensions) {
+    known <- intersect(names(Filter(Negate(is.null), values)), names(dimensions))
+    values[known] <- Map(of, values[known], paste0(path, known), dimensions[known])
+    values
   }
-  cat("Tow schedule\n")
-  cat(paste0("  ", format(names(given)), "  ", vapply(given, schedule_text, ""), "\n"), sep = "")
-  invisible(x)
+  by_rope <- is_named_list(given[["warp_out"]])
+  given <- each(given, "", changing_inputs[c(TRUE, TRUE, !by_rope, TRUE, TRUE)])
+  if (by_rope) {
+    ropes <- setNames(nm = names(given$warp_out))
+    given$warp_out <- each(given$warp_out, "warp_out.", replace(ropes, TRUE, "length"))
+  }
+  current <- given[["current"]]
+  if (is_named_list(current)) {
+    given$current <- each(current, "current.", changing_current)
+  } else if (is.list(current)) {
+    given$current <- Map(each, current, sprintf("current.%d.", seq_along(current)),
+      list(changing_current))
+  }
+  given
 }
 
-schedule_text <- function(value) {
-  if (is.function(value)) {
-    return(paste("function of", paste(names(formals(args(value))), collapse = " and ")))
+is_named_list <- function(x) is.list(x) && !is.data.frame(x) && !is.null(names(x))
+
+# TRUE for list(amplitude, period), a regular swell.
+is_swell <- function(x) is_named_list(x) && all(c("amplitude", "period") %in% names(x))
+
+# Returns a quantity over time without integers, units in names of columns, and names of rows.
+plain_change <- function(value, path, dimension) {
+  if (is.data.frame(value)) return(plain_table(value, c(time = "time", value = dimension), path))
+  if (is_swell(value)) lapply(value, plain_column) else plain_column(value)
+}
+
+plain_table <- function(table, dimensions, path) {
+  list2DF(lapply(with_named_units(table, function(name) dimensions[name], path), plain_column))
+}
+
+# Returns a list or vector of numbers and strings as one vector.
+plain_column <- function(value) {
+  number <- is.numeric(value) || is.list(value) && all(vapply(value, is.numeric, NA))
+  if (number) return(as.double(unlist(value)))
+  if (is.list(value)) as.character(unlist(value)) else value
+}
+
+plain_motion <- function(given) {
+  if (!is_named_list(given)) return(given)
+  for (name in intersect(names(motion_dimensions), names(given))) {
+    table <- given[[name]]
+    if (!is.data.frame(table)) next
+    given[[name]] <- plain_table(table, motion_dimensions[[name]], paste0("vessel_motion$", name))
   }
-  if (is.data.frame(value)) {
-    value <- with_named_units(value, function(name) c(time = "time", value = "angle")[name], "")
-    time <- if (is.numeric(value$time)) paste(value$time, "s") else value$time
-    rows <- paste(value$value, "at", time)
-    rows <- if (length(rows) > 4L) c(rows[1L], "...", rows[length(rows)]) else rows
-    return(paste(rows, collapse = ", "))
-  }
-  if (!is.list(value)) return(paste(value, collapse = ", "))
-  if (is.null(names(value))) return(paste(length(value), "in a list"))
-  single <- lengths(value) == 1L & vapply(value, is.atomic, NA)
-  paste0(names(value), ifelse(single, paste(" =", value), ""), collapse = ", ")
+  numbers <- intersect(c("at", "rising"), names(given))
+  given[numbers] <- lapply(given[numbers], plain_column)
+  given
 }
 
 # Fills the gaps of a schedule from `planned`, the section `tow` of a plan.
@@ -114,16 +152,26 @@ with_planned <- function(schedule, planned) {
   schedule
 }
 
-checked_winch <- function(winch) {
+# Returns the limits of a winch in SI.
+si_winch <- function(winch) {
   if (is.null(winch)) return(NULL)
   known <- c("speed_limit", "tension_limit")
   if (!is.list(winch) || !length(winch) || !all(names(winch) %in% known)) {
     abort_schedule("winch", "must be a list of {.field speed_limit} and {.field tension_limit}.")
   }
-  of <- c(speed_limit = "speed", tension_limit = "force")
   for (name in names(winch)) {
     path <- paste0("winch$", name)
-    winch[[name]] <- quantity_number(winch[[name]], of[[name]], path, positive = TRUE)
+    winch[[name]] <- quantity_number(winch[[name]], winch_limits[[name]], path, positive = TRUE)
   }
   winch
+}
+
+winch_limits <- c(speed_limit = "speed", tension_limit = "force")
+
+# Default interval between calls of a control function (s).
+usual_control_every <- 10
+
+# Returns the interval between calls of a control function (s), or NULL.
+si_control_every <- function(every) {
+  if (!is.null(every)) quantity_number(every, "time", "control_every", positive = TRUE)
 }

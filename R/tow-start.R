@@ -6,14 +6,13 @@ started_trajectory <- function(state, given, until, compared = NULL) {
   what <- tow_start(state$gear, state$si, state$mesh, given, until)
   what$compared <- compared
   if (!is.null(state$si$catch) && abs(curve_at(what$curves$catch, 0) - 1) > 1e-6) {
-    abort_schedule("gear", "is a state with another catch than the start of the schedule; give the
-      gear instead.")
+    abort_schedule("state", "has another catch than the start of the schedule; give the gear
+      instead.")
   }
   for (part in what$schedule$growing) {
     if (abs(curve_at(part$factor, 0) - 1) > 1e-6) {
-      abort_schedule("gear", sprintf(
-        "is a state whose %s differs from the start of the schedule; give the gear instead.",
-        part$name
+      abort_schedule("state", sprintf(
+        "differs in %s from the start of the schedule; give the gear instead.", part$name
       ))
     }
   }
@@ -27,12 +26,9 @@ continued_trajectory <- function(trajectory, given, until) {
     abort_schedule(setdiff(new, lost)[1],
       "cannot be given for a trajectory, which continues with its own schedule.")
   }
-  planned <- tow_section(trajectory$gear)[setdiff(lost, new)]
-  planned <- planned[!vapply(planned, is.null, NA)]
-  trajectory$given[names(planned)] <- planned
   trajectory$given[intersect(new, lost)] <- given[intersect(new, lost)]
   trajectory$given$control_every <- given$control_every
-  lost <- setdiff(lost, c(new, names(planned)))
+  lost <- setdiff(lost, new)
   if (length(lost)) {
     abort_schedule(lost[1], "was a function, which files cannot store; give it again.")
   }

@@ -6,6 +6,13 @@ swing_ways <- c(
   yaw = "angle"
 )
 
+# Dimensions of the columns of `response` and `record`. Lengths per metre are dimensionless.
+motion_dimensions <- list(
+  response = c(period = "time", replace(swing_ways, swing_ways == "length", "number"),
+    setNames(rep("angle", length(swing_ways)), paste0(names(swing_ways), "_lag"))),
+  record = c(time = "time", swing_ways)
+)
+
 # Returns the input `swing` of the engine's track: list(centre [m], by_time, even, odd). `by_time`:
 # six curves or empty; `even`, `odd`: six amplitudes per wave or empty. `given`: as `vessel_motion`
 # of tow_schedule(); `waves`: waves of the gear, or NULL.
@@ -61,10 +68,7 @@ swing_table <- function(table, first, dimensions, path) {
 # periods of the table and constant beyond them.
 wave_answers <- function(table, waves) {
   path <- "vessel_motion$response"
-  # lengths per metre are dimensionless
-  ways <- replace(swing_ways, swing_ways == "length", "number")
-  lags <- setNames(rep("angle", length(ways)), paste0(names(ways), "_lag"))
-  table <- swing_table(table, "period", c(period = "time", ways, lags), path)
+  table <- swing_table(table, "period", motion_dimensions$response, path)
   period <- table$period
   if (is.unsorted(period, strictly = TRUE) || period[1L] <= 0) {
     abort_schedule(path, "must have positive periods in increasing order, without duplicates.")
@@ -89,7 +93,7 @@ wave_answers <- function(table, waves) {
 # Returns a record as six curves that start smoothly within `rising` seconds.
 record_curves <- function(table, rising) {
   path <- "vessel_motion$record"
-  table <- swing_table(table, "time", c(time = "time", swing_ways), path)
+  table <- swing_table(table, "time", motion_dimensions$record, path)
   time <- table$time
   if (length(time) < 2L || is.unsorted(time, strictly = TRUE)) {
     abort_schedule(path, "must have at least two times in increasing order, without duplicates.")

@@ -8,18 +8,50 @@ autoplot.codend_trajectory <- function(object, measures = NULL, ...) {
   attr(table, "main") <- printed_measures(end)
   shown <- drawn_measures(table, measures, unique(table$measure))
   table <- table[order(match(table$measure, shown), na.last = NA), ]
-  data <- rbind(
+  data <- with_time_axis(rbind(
     if (is.null(measures)) schedule_series(object),
     data.frame(panel = measure_label(table$measure, table$unit), time = table$time_s,
       value = table$value, error = table$error)
-  )
-  minutes <- max(data$time) > 180
-  data$at <- data$time / if (minutes) 60 else 1
-  data$across <- if (minutes) "time (min)" else "time (s)"
+  ))
   error <- ifelse(is.na(data$error), 0, data$error)
   data$low <- data$value - 2 * error
   data$high <- data$value + 2 * error
   series_chart(data, paste("Tow of", object$gear$plan$name))
+}
+
+# Longest time axis in seconds (s); longer ones are in minutes.
+longest_in_seconds <- 180
+
+with_time_axis <- function(data) {
+  minutes <- max(data$time) > longest_in_seconds
+  data$at <- data$time / if (minutes) 60 else 1
+  data$across <- if (minutes) "time (min)" else "time (s)"
+  data
+}
+
+#' @rdname codend_charts
+#' @exportS3Method ggplot2::autoplot
+autoplot.codend_schedule <- function(object, until = NULL, ...) {
+  until <- schedule_end(object, schedule_changes(object), until)
+  table <- as.data.frame(object, until = until)
+  if (!nrow(table)) abort_argument("{.arg x} has no input over time to draw.")
+  # inputs are constant before their first and after their last time
+  series <- lapply(split(table, in_order(table$input)), function(input) {
+    n <- nrow(input)
+    data.frame(
+      panel = label_and_unit(gsub("[._]+", " ", input$input[1L]), input$unit[1L]),
+      time = c(min(0, input$time_s), input$time_s, max(until, input$time_s)),
+      value = input$value[c(1L, seq_len(n), n)]
+    )
+  })
+  breaks <- break_times(object)
+  data <- with_time_axis(do.call(rbind, series))
+  scale <- if (any(data$at != data$time)) 60 else 1
+  chart <- series_chart(data, "Schedule of a tow")
+  if (!length(breaks)) return(chart)
+  chart + ggplot2::geom_vline(xintercept = breaks / scale, linetype = "dashed") +
+    ggplot2::labs(caption = paste("Breaks at the dashed lines:",
+      paste(names(breaks), collapse = ", ")))
 }
 
 # Returns the conditions of a trajectory that change, without the position of the vessel: data

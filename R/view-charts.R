@@ -7,6 +7,7 @@
 #' @section Charts:
 #' - A trajectory ([tow()]): all measures and scheduled conditions against time. Bands are twice the
 #'   standard error of [measures()] to both sides.
+#' - A schedule ([tow_schedule()]): each input against time, with dashed lines where ropes break.
 #' - Tensions along ropes ([tensions_along()]): tension against the distance from the rope's start,
 #'   a facet for each role. Every second rope is dashed, so that equal ropes are both visible.
 #' - Meshes along a net ([mesh_openings()]): opening and angle against the distance aft. A line
@@ -46,6 +47,8 @@
 #'   `NULL` (default) for the angle if available.
 #' @param force Forces, any of `"twine"`, `"netting"`, `"otter_board"`, `"kite"`, `"sphere"` and
 #'   `"wake"`, or `NULL` (default) for all.
+#' @param until For a schedule: last time of the chart, s or string. `NULL` (default): the last time
+#'   of its tables.
 #' @param file `NULL` (default) for the current graphics device, or the path of a `.png`, `.pdf` or
 #'   `.svg` file.
 #' @param width,height Size of the file's page in inches. If `height` is `NULL` (default), it fits
@@ -68,6 +71,10 @@ plot.codend_trajectory <- function(x, ..., file = NULL, width = 10, height = NUL
   show_picture(x, function(page) print(chart), file, width, height, chart$labels$title,
     chart_height(chart))
 }
+
+#' @rdname codend_charts
+#' @export
+plot.codend_schedule <- plot.codend_trajectory
 
 #' @rdname codend_charts
 #' @export

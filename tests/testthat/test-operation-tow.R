@@ -274,7 +274,7 @@ test_that("tow() ignores the plan's schedule if it contradicts the state", {
   found <- tow(settle(gear), until = 10, every = 10)
   expect_equal(found$conditions$speed, c(2, 2))
   expect_equal(measures(state_at(found, 10)), measures(settle(gear)), tolerance = 1e-6)
-  expect_wrong(tow(settle(gear)), "`gear` is a state whose cable")
+  expect_wrong(tow(settle(gear)), "`state` differs in cable from")
   expect_wrong(tow(settle(short_cable())), "`until`")
 })
 

@@ -58,7 +58,7 @@ test_that("tow() rejects impossible catches by name", {
   gear <- full_codend(list(volume = 0.2))
   expect_wrong(tow(gear, nodes = 150, until = 4, schedule = tow_schedule(catch = -1)), "`catch`")
   expect_wrong(tow(settle(gear, nodes = 150), until = 4,
-    schedule = tow_schedule(catch = 2)), "`gear`")
+    schedule = tow_schedule(catch = 2)), "`state` has another catch")
   full <- data.frame(time = c(0, 1), value = c(1, 1000))
   expect_refused(tow(settle(gear, nodes = 150), until = 4,
     schedule = tow_schedule(catch = full)), "holds at most")
