@@ -148,7 +148,7 @@ update.codend_gear <- function(object, ...) {
   if (length(twice)) abort_argument("{.arg {twice[1]}} is given twice.")
   plan <- object$plan
   for (path in names(fields)) {
-    fields[path] <- list(plan_value(fields[[path]], plan[[path]]))
+    fields[path] <- list(planned_value(fields[[path]], plan[[path]]))
     plan <- set_plan_field(plan, path, fields[[path]])
   }
   gear <- as_gear(plan, file = object$file, like = object,
@@ -159,10 +159,10 @@ update.codend_gear <- function(object, ...) {
 }
 
 # Returns a value for a plan in place of the `present` value.
-plan_value <- function(value, present) UseMethod("plan_value")
+planned_value <- function(value, present) UseMethod("planned_value")
 
 #' @export
-plan_value.default <- function(value, present) value
+planned_value.default <- function(value, present) value
 
 #' @export
 update.codend_state <- function(object, ...) {

@@ -6,8 +6,8 @@
 #' `tidy()`, `glance()` and `augment()` are generics of the package \pkg{generics}, which
 #' \pkg{broom} and \pkg{parsnip} also export. codend exports them too.
 #'
-#' @param x Measures ([measures()]), a state ([settle()]), trajectory ([tow()]), variations ([vary()]), sensitivities
-#'   ([sensitivities()]), effects ([effects()][effects.codend_variations]), uncertainty
+#' @param x Measures ([measures()]), a state ([settle()]), trajectory ([tow()]), variations
+#'   ([vary()]), sensitivities ([sensitivities()]), effects ([effects()][effects.codend_variations]), uncertainty
 #'   ([uncertainty()]), calibration ([calibrate()]), posterior ([sample_posterior()]), optimum
 #'   ([optimise_gear()]), found values ([find_value()]) or trade-off ([trade_off()]).
 #' @param row.names,optional As in [as.data.frame()]. `optional` is `TRUE` in calls by
@@ -61,8 +61,8 @@
 #'   hold), `optimality` (0 at an optimum), `converged` and `n_solves`.
 #' - Found values: `name`, `reached` (`TRUE` if all targets are reached), `n_solves` and `nodes`.
 #' - Variations: `name`, `designs`, `done`, `settled` and `warned`.
-#' - Sensitivities: `name`, `conditions`, numbers of `fields` and `measures`, and `smooth` (`TRUE` if
-#'   all derivatives are).
+#' - Sensitivities: `name`, `conditions`, numbers of `fields` and `measures`, and `smooth` (`TRUE`
+#'   if all derivatives are).
 #' - Uncertainty: `name`, `conditions`, numbers of `measures` and `sources`, `level` and `method`.
 #' - Trade-off: `name`, and numbers of `points`, `kept` and `optimal`.
 #'

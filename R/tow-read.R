@@ -18,7 +18,7 @@ rows_table <- function(rows) {
   if (!is.list(rows) || !is.null(names(rows))) return(rows)
   names <- unique(unlist(lapply(rows, names)))
   list2DF(lapply(setNames(nm = names), function(name) {
-    plain_column(lapply(rows, function(row) first_of(row[[name]], 0)))
+    plain_values(lapply(rows, function(row) first_of(row[[name]], 0)))
   }))
 }
 
@@ -30,7 +30,7 @@ table_rows_list <- function(table) {
 
 # Returns the section `tow` with the inputs of a schedule instead of its own.
 #' @export
-plan_value.codend_schedule <- function(value, present) {
+planned_value.codend_schedule <- function(value, present) {
   given <- Filter(Negate(is.null), unclass(value))
   for (name in intersect(c("control", "control_every"), names(given))) abort_unplanned(name)
   given <- map_changes(given, function(value, path, dimension) {

@@ -7,9 +7,9 @@
 #'
 #' @section Schedules in plans:
 #' `update(gear, tow = schedule)` stores a schedule in the section `tow` of a plan, instead of the
-#' inputs there. `until`, `every`, `scheme` and `accuracy` of the section stay. [write_gear()] writes
-#' the plan. `planned_schedule()` returns the identical schedule, and [tow()] uses it by default. For
-#' a seine, it adds the hauling that follows from the plan. A plan cannot hold functions.
+#' inputs there. `until`, `every`, `scheme` and `accuracy` of the section stay. [write_gear()]
+#' writes the plan. `planned_schedule()` returns the identical schedule, and [tow()] uses it by
+#' default. For a seine, it adds the hauling that follows from the plan. A plan cannot hold functions.
 #'
 #' @param x,object A schedule.
 #' @param ... For `update()`: arguments of [tow_schedule()] with new values, `NULL` to remove an
@@ -183,20 +183,20 @@ schedule_lines <- function(x) {
   changes <- schedule_changes(x)
   lines <- setNames(vapply(changes, change_text, ""), vapply(changes, `[[`, "", "path"))
   if (!is.null(x[["control"]])) {
-    every <- quantity_text(first_of(x$control_every, usual_control_every), "time")
+    every <- written_quantity(first_of(x$control_every, usual_control_every), "time")
     inputs <- paste(names(formals(args(x[["control"]]))), collapse = " and ")
     lines[["control"]] <- sprintf("function of %s, every %s", inputs, every)
   }
   response <- x$vessel_motion$response
   if (is_text(response)) lines[["vessel_motion.response"]] <- response
   if (is.data.frame(response)) {
-    ends <- quantity_text(response$period[c(1L, nrow(response))], "time")
+    ends <- written_quantity(response$period[c(1L, nrow(response))], "time")
     lines[["vessel_motion.response"]] <- sprintf("%s, for wave periods of %s to %s",
       word_list(intersect(names(swing_ways), names(response))), ends[1L], ends[2L])
   }
   for (event in x$breaking) {
     at <- if (is.null(event$time)) "at its breaking load" else {
-      paste("at", quantity_text(event$time, "time"))
+      paste("at", written_quantity(event$time, "time"))
     }
     lines <- c(lines, breaking = sprintf("%s, %s, %s", event$rope,
       first_of(event$position, "middle"), at))
@@ -206,14 +206,14 @@ schedule_lines <- function(x) {
 
 change_text <- function(change) {
   value <- change$value
-  text <- function(x) quantity_text(x, change$dimension)
+  text <- function(x) written_quantity(x, change$dimension)
   if (is.function(value)) return(paste("function of time (s), in", change_unit(change)))
   if (is_swell(value)) {
     return(sprintf("swell of amplitude %s and period %s", text(value$amplitude),
-      quantity_text(value$period, "time")))
+      written_quantity(value$period, "time")))
   }
   if (!is.data.frame(value)) return(text(value))
-  time <- quantity_text(value$time, "time")
+  time <- written_quantity(value$time, "time")
   n <- nrow(value)
   if (n <= printed_times) return(paste(text(value$value), "at", time, collapse = ", "))
   ends <- range(change_rows(change, 0)$value)
@@ -222,7 +222,7 @@ change_text <- function(change) {
 }
 
 # Returns quantities as the user wrote them; numbers get their SI unit.
-quantity_text <- function(x, dimension) {
+written_quantity <- function(x, dimension) {
   if (!is.numeric(x)) return(x)
   unit <- if (dimension == "number") "" else names(plan_units[[dimension]])[1L]
   trimws(paste(plain_numbers(x, 6L), unit))

@@ -73,7 +73,7 @@ tow_schedule <- function(speed = NULL, course = NULL, warp_out = NULL, winch = N
   given <- mget(names(formals()))
   given <- map_changes(Map(given_value, given, names(given)), plain_change)
   given["vessel_motion"] <- list(plain_motion(given$vessel_motion))
-  given["breaking"] <- list(lapply(given$breaking, lapply, plain_column))
+  given["breaking"] <- list(lapply(given$breaking, lapply, plain_values))
   if (!length(given$breaking)) given["breaking"] <- list(NULL)
   si_winch(given$winch)
   si_control_every(control_every)
@@ -118,16 +118,16 @@ is_swell <- function(x) is_named_list(x) && all(c("amplitude", "period") %in% na
 
 # Returns a quantity over time without integers, units in names of columns, and names of rows.
 plain_change <- function(value, path, dimension) {
-  if (is.data.frame(value)) return(plain_table(value, c(time = "time", value = dimension), path))
-  if (is_swell(value)) lapply(value, plain_column) else plain_column(value)
+  if (is.data.frame(value)) return(plain_rows(value, c(time = "time", value = dimension), path))
+  if (is_swell(value)) lapply(value, plain_values) else plain_values(value)
 }
 
-plain_table <- function(table, dimensions, path) {
-  list2DF(lapply(with_named_units(table, function(name) dimensions[name], path), plain_column))
+plain_rows <- function(table, dimensions, path) {
+  list2DF(lapply(with_named_units(table, function(name) dimensions[name], path), plain_values))
 }
 
 # Returns a list or vector of numbers and strings as one vector.
-plain_column <- function(value) {
+plain_values <- function(value) {
   number <- is.numeric(value) || is.list(value) && all(vapply(value, is.numeric, NA))
   if (number) return(as.double(unlist(value)))
   if (is.list(value)) as.character(unlist(value)) else value
@@ -138,10 +138,10 @@ plain_motion <- function(given) {
   for (name in intersect(names(motion_dimensions), names(given))) {
     table <- given[[name]]
     if (!is.data.frame(table)) next
-    given[[name]] <- plain_table(table, motion_dimensions[[name]], paste0("vessel_motion$", name))
+    given[[name]] <- plain_rows(table, motion_dimensions[[name]], paste0("vessel_motion$", name))
   }
   numbers <- intersect(c("at", "rising"), names(given))
-  given[numbers] <- lapply(given[numbers], plain_column)
+  given[numbers] <- lapply(given[numbers], plain_values)
   given
 }
 

@@ -3,9 +3,11 @@
 # All inputs that a plan holds, in text with units, numbers and integers.
 full_schedule <- function() {
   tow_schedule(
-    speed = data.frame(time = c(0L, 45L, 270L, 1800L), value = c("4 knot", "6 knot", "4 knot", "2 m/s")),
+    speed = data.frame(time = c(0L, 45L, 270L, 1800L),
+      value = c("4 knot", "6 knot", "4 knot", "2 m/s")),
     course = data.frame(time = c("13 min", "21 min"), value_deg = c(0, 90)),
-    warp_out = list(port = data.frame(time = c(0, 100), value = c(600L, 500L)), starboard = "600 m"),
+    warp_out = list(port = data.frame(time = c(0, 100), value = c(600L, 500L)),
+      starboard = "600 m"),
     winch = list(speed_limit = "1.5 m/s", tension_limit = 2e5),
     current = list(list(speed = "1 knot", toward = "40 deg"), list(speed = 0.2)),
     heave = list(amplitude = "0.5 m", period = 8L), catch = 0.5,
