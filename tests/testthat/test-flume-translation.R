@@ -153,10 +153,10 @@ test_that("findings appear in the language of the page", {
     sections.body.twine.diameter = "25 mm")
   found <- list_findings(fast, sorted_checks())
   english <- finding_rows(found)
-  expect_identical(english, findings(fast))
+  expect_identical(english, as.data.frame(findings(fast)))
   translate <- translated_finding(make_translator("fr"))
   french <- finding_rows(found, translate)
-  for (column in c("check", "place", "value", "field", "rank", "alike")) {
+  for (column in c("check", "location", "value", "field", "rank", "n_similar")) {
     expect_identical(french[[column]], english[[column]])
   }
   expect_identical(french$label[french$check == "towing speed"], "40.00 n\u0153uds")
