@@ -204,16 +204,18 @@ least_calls <- alist(
   current_profile(table = 1), designs(towing.speed = 1:2), errors(s), explain_misfit(fit),
   find_value(g, towing.speed = value_range(1, 3), target = list(body_depth = 100), nodes = 20),
   findings(g), flume(g), force_coefficients(), gear("a"), haul_means(log = 1, from = 1, to = 2),
-  in_units(s), measure_definitions(), measures(s), mesh_openings(s), new_plan("gillnet"),
+  in_units(s), measure_definitions(), measures(s), mesh_openings(s), net_form(g),
+  new_plan("gillnet"),
   normal_value(1, 0.1), optimise_gear(g, ~ total_drag, change = ch, nodes = 20),
   planned_schedule(g), read_currents("a", longitude = 1, latitude = 1, time = 1), read_gear("cage"),
-  read_moordyn("a"), read_result("a"), read_sensor_log("a", columns = 1), read_study("a"),
+  read_moordyn("a"), read_net("a"), read_result("a"), read_sensor_log("a", columns = 1),
+  read_study("a"),
   report(s, "a.html"), run_study("a"), sample_posterior(fit), sensitivities(s), settle(g),
   share(s, "a.html"), state_at(tr, 1), study_status("a"), tensions_along(s), tow(g, until = 2),
   tow_speed(g), track_schedule(log = 1, from = 1, to = 2),
   trade_off(g, list(a = ~ total_drag, b = ~ ship_tension), change = ch), uncertainty(s),
   value_range(1, 2), vary(g, towing.speed = 1:2, nodes = 20), view_3d(s), write_gear(g, "a.yaml"),
-  write_result(s, "a.vtu"), write_study(g, designs(towing.speed = 1:2), "a")
+  write_net(g, "a.csv"), write_result(s, "a.vtu"), write_study(g, designs(towing.speed = 1:2), "a")
 )
 constructors <- c("gear_point", "kite", "measure", "netting_panel", "otter_board", "piece", "rope",
   "seam", "tow_schedule")
