@@ -242,7 +242,8 @@ read_matches <- function(match, data, task, error) {
     abort_argument("{.arg error} is {said}; it must be {length(match)} standard deviation{?s} above
       0, or NA to estimate {?it/them} from the data.")
   }
-  if (is.function(error) || length(error) != length(match)) abort_error()
+  known <- is.atomic(error) || is.list(error)
+  if (!known || length(error) != length(match)) abort_error()
   Map(function(one, error) {
     text <- paste(trimws(deparse(one[[2L]], width.cutoff = 500L)), collapse = " ")
     lost <- setdiff(all.vars(one[[2L]]), names(data))

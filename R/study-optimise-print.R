@@ -37,7 +37,8 @@ print.codend_optimum <- function(x, n = 10, ...) {
   cat_more(c(condition = nrow(x$keep) - n))
   cat("  ", if (x$optimal) "a local optimum" else "not optimal", ": ",
     if (!all(x$keep$holds)) "not all conditions are met, and ", "first-order optimality ",
-    sensitivity_digits(100 * x$optimality), " % of the objective per range of a field",
+    if (x$optimality < 1e-5) "below 0.001" else sensitivity_digits(100 * x$optimality),
+    " % of the objective per range of a field",
     if (!x$smooth) "; kinks nearby, see `kinks`", "\n", sep = "")
   cat("  ", x$n_solves, " gears settled, the last with ", mesh_size_text(x$nodes, x$accuracy), "\n",
     sep = "")

@@ -47,7 +47,8 @@ test_that("page shows intervals next to the errors of the current design", {
       row <- regmatches(session$output$measures$html,
         regexpr("<tr><th scope='row'[^>]*>body depth .*?</tr>", session$output$measures$html,
           perl = TRUE))
-      regmatches(row, regexpr("(?<='number'>)[^<]*", row, perl = TRUE))
+      cell <- regmatches(row, regexpr("(?<='number'>).*?(?=</td>)", row, perl = TRUE))
+      gsub("<[^>]*>", "", cell)
     }
     row <- found$measures[found$measures$measure == "body_depth_m", ]
     said <- sprintf("90 %%: %.0f to %.0f", row$lower, row$upper)

@@ -197,7 +197,8 @@ test_that("calibrate() accepts units objects in fields, ranges, data and errors"
   for (match in matches) {
     found <- fit_of(in_units(speed, "knot"), in_units(1000 * tension, "N"),
       in_units(c(0.8, 1.5), "km"), match, list(in_units(200, "N")))
-    expect_equal(coef(found), coef(told), tolerance = 1e-5)
+    # a fit stops when its objective is stationary within about 1e-4 of the coefficient
+    expect_equal(coef(found), coef(told), tolerance = 1e-4)
   }
   again <- predict(found,
     data.frame(towing.speed = in_units(4, "knot"), Tension = in_units(13.4, "kN")))
