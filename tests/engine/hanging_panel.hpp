@@ -23,6 +23,7 @@ inline Gear hanging_panel(bool bars, MeshOrientation orientation, NettingDrag dr
   panel.mesh_size = 0.1;
   panel.upper = 60;
   panel.lower = 24;
+  panel.lost_left = panel.lost_right = 18;
   panel.deep = 30;
   panel.twine_diameter = 0.002;
   panel.mass_per_length = 0.01;

@@ -23,6 +23,7 @@ Gear random_gear(Random& random) {
   GearPanel& panel = gear.panels[0];
   panel.upper = 20 + random.below(40);
   panel.lower = 10 + random.below(40);
+  panel.lost_left = panel.lost_right = (panel.upper - panel.lower) / 2;
   panel.deep = 15 + random.below(20);
   panel.twine_diameter = random.between(0.001, 0.004);
   GearRope rope;

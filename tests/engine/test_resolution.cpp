@@ -52,6 +52,7 @@ TEST_CASE("resolution chooses the nearly whole cell counts within a sixth") {
   for (const double deep : {17.0, 31.0, 120.0}) {
     panel.deep = deep;
     panel.lower = 0.7 * panel.upper;
+    panel.lost_left = panel.lost_right = (panel.upper - panel.lower) / 2;
     gear.panels.push_back(panel);
   }
   gear.panel_count = static_cast<int>(gear.panels.size());
