@@ -7,8 +7,8 @@
 #' \pkg{broom} and \pkg{parsnip} also export. codend exports them too.
 #'
 #' @param x Measures ([measures()]), a state ([settle()]), trajectory ([tow()]), variations
-#'   ([vary()]), sensitivities ([sensitivities()]), effects ([effects()][effects.codend_variations]), uncertainty
-#'   ([uncertainty()]), calibration ([calibrate()]), posterior ([sample_posterior()]), optimum
+#'   ([vary()]), sensitivities ([sensitivities()]), effects
+#'   ([effects()][effects.codend_variations]), uncertainty ([uncertainty()]), calibration ([calibrate()]), posterior ([sample_posterior()]), optimum
 #'   ([optimise_gear()]), found values ([find_value()]) or trade-off ([trade_off()]).
 #' @param row.names,optional As in [as.data.frame()]. `optional` is `TRUE` in calls by
 #'   [data.frame()] and [cbind()].

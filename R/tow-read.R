@@ -30,7 +30,7 @@ table_rows_list <- function(table) {
 
 # Returns the section `tow` with the inputs of a schedule instead of its own.
 #' @export
-planned_value.codend_schedule <- function(value, present) {
+planned_value.codend_schedule <- function(value, present) { # nolint: object_name_linter.
   given <- Filter(Negate(is.null), unclass(value))
   for (name in intersect(c("control", "control_every"), names(given))) abort_unplanned(name)
   given <- map_changes(given, function(value, path, dimension) {

@@ -9,7 +9,8 @@
 #' `update(gear, tow = schedule)` stores a schedule in the section `tow` of a plan, instead of the
 #' inputs there. `until`, `every`, `scheme` and `accuracy` of the section stay. [write_gear()]
 #' writes the plan. `planned_schedule()` returns the identical schedule, and [tow()] uses it by
-#' default. For a seine, it adds the hauling that follows from the plan. A plan cannot hold functions.
+#' default. For a seine, it adds the hauling that follows from the plan. A plan cannot hold
+#' functions.
 #'
 #' @param x,object A schedule.
 #' @param ... For `update()`: arguments of [tow_schedule()] with new values, `NULL` to remove an
