@@ -44,7 +44,7 @@
 #' - Workers of the package future, such as `future::plan("multisession")`, share the hauls. The
 #'   results are the same for any number of workers.
 #' - Every step prints a message. Use `suppressMessages()` or `options(codend.steps = FALSE)` to
-#'   omit it. If the package progressr is loaded, it reports the progress instead.
+#'   omit it. If the package progressr is loaded, it reports the progress too.
 #' - With `file`, every settled gear is recorded. The same call continues after an interruption: it
 #'   repeats the steps and reads recorded gears instead of settling them. Calls with other matches
 #'   also use them.

@@ -65,17 +65,15 @@ add_to_record <- function(record, results) {
 
 # ---- steps ---------------------------------------------------------------------------------------
 
-# Returns an environment that counts the steps of a search, or NULL if the user turned them off.
-# most: expected number of steps.
+# Returns an environment that counts the steps of a search. most: expected number of steps.
 new_steps <- function(most, frame = parent.frame()) {
   show <- if (isNamespaceLoaded("progressr")) progressr::progressor(steps = most, envir = frame)
   # Guides would otherwise print every step.
   wanted <- getOption("codend.steps", !isTRUE(getOption("knitr.in.progress")))
-  if (is.null(show) && !wanted) return(NULL)
-  list2env(list(number = 0L, show = show), parent = emptyenv())
+  list2env(list(number = 0L, show = show, wanted = wanted), parent = emptyenv())
 }
 
-# Reports a step of a search: a message, or the progress of progressr. text: of the objective.
+# Reports a step of a search by a message, and to progressr. text: of the objective.
 report_step <- function(steps, text, value, scaled) {
   if (is.null(steps)) return(invisible())
   steps$number <- steps$number + 1L
@@ -83,8 +81,8 @@ report_step <- function(steps, text, value, scaled) {
   steps$last <- scaled
   said <- paste0("Step ", steps$number, ": ", text, " ", four_figures(value),
     if (!is.null(change)) paste0(", largest change ", percent_text(change), " of a range"))
-  if (!is.null(steps$show)) return(steps$show(message = said))
-  cli::cli_inform("{said}", class = "codend_message_step")
+  if (!is.null(steps$show)) steps$show(message = said)
+  if (steps$wanted) cli::cli_inform("{said}", class = "codend_message_step")
 }
 
 # ---- workers -------------------------------------------------------------------------------------
