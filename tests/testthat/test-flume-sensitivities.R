@@ -45,9 +45,9 @@ test_that("page shows intervals next to the errors of the current design", {
     expect_identical(found$measures, uncertainty(tank$state)$measures)
     depth_cell <- function() {
       row <- regmatches(session$output$measures$html,
-        regexpr("<tr><th scope='row'[^>]*>body depth .*?</tr>", session$output$measures$html,
+        regexpr("(?s)<tr><th scope='row'[^>]*>body depth .*?</tr>", session$output$measures$html,
           perl = TRUE))
-      cell <- regmatches(row, regexpr("(?<='number'>).*?(?=</td>)", row, perl = TRUE))
+      cell <- regmatches(row, regexpr("(?s)(?<='number'>).*?(?=</td>)", row, perl = TRUE))
       gsub("<[^>]*>", "", cell)
     }
     row <- found$measures[found$measures$measure == "body_depth_m", ]
