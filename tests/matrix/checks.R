@@ -6,7 +6,9 @@ few_nodes <- 60
 skip <- function() structure(list(), class = "skipped")
 
 check_printed <- function(x) {
-  text <- paste(utils::capture.output(print(x)), collapse = "\n")
+  lines <- utils::capture.output(print(x))
+  if (length(lines) > 30L) stop_check("%d lines are printed", length(lines))
+  text <- paste(sub(": print\\(x, n = Inf\\)$", "", lines), collapse = "\n")
   if (!nzchar(text)) stop_check("nothing is printed")
   check_words(text, "the text")
 }
@@ -123,11 +125,14 @@ state_checks <- list(
   "tables" = function(state, folder) {
     engine <- engine_of(state)
     si <- state$si
+    drag <- as.data.frame(state, what = "drag")
+    outer <- !drag$kind %in% c("rope", "netting", "piece", "catch")
     rows <- c(
       tensions = length(engine$bars$rest) + 2 * length(engine$cells$rest) +
         sum(engine$cells$straight > 0),
       nodes = ncol(state$position), measures = length(measures(state)),
-      drag = length(si$ropes) + length(si$panels) + length(si$pieces) + length(si$otter_boards) +
+      drag = sum(outer) + length(si$ropes) + length(si$panels) + length(si$pieces) +
+        length(si$otter_boards) +
         !is.null(si$catch),
       boards = sum(engine$plates$area > 0)
     )
