@@ -13,8 +13,8 @@
 #' @param from,to Start and end of the tow on the clock of `log`, s or string.
 #' @param every Time step of the schedule, s or string. Default 60.
 #' @return A list. Wrong arguments are an error of class `codend_error_argument`. Elements:
-#' - `schedule`: data frames `speed` and `course` with `time` (s from `from`). `speed` has `value`
-#'   (over ground, m/s); `course` has `value_rad` (to starboard of the initial course);
+#' - `schedule`: a schedule ([tow_schedule()]) of `speed` (over ground) and `course` (to starboard
+#'   of the initial course), with times in s from `from`;
 #' - `bearing`: initial bearing (rad clockwise from north, for [current_profile()]);
 #' - `until`: duration (s);
 #' - `distance`: length of the track (m);

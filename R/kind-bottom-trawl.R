@@ -165,10 +165,9 @@ bottom_trawl_net <- function(fields, plan) {
 # side panel, otherwise the middle of the side line.
 middle_points <- function(net) {
   ends <- lapply(trawl_sides, function(side) {
-    front <- net$panels[[net$fronts[[side]]]]
-    pointed <- !is.null(front) && front$meshes$upper == 0
-    list(at = if (pointed) paste0(net$fronts[[side]], ".upper_left") else
-      paste0("side_line_", side, ".middle"))
+    piece <- net$fronts[[side]]
+    pointed <- length(piece) && net$panels[[piece]]$meshes$upper == 0
+    list(at = if (pointed) paste0(piece, ".upper_left") else paste0("side_line_", side, ".middle"))
   })
   stats::setNames(ends, paste0("middle_", trawl_sides))
 }

@@ -9,7 +9,8 @@
 #' @param x Measures ([measures()]), a state ([settle()]), trajectory ([tow()]), variations
 #'   ([vary()]), sensitivities ([sensitivities()]), effects
 #'   ([effects()][effects.codend_variations]), uncertainty ([uncertainty()]), calibration
-#'   ([calibrate()]), posterior ([sample_posterior()]), optimum ([optimise_gear()]), found values ([find_value()]) or trade-off ([trade_off()]).
+#'   ([calibrate()]), posterior ([sample_posterior()]), optimum ([optimise_gear()]), found values
+#'   ([find_value()]) or trade-off ([trade_off()]).
 #' @param row.names,optional As in [as.data.frame()]. `optional` is `TRUE` in calls by
 #'   [data.frame()] and [cbind()].
 #' @param wide `TRUE` returns a column for each measure or field: the columns of `x` itself. This

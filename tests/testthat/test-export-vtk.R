@@ -85,6 +85,8 @@ test_that("VTK export writes forces that sum to the gear's drag", {
     write_result(state, file)
     found <- read_raw_vtu(file)
     drag <- as.data.frame(state, what = "drag")
+    # forces of the sea bed and of loads are at nodes
+    drag <- drag[drag$kind %in% parts_of(state)$kind, ]
     # sums of the same numbers in another order
     part_name <- part_names_of(found$FieldData)[found$CellData$part]
     for (name in unique(part_name)) {
