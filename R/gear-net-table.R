@@ -27,8 +27,8 @@ piece_columns <- c(
 #'   Columns are separated by commas, semicolons or tabs.
 #' @return `read_net()`: the value of the field `net`, for [update()][update.codend_gear] or
 #'   [gear()]. `write_net()`: the path of the file, invisibly.
-#' @seealso [net_form()] for the field `net` of a short form with wings and sections, [draw()] for
-#'   the drawing.
+#' @seealso [net_form()] for the field `net` of a short form with wings and sections,
+#'   [plot()][plot.codend_gear] for the drawing.
 #' @export
 #' @examples
 #' trawl <- read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
