@@ -617,7 +617,7 @@ test('tank tows, plays and saves the design and rejects wrong input', async () =
   const [download] = await Promise.all([
     page.waitForEvent('download', { timeout: 120000 }), page.click('#save_tow_measures')
   ]);
-  assert.match(fs.readFileSync(await download.path(), 'utf8'), /^"time_s","measure","value","unit"/);
+  assert.match(fs.readFileSync(await download.path(), 'utf8'), /^"time_s","measure","value","error","unit"/);
   // another tow replaces it
   await page.fill('#tow_until', '30 s');
   await page.click('#tow_start');
