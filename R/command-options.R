@@ -2,11 +2,7 @@
 # end at a folder that is not writable.
 
 # Reads a plan and applies --set.
-read_changed <- function(plan, options) {
-  gear <- read_gear(plan)
-  for (field in names(options$set)) gear <- set_field(gear, field, options$set[[field]])
-  gear
-}
+read_changed <- function(plan, options) with_fields(read_gear(plan), options$set)
 
 # Returns the options for settle() and tow().
 mesh_arguments <- function(options) options[intersect(c("nodes", "netting"), names(options))]

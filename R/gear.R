@@ -146,15 +146,11 @@ update.codend_gear <- function(object, ...) {
   }
   twice <- names(fields)[duplicated(names(fields))]
   if (length(twice)) abort_argument("{.arg {twice[1]}} is given twice.")
-  plan <- object$plan
   for (path in names(fields)) {
-    fields[path] <- list(planned_value(fields[[path]], plan[[path]]))
-    plan <- set_plan_field(plan, path, fields[[path]])
+    fields[path] <- list(planned_value(fields[[path]], object$plan[[path]]))
   }
-  gear <- as_gear(plan, file = object$file, like = object,
-    changed = changed_steps(object, names(fields)))
-  # codend itself updates gears in loops
-  if (!identical(topenv(parent.frame()), topenv())) note_bare_numbers(object$plan, fields)
+  gear <- with_fields(object, fields)
+  note_bare_numbers(object$plan, fields)
   gear
 }
 
@@ -180,9 +176,11 @@ update.codend_trajectory <- function(object, ...) {
   ))
 }
 
-set_field <- function(gear, path, value) {
-  as_gear(set_plan_field(gear$plan, path, value), file = gear$file, like = gear,
-    changed = changed_steps(gear, path))
+# Returns the gear with the values of `fields`, a list by path.
+with_fields <- function(gear, fields) {
+  plan <- gear$plan
+  for (path in names(fields)) plan <- set_plan_field(plan, path, fields[[path]])
+  as_gear(plan, file = gear$file, like = gear, changed = changed_steps(gear, names(fields)))
 }
 
 # Returns the steps of paths in a gear's plan; NULL if a user changed the plan by hand.

@@ -216,7 +216,7 @@ new_cases <- function(points, data, set) {
   rows <- which(!duplicated(key))
   cases <- lapply(rows, function(row) {
     points$gear <- tryCatch(
-      do.call(update, c(list(points$gear), lapply(table, `[[`, row))),
+      with_fields(points$gear, lapply(table, `[[`, row)),
       codend_error_plan = function(e) {
         e$message <- paste0("Row ", row, " of the data: ", plain_message(e))
         stop(e)

@@ -100,7 +100,7 @@ set_free <- function(gear, fields, values) {
   changes <- unlist(Map(function(field, value) {
     setNames(rep(list(field_text(value, field)), length(field$paths)), field$paths)
   }, fields, values), recursive = FALSE)
-  do.call(update, c(list(gear), changes))
+  with_fields(gear, changes)
 }
 
 lower_ends <- function(fields) vapply(fields, `[[`, 0, "lower")

@@ -193,7 +193,7 @@ run_design <- function(study, base, k, mark = NULL) {
   fields <- design_fields(study$designs, k)
   found <- tryCatch(
     {
-      gear <- do.call(update, c(list(study$gear), fields))
+      gear <- with_fields(study$gear, fields)
       from <- if (!is.null(base) && is.null(odd_parts(gear_si(gear), base))) base
       settle_one(gear, study_nodes(study, base), study$netting, from)
     },

@@ -82,7 +82,7 @@ test_that("update() changes, adds and removes fields by path and checks them", {
   slower <- update(streamed, water.current.2.speed = "0.1 m/s")
   expect_identical(gear_si(slower)$water$current$x, c(1, 0.1))
 
-  moved <- set_field(gear, "points.ship.position.3", "-5 m")
+  moved <- with_fields(gear, list(points.ship.position.3 = "-5 m"))
   expect_identical(gear_si(moved)$points$ship$position, c(0, 0, -5))
 
   expect_refused(update(gear, ropes.cabel.length = 1), "cable")

@@ -93,7 +93,7 @@ test_that("haul closes, balances energy and ends at vessel plus winch speed", {
 test_that("demersal seine plans are rejected with the wrong field", {
   gear <- read_gear("demersal_seine")
   wrong <- function(path, value, says = path) {
-    expect_refused(codend:::set_field(gear, path, value), says, fixed = TRUE)
+    expect_refused(with_fields(gear, setNames(list(value), path)), says, fixed = TRUE)
   }
   wrong("laying", NULL)
   wrong("laying.net", list("100 m"))

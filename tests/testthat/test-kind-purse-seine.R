@@ -32,7 +32,7 @@ test_that("line without a length is hung by ratio on all panels", {
 test_that("purse seine plans are rejected with the wrong field", {
   gear <- read_gear("purse_seine")
   wrong <- function(path, value, says = path) {
-    expect_refused(codend:::set_field(gear, path, value), says, fixed = TRUE)
+    expect_refused(with_fields(gear, setNames(list(value), path)), says, fixed = TRUE)
   }
   wrong("rings", NULL)
   wrong("rings.number", 0)
