@@ -107,7 +107,7 @@ with_named_units <- function(table, dimension_of, name) {
   for (k in which(is.na(vapply(names(table), dimension_of, "")))) {
     column <- names(table)[k]
     for (unit in units[endsWith(column, suffixes)]) {
-      plain <- substr(column, 1L, nchar(column) - nchar(with_unit("", unit)))
+      plain <- without_unit(column, unit)
       dimension <- dimension_of(plain)
       if (is.na(dimension) || !unit %in% names(plan_units[[dimension]])) next
       if (plain %in% names(table)) {

@@ -31,16 +31,11 @@ unit_suffix <- function(unit) {
 }
 
 # Returns a name without its unit, in words: "door spread" for "door_spread_m" in "m".
-label_of <- function(name, unit) {
-  end <- nchar(name) - ifelse(nzchar(unit), nchar(unit_suffix(unit)) + 1L, 0L)
-  gsub("_", " ", substring(name, 1L, end), fixed = TRUE)
-}
+label_of <- function(name, unit) gsub("_", " ", without_unit(name, unit), fixed = TRUE)
 
-# Returns names of measures without their units: "speed" for "speed_m_per_s".
-without_unit <- function(names) {
-  suffix <- unit_suffix(c(unlist(lapply(plan_units, names)), names(display_units)))
-  suffix <- suffix[order(-nchar(suffix))]
-  sub(paste0("_(", paste(suffix, collapse = "|"), ")$"), "", names)
+# Returns names without the suffix of their unit: "speed" for "speed_m_per_s" in "m/s".
+without_unit <- function(name, unit = units_of_names(name)) {
+  substring(name, 1L, nchar(name) - nchar(with_unit("", unit)))
 }
 
 # Returns the names of the chosen measures; `values` may omit units. Default: all.
@@ -99,8 +94,7 @@ displayed_units <- function(units, preferred) {
 
 # Returns names with the suffix of the unit `to` instead of `from`.
 with_other_unit <- function(name, from, to) {
-  end <- nchar(name) - nchar(unit_suffix(from))
-  ifelse(from == to, name, paste0(substring(name, 1L, end), unit_suffix(to)))
+  ifelse(from == to, name, with_unit(without_unit(name, from), to))
 }
 
 # Returns the units of names with a suffix, such as "m/s" for "speed_m_per_s"; "" if there is none.

@@ -9,8 +9,7 @@ formula_names <- function(values) {
   unit <- attr(values, "unit")[names(values)]
   bare <- nzchar(unit)
   size <- vapply(unit, function(one) if (nzchar(one)) unit_size(one) else 1, 0)
-  plain <- names(values)
-  plain[bare] <- substring(plain[bare], 1L, nchar(plain[bare]) - nchar(unit_suffix(unit[bare])) - 1)
+  plain <- without_unit(names(values), unit)
   rbind(
     data.frame(name = names(values), column = names(values), unit = unname(unit), factor = 1,
       ends = bare, row.names = NULL),

@@ -19,6 +19,7 @@ test_that("with_unit() appends units and label_of() removes them", {
   whole <- c("speed_m_per_s", "slack_percent", "area_km2_per_h", "weight_kg_per_100_m", "factor")
   expect_identical(with_unit(name, unit), whole)
   expect_identical(label_of(whole, unit), name)
+  expect_identical(without_unit(c(whole, "door_spread_m")), c(name, "door_spread"))
 })
 
 test_that("cf_unit() returns units of the CF conventions", {
