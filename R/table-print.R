@@ -33,10 +33,11 @@ accuracy_line <- function(measures, report) {
   error <- main_error(measures)
   if (!is.finite(error)) return(NULL)
   aimed <- report$accuracy_aimed_at
+  advice <- accuracy_advice(error, report$nodes)
   said <- paste0(
     "Discretisation error of drag, spreads, heights, areas and volumes about ",
     percent_text(error), if (!is.null(aimed)) sprintf(" (target %s)", percent_text(aimed)),
-    accuracy_advice(error, report$nodes), few_nodes_text(measures, report$nodes)
+    if (!is.null(advice)) paste0("; ", advice), few_nodes_text(measures, report$nodes)
   )
   strwrap(said, width = 98, indent = 2, exdent = 4)
 }
@@ -60,22 +61,24 @@ within_text <- function(measures, aimed = NULL) {
   sprintf("; main measures: target %s, reached %s", percent_text(aimed), reached)
 }
 
-# If the target accuracy was missed: advice with the node count that would reach it.
+# Returns advice with the node count that reaches the usual accuracy, NULL if the state reaches it.
 accuracy_advice <- function(error, nodes) {
-  if (!is.finite(error) || error <= usual_accuracy) return("")
+  if (!is.finite(error) || error <= usual_accuracy) return(NULL)
   aim <- percent_text(usual_accuracy)
   wanted <- nodes_for(nodes, error, usual_accuracy)
   enough <- if (wanted <= most_accurate_nodes) {
-    paste("about", format(signif(wanted, 1), big.mark = ",", scientific = FALSE), "nodes")
+    paste("about", with_plain_numbers(format(signif(wanted, 1), big.mark = ",", scientific = FALSE)),
+      "nodes")
   } else {
     "more nodes than the limit"
   }
-  sprintf("; for %s: settle(accuracy = \"%s\"), %s", aim, aim, enough)
+  sprintf("for %s: settle(accuracy = \"%s\"), %s", aim, aim, enough)
 }
 
 #' @export
 print.codend_state <- function(x, ...) {
   found <- measures(x)
+  advice <- accuracy_advice(main_error(found), x$mesh$nodes)
   with_plain_numbers(cat(
     if (is.null(x$time)) {
       paste0("Settled gear \"", x$si$name, "\"")
@@ -86,9 +89,7 @@ print.codend_state <- function(x, ...) {
     paste0("  ", size_text(x), within_text(found, x$report$accuracy_aimed_at)),
     measure_lines(found[printed_measures(found)]),
     paste0("  More: measures(), summary(), as.data.frame(), plot(), view_3d()"),
-    if (nzchar(advice <- accuracy_advice(main_error(found), x$mesh$nodes))) {
-      paste0("  ", capital(sub("^; ", "", advice)))
-    },
+    if (!is.null(advice)) paste0("  ", capital(advice)),
     sep = "\n"
   ))
   invisible(x)
