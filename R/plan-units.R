@@ -110,7 +110,7 @@ quantity_dimension <- function(text) {
 # Returns an SI number as a string for messages, for example "4 m".
 format_si <- function(value, dimension) {
   unit <- if (dimension == "number") "" else paste0(" ", names(plan_units[[dimension]])[1])
-  paste0(with_plain_numbers(format(value, digits = 6, trim = TRUE)), unit)
+  paste0(with_plain_numbers(format(value, digits = 6, trim = TRUE, scientific = 2L)), unit)
 }
 
 # Returns a bound (SI) as a string in the unit of a given value, or in SI if it has no unit.

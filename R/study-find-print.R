@@ -1,12 +1,11 @@
-# Largest numbers of fields and of targets in a print.
-most_printed_values <- 5L
-
+# `n`: largest numbers of printed fields and of targets.
 #' @export
-print.codend_found <- function(x, ...) {
+print.codend_found <- function(x, n = 5, ...) {
+  check_rows(n)
   cat(if (all(x$targets$reached)) "Found" else "Nearest", " for \"", x$gear$plan$name, "\"\n",
     sep = "")
-  fields <- utils::head(x$fields, most_printed_values)
-  targets <- utils::head(x$targets, most_printed_values)
+  fields <- utils::head(x$fields, n)
+  targets <- utils::head(x$targets, n)
   cat_columns(list(
     c(fields$field, targets$measure),
     c(sensitivity_digits(fields$value), sensitivity_digits(targets$value)),
@@ -15,8 +14,7 @@ print.codend_found <- function(x, ...) {
       paste("target", sensitivity_digits(targets$target))),
     c(end_text(fields), ifelse(targets$reached, "reached", "not reached"))
   ), left = c(1L, 3L, 4L, 5L))
-  left <- nrow(x$fields) - nrow(fields) + nrow(x$targets) - nrow(targets)
-  if (left) cat("  ... and ", left, " more: see `fields` and `targets`\n", sep = "")
+  cat_more(c(field = nrow(x$fields) - nrow(fields), target = nrow(x$targets) - nrow(targets)))
   if (!all(x$targets$reached)) cat(strwrap(not_reached_text(x), 78, 2, 2), sep = "\n")
   cat("  ", x$n_solves, " gears settled with ",
     mesh_size_text(x$state$mesh$nodes, main_error(measures(x$state))), "\n", sep = "")

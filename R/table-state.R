@@ -115,18 +115,7 @@ as.data.frame.codend_state <- function(x, row.names = NULL, optional = FALSE,
     boards = board_table(x),
     reactions = reaction_table(x)
   )
-  with_row_names(table, row.names)
-}
-
-with_row_names <- function(table, row.names) {
-  if (is.null(row.names)) return(table)
-  if (length(row.names) != nrow(table)) {
-    hint <- if (is_text(row.names)) " Name the table: {.code what = \"{row.names}\"}."
-    abort_argument(paste0("{.arg row.names} has the length {length(row.names)}; it must have one
-      name per row, {nrow(table)}.", hint))
-  }
-  row.names(table) <- row.names
-  table
+  with_row_names(table, row.names, what = TRUE)
 }
 
 line_table <- function(state) {

@@ -98,3 +98,16 @@ check_rows <- function(n) {
     abort_argument("{.arg n} is {.val {n}}; it must be a number of rows, or Inf for everything.")
   }
 }
+
+# Returns a table with names for its rows. `what`: TRUE if the argument `what` chooses the table, for
+# which its name may stand first by mistake.
+with_row_names <- function(table, row.names, what = FALSE) {
+  if (is.null(row.names)) return(table)
+  if (length(row.names) != nrow(table)) {
+    hint <- if (what && is_text(row.names)) " Name the table: {.code what = \"{row.names}\"}."
+    abort_argument(paste0("{.arg row.names} has the length {length(row.names)}; it must have one
+      name per row, {nrow(table)}.", hint))
+  }
+  row.names(table) <- row.names
+  table
+}

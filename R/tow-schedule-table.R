@@ -104,8 +104,7 @@ as.data.frame.codend_schedule <- function(x, row.names = NULL, optional = FALSE,
       unit = character())),
     lapply(changes, change_rows, until)
   ))
-  if (!is.null(row.names)) row.names(table) <- row.names
-  table
+  with_row_names(table, row.names)
 }
 
 # Returns the last time of a schedule (s).
@@ -170,12 +169,9 @@ print.codend_schedule <- function(x, n = 13, ...) {
     cat("Tow schedule: empty; only the plan's section `tow` applies\n")
     return(invisible(x))
   }
+  check_rows(n)
   cat("Tow schedule\n")
-  shown <- lines[seq_len(min(length(lines), n))]
-  cat(paste0("  ", format(names(shown)), "  ", shown, "\n"), sep = "")
-  if (length(lines) > length(shown)) {
-    cat("  ... and ", length(lines) - length(shown), " more: print(x, n = Inf)\n", sep = "")
-  }
+  cat_rows(list(names(lines), unname(lines)), 1:2, n, "input")
   invisible(x)
 }
 
@@ -218,17 +214,11 @@ change_text <- function(change) {
   n <- nrow(value)
   if (n <= printed_times) return(paste(text(value$value), "at", time, collapse = ", "))
   ends <- range(change_rows(change, 0)$value)
-  shown <- trimws(paste(plain_numbers(ends, 4L), c("", change_unit(change))))
+  shown <- trimws(paste(four_figures(ends), c("", change_unit(change))))
   sprintf("%s to %s, %d times from %s to %s", shown[1L], shown[2L], n, time[1L], time[n])
 }
 
 # Returns quantities as the user wrote them; numbers get their SI unit.
 written_quantity <- function(x, dimension) {
-  if (!is.numeric(x)) return(x)
-  unit <- if (dimension == "number") "" else names(plan_units[[dimension]])[1L]
-  trimws(paste(plain_numbers(x, 6L), unit))
-}
-
-plain_numbers <- function(x, digits) {
-  vapply(signif(x, digits), format, "", digits = digits, scientific = FALSE, decimal.mark = ".")
+  if (is.numeric(x)) vapply(x, format_si, "", dimension) else x
 }
