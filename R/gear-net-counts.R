@@ -111,14 +111,10 @@ piece_counts <- function(piece, path) {
   list(meshes = meshes, lost = lost)
 }
 
-# Returns the meshes across that each edge loses per mesh of depth, NA for edges without a rate. The
-# outer edges of wings with one rate are straight.
+# Returns the meshes across that each edge loses per mesh of depth, NA for edges without a rate.
 piece_slopes <- function(piece, edges, path) {
   path <- paste0(path, ".cutting")
-  given <- piece$cutting
-  if (is_text(given)) {
-    given <- stats::setNames(list(given, if (edges[1L] == "inner") "AN" else given), edges)
-  }
+  given <- edge_rates(piece$cutting, edges)
   wrong <- setdiff(names(given), edges)
   if (length(wrong)) {
     abort_field(paste(path, wrong[1L], sep = "."), given[[wrong[1L]]], sprintf(

@@ -146,15 +146,20 @@ flying_meshes <- function(piece, mirrored = FALSE) {
 # Fields of a piece that are not fields of a panel of the assembly.
 piece_fields <- c("pair", "gathered", "window", "meshes", "cutting", "flying", "joined", "covers")
 
+# Returns the cutting rates of a piece by edge. One rate applies to both edges of a whole piece, or
+# to the inner edges of wings, whose outer edges are then straight.
+edge_rates <- function(cutting, edges) {
+  if (!is_text(cutting)) return(cutting)
+  stats::setNames(list(cutting, if (edges[1L] == "inner") "AN" else cutting), edges)
+}
+
 # Returns the cell of a piece. The port side is the mirror image of the starboard side.
 net_cell <- function(row, fields, given, panel) {
   own <- given[setdiff(names(given), piece_fields)]
   counts <- list(upper = fields$meshes$front, lower = fields$meshes$rear, deep = fields$meshes$deep)
-  rates <- given$cutting
-  if (is_text(rates)) {
-    edges <- names(fields$lost)
-    rates <- stats::setNames(list(rates, if (isTRUE(fields$pair)) "AN" else rates), edges)
-  }
+  rates <- edge_rates(given$cutting, names(fields$lost))
+  mirrored <- endsWith(panel, "_port")
+  sides <- if (mirrored) c("right", "left") else c("left", "right")
   # `sides`: edge of the piece at its left and right.
   piece <- function(sides) {
     lost <- stats::setNames(as.list(fields$lost[sides]), c("left", "right"))
@@ -164,10 +169,8 @@ net_cell <- function(row, fields, given, panel) {
       list(part = row))
   }
   name <- paste(panel, row, sep = "_")
-  mirrored <- endsWith(panel, "_port")
   flying <- flying_meshes(fields, mirrored)
   pieces <- if (!is.null(fields$window)) {
-    sides <- if (mirrored) c("right", "left") else c("left", "right")
     if (mirrored) {
       fields$window$left <- fields$meshes$front - fields$window$left - fields$window$across
     }
@@ -177,7 +180,7 @@ net_cell <- function(row, fields, given, panel) {
     stats::setNames(list(piece(c("outer", "inner")), piece(c("inner", "outer"))),
       paste0(name, c("_left", "_right")))
   } else {
-    stats::setNames(list(piece(if (mirrored) c("right", "left") else c("left", "right"))), name)
+    stats::setNames(list(piece(sides)), name)
   }
   covers <- given$covers
   if (length(covers)) names(covers) <- paste(name, names(covers), sep = "_")

@@ -77,6 +77,11 @@ state_values <- function(state) {
   c(valid_answers(state$si, values[-length(values)]), light = light)
 }
 
+# Returns the names of the main measures of state_values(), for short prints.
+printed_names <- function(found) {
+  printed_measures(new_measures(found$values, found$kinds, NA * found$values, found$light))
+}
+
 # Keeps the answers to measure_request() that apply to the gear; standard measures may be NaN.
 # Returns list(values by name, kinds), SI.
 valid_answers <- function(si, answers) {

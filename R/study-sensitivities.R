@@ -92,7 +92,7 @@ sensitivities <- function(state, of = NULL, fields = NULL, secants = TRUE) {
     ),
     class = c("codend_sensitivities", "data.frame"),
     gear_name = state$gear$plan$name, conditions = state_conditions(state),
-    main = printed_measures(new_measures(base$values, base$kinds, NA * base$values, base$light)),
+    main = printed_names(base),
     measure_unit = work$units,
     factorisations = work$cost$factorisations
   )

@@ -6,6 +6,10 @@ tidy.codend_state <- function(x, ...) as.data.frame(x, ...)
 
 #' @rdname codend_tidy
 #' @export
+tidy.codend_measures <- tidy.codend_state
+
+#' @rdname codend_tidy
+#' @export
 tidy.codend_trajectory <- tidy.codend_state
 
 #' @rdname codend_tidy

@@ -146,10 +146,6 @@ glance.codend_state <- function(x, ...) {
 }
 
 #' @rdname codend_tidy
-#' @export
-tidy.codend_measures <- function(x, ...) as.data.frame(x, ...)
-
-#' @rdname codend_tidy
 #' @aliases tidy glance augment
 #' @export
 glance.codend_trajectory <- function(x, ...) {

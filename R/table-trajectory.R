@@ -81,7 +81,7 @@ as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALS
       )
     })
   )
-  with_row_names(table, row.names)
+  with_row_names(table, row.names, what = TRUE)
 }
 
 measures_by_time <- function(trajectory, wide) {
@@ -196,7 +196,7 @@ summary.codend_trajectory <- function(object, ...) {
   })
   n <- length(object$time)
   structure(do.call(rbind, rows), class = c("codend_trajectory_summary", "data.frame"),
-    main = printed_measures(measures(state_at(object, object$time[n]))),
+    main = printed_names(state_values(state_at(object, object$time[n]))),
     energy = c(imbalance = object$conditions$energy_imbalance[n],
       put_through = object$conditions$energy_put_through[n]))
 }

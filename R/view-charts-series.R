@@ -4,8 +4,7 @@
 #' @exportS3Method ggplot2::autoplot
 autoplot.codend_trajectory <- function(object, measures = NULL, ...) {
   table <- as.data.frame(object, what = "measures")
-  end <- measures(state_at(object, max(object$time)))
-  attr(table, "main") <- printed_measures(end)
+  attr(table, "main") <- printed_names(state_values(state_at(object, max(object$time))))
   shown <- drawn_measures(table, measures, unique(table$measure))
   table <- table[order(match(table$measure, shown), na.last = NA), ]
   data <- with_time_axis(rbind(
