@@ -14,3 +14,16 @@ towed_sphere_plan <- function(...) {
     measures = list(depth = list(depth = "end"), pull = list(tension = "line.start"))
   ), list(...))
 }
+
+# 30 floats of 60 N each lift a line of 20 m without weight: n floats pull with 60 n N.
+buoyed_line <- function() {
+  as_gear(list(
+    codend = 1, name = "Buoyed line",
+    points = list(anchor = list(position = c(0, 0, -50), held = "fixed"), top = c(a = 1)[0]),
+    ropes = list(line = list(from = "anchor", to = "top", length = "20 m", diameter = "10 mm",
+      axial_stiffness = "1 MN", mass_per_length = 0, volume_per_length = 0, segments = 4)),
+    pieces = list(floats = list(at = "top", number = 30, buoyancy = "60 N", diameter = "25 cm",
+      drag_coefficient = 0)),
+    measures = list(pull = list(tension = "line.start"))
+  ))
+}

@@ -73,17 +73,7 @@ test_that("find_value() reports the nearest value if a target is out of reach", 
 })
 
 test_that("find_value() finds the nearest whole number of floats", {
-  # n floats of 60 N lift a line without weight: the pull is 60 n N.
-  gear <- as_gear(list(
-    codend = 1, name = "Buoyed line",
-    points = list(anchor = list(position = c(0, 0, -50), held = "fixed"), top = c(a = 1)[0]),
-    ropes = list(line = list(from = "anchor", to = "top", length = "20 m", diameter = "10 mm",
-      axial_stiffness = "1 MN", mass_per_length = 0, volume_per_length = 0, segments = 4)),
-    pieces = list(floats = list(at = "top", number = 30, buoyancy = "60 N", diameter = "25 cm",
-      drag_coefficient = 0)),
-    measures = list(pull = list(tension = "line.start"))
-  ))
-  found <- find_value(gear, pieces.floats.number = c(5, 60), target = list(pull = "1234 N"))
+  found <- find_value(buoyed_line(), pieces.floats.number = c(5, 60), target = list(pull = "1234 N"))
   expect_identical(found$fields$value, 21)
   expect_true(found$targets$reached)
   expect_equal(found$targets$value, 1.26)

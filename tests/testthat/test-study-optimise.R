@@ -100,18 +100,8 @@ test_that("optimise_gear() of ten fields settles at most 60 gears", {
 })
 
 test_that("optimise_gear() rounds integers, settles and checks again", {
-  # n floats of 60 N carry a load of 1000 N at the top of a line anchored on the ground.
-  gear <- as_gear(list(
-    codend = 1, name = "Buoyed line",
-    points = list(anchor = list(position = c(0, 0, -50), held = "fixed"), top = c(a = 1)[0]),
-    ropes = list(line = list(from = "anchor", to = "top", length = "20 m", diameter = "10 mm",
-      axial_stiffness = "1 MN", mass_per_length = 0, volume_per_length = 0, segments = 4)),
-    pieces = list(floats = list(at = "top", number = 30, buoyancy = "60 N", diameter = "25 cm",
-      drag_coefficient = 0)),
-    measures = list(pull = list(tension = "line.start"))
-  ))
   # 1234 N over 60 N is 20.6: 21 floats.
-  found <- optimise_gear(gear, ~ pieces.floats.number, ~ pull >= "1234 N",
+  found <- optimise_gear(buoyed_line(), ~ pieces.floats.number, ~ pull >= "1234 N",
     list(pieces.floats.number = c(5, 60)))
   expect_identical(found$fields$value, 21)
   expect_true(found$keep$holds)
