@@ -67,8 +67,8 @@ accuracy_advice <- function(error, nodes) {
   aim <- percent_text(usual_accuracy)
   wanted <- nodes_for(nodes, error, usual_accuracy)
   enough <- if (wanted <= most_accurate_nodes) {
-    paste("about", with_plain_numbers(format(signif(wanted, 1), big.mark = ",", scientific = FALSE)),
-      "nodes")
+    number <- format(signif(wanted, 1), big.mark = ",", decimal.mark = ".", scientific = FALSE)
+    paste("about", number, "nodes")
   } else {
     "more nodes than the limit"
   }

@@ -99,15 +99,15 @@ check_rows <- function(n) {
   }
 }
 
-# Returns a table with names for its rows. `what`: TRUE if the argument `what` chooses the table, for
-# which its name may stand first by mistake.
-with_row_names <- function(table, row.names, what = FALSE) {
-  if (is.null(row.names)) return(table)
-  if (length(row.names) != nrow(table)) {
-    hint <- if (what && is_text(row.names)) " Name the table: {.code what = \"{row.names}\"}."
-    abort_argument(paste0("{.arg row.names} has the length {length(row.names)}; it must have one
-      name per row, {nrow(table)}.", hint))
+# Returns a table with the argument `row.names` as names of its rows. `what`: TRUE if the argument
+# `what` chooses the table, because users give its value first by mistake.
+with_row_names <- function(table, rows, what = FALSE) {
+  if (is.null(rows)) return(table)
+  if (length(rows) != nrow(table)) {
+    hint <- if (what && is_text(rows)) " Name the table: {.code what = \"{rows}\"}."
+    abort_argument(paste0("{.arg row.names} has the length {length(rows)}; it must have one name per
+      row, {nrow(table)}.", hint))
   }
-  row.names(table) <- row.names
+  row.names(table) <- rows
   table
 }

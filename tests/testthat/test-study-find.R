@@ -73,7 +73,8 @@ test_that("find_value() reports the nearest value if a target is out of reach", 
 })
 
 test_that("find_value() finds the nearest whole number of floats", {
-  found <- find_value(buoyed_line(), pieces.floats.number = c(5, 60), target = list(pull = "1234 N"))
+  found <- find_value(buoyed_line(), pieces.floats.number = c(5, 60),
+    target = list(pull = "1234 N"))
   expect_identical(found$fields$value, 21)
   expect_true(found$targets$reached)
   expect_equal(found$targets$value, 1.26)
