@@ -25,7 +25,7 @@
 #   make random-gears  success rate of random gears; COUNT=... SEED=... NODES=... NETTING=... LAW=... KIND=...
 #   make robust    success rate of 500 variations of the trawl
 #   make validate  compare with analytical solutions, flume tests and hauls: validation/book.md
-#   make condition  fit the coefficient multipliers to measurements; FIT=1 reuses the last sensitivities
+#   make condition  fit the model error of uncertainty() to measurements; FIT=1 reuses the last sensitivities
 #
 # Generated files:
 #   make gallery   all pictures of gears and of the tank, and their scenes in gallery/scenes.csv

@@ -11,7 +11,7 @@ as_gear <- function(tree, file = NULL, like = NULL, source = like$source, change
     any(vapply(changed, function(steps) is.list(at_path(tree, steps)), NA))
   if (maps) plan <- split_uncertain(plan)
   checked <- check_whole(plan, like$checked)
-  if (maps) uncertain_shares(plan)
+  if (maps) uncertain_numbers(plan)
   structure(
     list(plan = plan, file = file, source = source, checked = checked), class = "codend_gear"
   )

@@ -102,10 +102,14 @@ put_at <- function(tree, steps, value) {
   tree
 }
 
-# Returns the relative standard uncertainty of a number, or NA if `said` cannot be parsed. `value`:
-# the number in SI; `dimension`: as in plan_units. A range is a uniform distribution: half of the
-# range over sqrt(3) (JCGM 100:2008, 4.3.7). A percentage of 0 is 0.
-uncertain_share <- function(said, value, dimension) {
+# Returns the distribution of a number as c(share, off, uniform), or NA if `said` cannot be parsed.
+# `value`: the number in SI; `dimension`: as in plan_units.
+#   share: standard uncertainty as a fraction of the value, or of 1 if the value is 0
+#   off: mean minus value, as such a fraction
+#   uniform: 1 for a range, a uniform distribution (standard uncertainty: half of the range over
+#     sqrt(3), JCGM 100:2008, 4.3.7); 0 for a normal distribution
+# A percentage of 0 is 0.
+number_distribution <- function(said, value, dimension) {
   size <- function(text) {
     parts <- split_quantity(text)
     if (is.null(parts)) return(NA_real_)
@@ -116,13 +120,19 @@ uncertain_share <- function(said, value, dimension) {
   ends <- strsplit(said, " to ", fixed = TRUE)[[1L]]
   if (length(ends) == 2L) {
     ends <- vapply(ends, size, 0)
-    return(abs(ends[[2L]] - ends[[1L]]) / 2 / sqrt(3) / abs(value))
+    # Range ends may have fewer digits than the value.
+    slack <- 1e-9 * max(abs(ends))
+    if (is.na(slack) || ends[1L] > value + slack || ends[2L] < value - slack) return(NA_real_)
+    whole <- whole_of(value)
+    return(c(diff(ends) / 2 / sqrt(3) / whole, (mean(ends) - value) / whole, 1))
   }
   parts <- split_quantity(said)
-  if (!is.null(parts) && parts[2L] %in% names(plan_units$number)) {
-    return(if (value == 0) 0 else quantity_si(said, "number"))
+  share <- if (!is.null(parts) && parts[2L] %in% names(plan_units$number)) {
+    if (value == 0) 0 else quantity_si(said, "number")
+  } else {
+    size(said) / whole_of(value)
   }
-  size(said) / abs(value)
+  c(share, 0, 0)
 }
 
 # Returns the reference of a relative change: the number itself, or 1 if it is 0.
@@ -130,11 +140,11 @@ whole_of <- function(value) if (value == 0) 1 else abs(value)
 
 changed_number <- function(value, share) if (value == 0) share else value * (1 + share)
 
-# Returns the relative standard uncertainties in a plan, by path. Invalid entries throw an error.
-uncertain_shares <- function(plan) {
+# Returns the distributions of uncertain numbers in a plan: a data frame with a row per path and the
+# columns share, off and uniform (see number_distribution()). Invalid entries throw an error.
+uncertain_numbers <- function(plan) {
   said <- plan$uncertain
-  if (!length(said)) return(stats::setNames(numeric(), character()))
-  vapply(stats::setNames(names(said), names(said)), function(path) {
+  found <- vapply(names(said), function(path) {
     here <- paste0("uncertain.", path)
     field <- plan_field(plan, path)
     shape <- field$node$shape
@@ -144,16 +154,17 @@ uncertain_shares <- function(plan) {
     }
     dimension <- first_of(field$node[["x-dimension"]], "number")
     value <- if (is.character(field$value)) quantity_si(field$value, dimension) else field$value
-    if (dimension == "number") value <- whole_of(value)
-    share <- uncertain_share(said[[path]], value, dimension)
-    if (!is.finite(value) || !is.finite(share) || share < 0) {
-      abort_field(here, said[[path]], paste(
-        "a standard uncertainty such as 10 % or one in the unit of the field, or two ends such as",
-        "4 m to 5 m"
+    distribution <- number_distribution(said[[path]], value, dimension)
+    if (!is.finite(value) || !all(is.finite(distribution)) || distribution[1L] < 0) {
+      abort_field(here, said[[path]], paste0(
+        "a standard uncertainty such as 10 % or one in the unit of the field, or a range from a ",
+        "smaller to a larger number that contains the value ", format(field$value),
+        ", such as 4 m to 5 m"
       ))
     }
-    share
-  }, 0)
+    distribution
+  }, c(share = 0, off = 0, uniform = 0))
+  as.data.frame(t(matrix(found, 3L, dimnames = list(c("share", "off", "uniform"), names(said)))))
 }
 
 # Returns a plan without uncertainties of numbers that a change has removed.

@@ -179,14 +179,13 @@ tangent_derivatives <- function(work, field, how = exact_tangent) {
   )
 }
 
-# Returns derivatives from gears settled on both sides. both: TRUE if one side alone is useless.
-secant_derivatives <- function(work, field, step, both = FALSE) {
+# Returns derivatives from gears settled on both sides.
+secant_derivatives <- function(work, field, step) {
   side <- function(way) {
     change <- settled_change(work, field, way * step)
     if (is.null(change)) NA * work$values else way * change / step
   }
-  below <- side(-1)
-  list(below = below, above = if (both && anyNA(below)) NA * below else side(1))
+  list(below = side(-1), above = side(1))
 }
 
 # Returns the change of measures with a field changed by a fraction, on the state's mesh, or NULL.

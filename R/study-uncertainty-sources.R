@@ -1,6 +1,5 @@
 # Sources of uncertainty of a gear. Uncertainties in the plan come first, then a table by kind of
-# number (inst/extdata/uncertainty.csv). Force components use the results of the validation
-# (uncertainty_multipliers.csv).
+# number (inst/extdata/uncertainty.csv).
 
 package_table <- function(name) {
   file <- system.file("extdata", name, package = "codend")
@@ -18,46 +17,31 @@ table_share <- function(text, value = 1) {
   quantity_si(text, if (is.na(dimension)) "number" else dimension) / abs(value)
 }
 
-# Returns a list per source: name, group, share, paths, off, multiplier (of force components).
-# `share`: standard uncertainty as a fraction of the value, or of 1 if the value is 0. `off`: known
-# bias of the mean, as a fraction.
+# Returns a list per source:
+#   name, group, paths; multiplier: name of the force component
+#   share: standard uncertainty as a fraction of the value, or of 1 if the value is 0
+#   off: mean minus value, as such a fraction
+#   uniform: TRUE for a uniform distribution
+#   given: TRUE if the plan states the uncertainty
+#   upward: TRUE for a value of 0, which can only increase
 uncertainty_sources <- function(gear) {
   c(multiplier_sources(gear), field_sources(gear))
 }
 
 multiplier_sources <- function(gear) {
   table <- uncertainty_table()
-  known <- multiplier_knowledge()
-  own <- uncertain_shares(gear$plan)
+  own <- uncertain_numbers(gear$plan)
   lapply(names(force_multipliers), function(name) {
     path <- paste0("multipliers.", name)
     row <- table[table$group == "coefficients" & table$field == name, ]
-    value <- whole_of(field_number(gear$plan, path)$value)
+    value <- field_number(gear$plan, path)$value
     source <- list(
       name = force_multipliers[[name]], group = "coefficients", multiplier = name, paths = path,
-      share = table_share(row$uncertainty, value), off = 0, correlated = FALSE
+      share = table_share(row$uncertainty, whole_of(value)), off = 0, upward = value == 0
     )
-    if (path %in% names(own)) {
-      source$share <- own[[path]]
-    } else if (name %in% rownames(known$covariance)) {
-      source$share <- sqrt(known$covariance[name, name])
-      source$off <- known$mean[[name]] - 1
-      source$correlated <- TRUE
-    }
+    if (path %in% rownames(own)) source[names(stated(own, path))] <- stated(own, path)
     source
   })
-}
-
-# Returns list(mean, covariance) of multipliers in the validation; empty without the file.
-multiplier_knowledge <- function() {
-  table <- package_table("uncertainty_multipliers.csv")
-  if (is.null(table)) return(list(mean = numeric(), covariance = matrix(0, 0L, 0L)))
-  correlation <- as.matrix(table[table$multiplier])
-  list(
-    mean = setNames(table$mean, table$multiplier),
-    covariance = structure(correlation * outer(table$sd, table$sd),
-      dimnames = list(table$multiplier, table$multiplier))
-  )
 }
 
 # Removes the side from a path, because both sides of a gear have one error.
@@ -65,11 +49,11 @@ without_side <- function(path) gsub("_?(port|starboard|left|right)", "", path)
 
 field_sources <- function(gear) {
   plan <- gear$plan
-  own <- uncertain_shares(plan)
-  own <- own[!startsWith(names(own), "multipliers.")]
+  own <- uncertain_numbers(plan)
+  own <- own[!startsWith(rownames(own), "multipliers."), , drop = FALSE]
   table <- uncertainty_table()
   table <- table[table$group %in% c("conditions", "plan"), ]
-  paths <- setdiff(given_paths(plan), names(own))
+  paths <- setdiff(given_paths(plan), rownames(own))
   numbers <- lapply(setNames(paths, paths), function(path) field_number(plan, path))
   numbers <- Filter(function(one) is.list(one) && !one$whole && one$value != 0, numbers)
   row <- vapply(names(numbers), function(path) {
@@ -94,20 +78,29 @@ field_sources <- function(gear) {
   # Numbers of one kind, value and uncertainty have one error if the table marks the kind as
   # `together`.
   first_row <- function(path) which(vapply(table$field, grepl, NA, x = path, perl = TRUE))[1L]
-  alike <- vapply(names(own), function(path) {
+  alike <- vapply(rownames(own), function(path) {
     row <- first_row(path)
     if (is.na(row) || table$together[row] != "yes") return(without_side(path))
-    paste(table$words[row], format(field_number(plan, path)$value), own[[path]])
+    numbers <- c(format(field_number(plan, path)$value), unlist(own[path, ]))
+    paste(c(table$words[row], numbers), collapse = " ")
   }, "")
-  said <- lapply(split(names(own), factor(alike, unique(alike))), function(paths) {
-      fits <- first_row(paths[1L])
-      list(
-        name = path_labels(paths), paths = paths,
+  said <- lapply(split(rownames(own), factor(alike, unique(alike))), function(paths) {
+    fits <- first_row(paths[1L])
+    largest <- paths[which.max(own[paths, "share"])]
+    c(
+      list(name = path_labels(paths), paths = paths,
         group = if (is.na(fits)) "plan" else table$group[fits],
-        share = max(own[paths]), off = 0
-      )
-    })
+        upward = field_number(plan, paths[1L])$value == 0),
+      stated(own, largest)
+    )
+  })
   c(unname(said), given)
+}
+
+# Returns the elements of a source with the distribution that the plan states for a path.
+stated <- function(own, path) {
+  list(share = own[[path, "share"]], off = own[[path, "off"]],
+    uniform = own[[path, "uniform"]] == 1, given = TRUE)
 }
 
 path_labels <- function(paths) {

@@ -7,9 +7,7 @@
 #' @details
 #' # Sources of uncertainty
 #' - **Coefficients**: the `multipliers` of force components in the plan. Their standard deviations
-#'   and correlations come from the validation book (`validation/conditioning.md`). Boards, friction
-#'   and ground gear have the spread of published values, because other gears give no information on
-#'   them.
+#'   are the spread of published values.
 #' - **Skin friction of netting**: screen drag models (`blended`, `kristiansen_faltinsen`) have no
 #'   friction of netting parallel to the flow. `multipliers.screen_friction` adds it, as a drag
 #'   coefficient on the area of the twine. It is 0 by default, with a standard uncertainty of 0.02,
@@ -21,7 +19,8 @@
 #' - **Conditions**: speed, current, depth and warp length, in the same manner.
 #' - **Discretisation** (`mesh`): the estimated discretisation error of [measures()].
 #' - **Model**: effects that no parameter covers, such as stiff twine or an uneven bed. They have
-#'   the standard deviation and degrees of freedom of this kind of measure in the validation book.
+#'   the standard deviation and degrees of freedom of this kind of measure for a net that was not
+#'   used in the fit (`validation/conditioning.md`).
 #'
 #' # Why skin friction is 0.02
 #' This is Hoerner's friction of twine along the flow; Morison-type models use 0 to 0.1. Nets of
@@ -33,20 +32,23 @@
 #' The method is JCGM 100:2008 (GUM).
 #'
 #' - A contribution is a sensitivity times a standard uncertainty. Contributions are added in
-#'   quadrature, with their correlations. A known bias of a coefficient is included (F.2.4.5).
+#'   quadrature, with their correlations. A range that is not
+#'   centred on its value shifts the interval.
 #' - [sensitivities()] describes the derivatives. Here they have few digits, cover both sides, and
 #'   use a single factorised matrix.
 #' - Counts of parts, such as slack netting or rope on the seabed, change in steps. Their derivative
 #'   counts the lines and contacts that reach zero force within one standard uncertainty.
-#' - The interval is the measure plus and minus the combined standard uncertainty times Student's t
-#'   of the effective degrees of freedom (G.4).
+#' - The limits of the interval are quantiles of the sum of all contributions, for 2,000 draws of
+#'   the sources (JCGM 101:2008). Ranges are uniform distributions. The model error has Student's t
+#'   distribution. Intervals are asymmetric if a range or a response is.
 #'
 #' # Nonlinear sources
-#' - The gear is settled one standard uncertainty to both sides for the three largest sources, and
-#'   for sources with different derivatives on both sides. The step is at most half of the value. If
-#'   a side does not settle, the step is a quarter; if it fails again, the other side alone is used.
-#' - Half of the difference between both sides replaces the linear contribution. For the three
-#'   largest sources this requires a difference of more than 20 % from the linear value.
+#' - The gear is settled at both ends of the 90 % interval of these sources: the three largest,
+#'   sources with different derivatives on both sides, and relative standard uncertainties above
+#'   10 % in the plan. A step is at most 90 % of the value. If an end does not settle, its step is
+#'   halved, at most twice; then the other side alone is used.
+#' - Each side then has its own contribution. The standard uncertainty uses their mean.
+#' - A warning reports the covered part of a range in the plan if it is less than the range.
 #' - A measure has `smooth = FALSE` if both sides differ by more than half for sources with more
 #'   than 5 % of its variance. `method = "samples"` then settles draws of all sources with [vary()],
 #'   on the cores of [future::plan()].
@@ -104,73 +106,86 @@ uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "sam
   sources <- uncertainty_sources(state$gear)
   if (!is.null(fit)) sources <- calibrated_sources(sources, fit)
   spread <- source_contributions(state, sources, fit)
-  found <- list(
-    base = base[of], sources = sources, spread = spread$spread[of, , drop = FALSE],
-    off = spread$off[of, , drop = FALSE], rough = spread$rough[of, , drop = FALSE],
-    correlation = spread$correlation
+  warn_of_uncovered(sources, spread$covered)
+  by_measure <- c("spread", "below", "above", "off", "rough")
+  found <- c(
+    list(base = base[of], sources = sources, correlation = spread$correlation),
+    lapply(spread[by_measure], function(part) part[of, , drop = FALSE])
   )
-  draws <- if (method == "samples") sample_measures(state, sources, spread$correlation, samples, of)
-  made <- budget_of(found, level, draws)
+  settled <- method == "samples"
+  draws <- if (settled) {
+    sample_measures(state, sources, spread$correlation, samples, of)
+  } else {
+    measure_draws(found)
+  }
+  made <- budget_of(found, level, draws, settled)
   structure(
     c(made, list(
       level = level, method = method, gear_name = state$gear$plan$name,
       conditions = state_conditions(state),
       cost = list(
-        factorisations = spread$factorisations, n_solves = if (is.null(draws)) 0 else samples
+        factorisations = spread$factorisations, n_solves = if (settled) samples else 0
       )
     )),
     class = "codend_uncertainty"
   )
 }
 
-# The gear is settled on both sides for the largest sources, and for those with one-sided
-# derivatives that differ by more than `most_turn`. `most_followed` limits the relative step.
+# The gear is settled on both sides for the largest sources, for those with one-sided derivatives
+# that differ by more than `most_turn`, and for those whose plan states a relative standard
+# uncertainty of more than `least_wide`. `most_followed` limits the relative step.
 followed_sources <- 3L
 most_turn <- 0.2
-most_followed <- 0.5
-# Contributions from derivatives are replaced if they are wrong by more than `most_off_slope`. A
-# measure is not smooth if its sides differ by more than `most_uneven`.
-most_off_slope <- 0.2
+least_wide <- 0.1
+most_followed <- 0.9
+# The steps are the ends of the 90 % interval of a normal distribution, and of a uniform
+# distribution, in standard uncertainties.
+side_reach <- c(normal = stats::qnorm(0.95), uniform = sqrt(3))
+# A measure is not smooth if its sides differ by more than `most_uneven`.
 most_uneven <- 0.5
 # Smallest scale for differences of contributions, as a fraction of the measure.
 least_contribution <- 0.01
 
-# Returns list(spread, off, rough, correlation, factorisations); the first three are measures x
-# sources. `spread`: change of the measure for one standard uncertainty. `off`: change due to a
-# known bias. `rough`: TRUE if not smooth.
+# Returns list(spread, below, above, off, rough, correlation, factorisations, covered); the first
+# five are measures x sources.
+#   spread: change of the measure for one standard uncertainty, mean of both sides
+#   below, above: the same for the lower and the upper side of the source
+#   off: change due to a mean that differs from the value
+#   rough: TRUE if not smooth
+#   covered: the settled part of the range of each source; NA if not settled on both sides
 source_contributions <- function(state, sources, fit = NULL, follow = followed_sources) {
   work <- tangent_work(state)
   n <- length(sources)
-  spread <- off <- matrix(0, length(work$values), n, dimnames = list(names(work$values), NULL))
-  rough <- matrix(FALSE, length(work$values), n, dimnames = dimnames(spread))
+  empty <- matrix(0, length(work$values), n, dimnames = list(names(work$values), NULL))
+  out <- list(spread = empty, below = empty, above = empty, off = empty, rough = empty != 0)
+  covered <- rep(NA_real_, n)
   fields <- lapply(sources, source_field, plan = state$gear$plan)
-  followed <- logical(n)
-  for (k in seq_len(n)) {
+  add <- function(k, found) {
+    known <- function(of, else_of) ifelse(is.finite(of), of, else_of)
     share <- sources[[k]]$share
-    found <- quick_derivatives(work, fields[[k]], share)
-    if (is.null(found)) found <- followed_derivatives(work, fields[[k]], share)
-    followed[k] <- !is.null(found$smooth)
-    spread[, k] <- known_derivative(found) * share
-    off[, k] <- known_derivative(found) * sources[[k]]$off
-    if (followed[k]) rough[, k] <- !found$smooth
+    slope <- known(found$slope, 0)
+    out$spread[, k] <<- slope * share
+    out$below[, k] <<- known(first_of(found$below, slope), slope) * share
+    out$above[, k] <<- known(first_of(found$above, slope), slope) * share
+    out$off[, k] <<- slope * sources[[k]]$off
+    out$rough[, k] <<- !first_of(found$smooth, TRUE)
+    covered[k] <<- first_of(found$covered, NA_real_)
   }
-  size <- colMeans(abs(spread) / pmax(abs(work$values), 1e-300), na.rm = TRUE)
+  for (k in seq_len(n)) {
+    source <- sources[[k]]
+    wide <- isTRUE(source$given) && source$share > least_wide
+    found <- if (!wide) quick_derivatives(work, fields[[k]], source$share)
+    add(k, first_of(found, followed_derivatives(work, fields[[k]], source)))
+  }
+  size <- colMeans(abs(out$spread) / pmax(abs(work$values), 1e-300), na.rm = TRUE)
   for (k in utils::head(order(-size), follow)) {
-    if (followed[k] || !is.finite(size[k]) || size[k] == 0) next
-    found <- followed_derivatives(work, fields[[k]], sources[[k]]$share)
-    half <- known_derivative(found) * sources[[k]]$share
-    scale <- contribution_scale(work, spread[, k])
-    wrong <- is.finite(found$slope) & abs(half - spread[, k]) > most_off_slope * scale
-    spread[wrong, k] <- half[wrong]
-    rough[, k] <- !found$smooth
+    if (is.na(covered[k]) && is.finite(size[k]) && size[k] > 0) {
+      add(k, followed_derivatives(work, fields[[k]], sources[[k]]))
+    }
   }
-  list(
-    spread = spread, off = off, rough = rough, correlation = source_correlation(sources, fit),
-    factorisations = work$cost$factorisations
-  )
+  c(out, list(correlation = source_correlation(sources, fit),
+    factorisations = work$cost$factorisations, covered = covered))
 }
-
-known_derivative <- function(found) ifelse(is.finite(found$slope), found$slope, 0)
 
 contribution_scale <- function(work, spread) {
   pmax(abs(spread), least_contribution * abs(work$values), .Machine$double.xmin)
@@ -184,22 +199,45 @@ quick_derivatives <- function(work, field, share) {
   if (all(found$turn * share <= most_turn * scale, na.rm = TRUE)) found["slope"]
 }
 
-# Returns list(slope, smooth) from gears settled one standard uncertainty to both sides. If a side
-# does not settle, the step is four times smaller.
-followed_derivatives <- function(work, field, share) {
-  step <- min(share, most_followed)
-  sides <- secant_derivatives(work, field, step, both = TRUE)
-  if (anyNA(sides$below) || anyNA(sides$above)) {
-    step <- step / 4
-    sides <- secant_derivatives(work, field, step)
+# Returns list(slope, below, above, smooth, covered) from gears settled at both ends of the range of
+# a source. If an end does not settle, its step is halved, at most twice.
+followed_derivatives <- function(work, field, source) {
+  range <- source$share * side_reach[[if (isTRUE(source$uniform)) "uniform" else "normal"]]
+  side <- function(way) {
+    for (step in min(range, most_followed) / c(1, 2, 4)) {
+      change <- settled_change(work, field, way * step)
+      if (!is.null(change)) return(list(slope = way * change / step, step = step))
+    }
+    list(slope = NA * work$values, step = 0)
   }
+  ends <- list(below = side(-1), above = side(1))
+  sides <- lapply(ends, `[[`, "slope")
+  step <- mean(c(ends$below$step, ends$above$step))
   found <- derivatives_of_secants(work, sides, 0)
   uneven <- abs(sides$above - sides$below) * step
   # With one side only, the difference is unknown.
   uneven[is.na(uneven)] <- 0
   found$smooth <- !is.na(found$slope) &
     uneven <= 2 * most_uneven * contribution_scale(work, found$slope * step)
+  found$covered <- if (range > 0) step / range else 1
   found
+}
+
+# Warns if gears did not settle over the ranges that the plan states for sources.
+warn_of_uncovered <- function(sources, covered) {
+  short <- which(!is.na(covered) & covered < 0.99 & vapply(sources, function(source) {
+    isTRUE(source$given)
+  }, NA))
+  if (!length(short)) return(invisible())
+  paths <- vapply(sources[short], function(source) source$paths[1L], "")
+  rows <- sprintf("{.field %s}: %.0f %%", paths, 100 * covered[short])
+  cli::cli_warn(
+    c("The gear settles only in a part of the stated uncertainty of {cli::qty(length(rows))}{?a
+      field/some fields}. The intervals extrapolate the response of this part.",
+      setNames(rows, rep("*", length(rows))),
+      "i" = "Give a narrower range, or use {.code method = \"samples\"}."),
+    class = c("codend_warning_range", "codend_warning"), call = NULL
+  )
 }
 
 source_field <- function(source, plan) {
@@ -210,12 +248,6 @@ source_field <- function(source, plan) {
 
 source_correlation <- function(sources, fit = NULL) {
   correlation <- diag(length(sources))
-  known <- multiplier_knowledge()$covariance
-  some <- which(vapply(sources, function(source) isTRUE(source$correlated), NA))
-  if (length(some) > 1L) {
-    names <- vapply(sources[some], `[[`, "", "multiplier")
-    correlation[some, some] <- stats::cov2cor(known[names, names, drop = FALSE])
-  }
   # Calibrated fields have the correlation of the fit.
   fitted <- which(vapply(sources, function(source) !is.null(source$calibrated), NA))
   if (length(fitted) > 1L) {
@@ -232,8 +264,9 @@ source_correlation <- function(sources, fit = NULL) {
 
 uncertainty_groups <- c("coefficients", "plan", "conditions", "mesh", "model")
 
-# draws: measures of the samples, or NULL.
-budget_of <- function(found, level, draws = NULL) {
+# draws: matrix of measures, with a row per draw of all sources; settled: TRUE if gears were settled
+# for these draws.
+budget_of <- function(found, level, draws, settled = FALSE) {
   base <- found$base
   value <- plain_measures(base)
   group <- vapply(found$sources, `[[`, "", "group")
@@ -254,23 +287,18 @@ budget_of <- function(found, level, draws = NULL) {
   covariance <- covariance_of(seq_along(group))
   own <- mesh^2 + model^2
   combined <- sqrt(diag(covariance) + own)
-  freedom <- ifelse(model > 0, residual$freedom * (combined / model)^4, Inf)
-  reach <- stats::qt((1 + level) / 2, pmax(freedom, 1))
-  low <- value - reach * combined
-  high <- value + reach * combined
-  if (!is.null(draws)) {
-    ends <- sampled_ends(draws, sqrt(own), level)
-    combined <- sqrt(ends$sd^2 + own)
-    low <- ends$low
-    high <- ends$high
-  }
+  freedom <- function(error) pmax(ifelse(model > 0, residual$freedom * (error / model)^4, Inf), 1)
+  ends <- sampled_ends(draws, sqrt(own), freedom(sqrt(own)), level)
+  if (settled) combined <- sqrt(ends$sd^2 + own)
+  low <- ends$low
+  high <- ends$high
   bounded <- value > 0 & uncertainty_kind(base) != "angle"
   low[bounded] <- pmax(low[bounded], 0)
   rough <- rowSums((found$spread * found$rough)^2) > 0.05 * combined^2
   table <- data.frame(
     measure = names(value), value = unname(value), error = combined,
     unit = unname(attr(base, "unit")), lower = low, upper = high, by_group, mesh = mesh,
-    model = model, freedom = freedom, smooth = !rough, row.names = NULL
+    model = model, freedom = freedom(combined), smooth = !rough, row.names = NULL
   )
   list(
     measures = table, main = printed_measures(base),
@@ -369,16 +397,13 @@ best_measurements <- function(found, base, covariance, own) {
 # Settles gears with draws of all sources. Returns a matrix of measures: one row per settled draw.
 sample_measures <- function(state, sources, correlation, samples, of) {
   use <- which(vapply(sources, `[[`, 0, "share") > 0)
-  z <- stats::qnorm(spread_points(samples, length(use)))
-  root <- chol(correlation[use, use, drop = FALSE])
-  z <- z %*% root
+  z <- source_draws(spread_points(samples, length(use)), sources[use],
+    correlation[use, use, drop = FALSE])
   columns <- list()
   for (k in seq_along(use)) {
     source <- sources[[use[k]]]
     field <- common_field(state$gear$plan, source$paths)
     share <- pmax(z[, k] * source$share + source$off, -0.9)
-    # A value of 0 can only increase.
-    if (any(vapply(field$parts, `[[`, 0, "value") == 0)) share <- abs(share)
     for (p in seq_along(source$paths)) {
       columns[[source$paths[p]]] <- vapply(share, function(one) {
         text <- field_text(changed_number(field$parts[[p]]$value, one), field$parts[[p]])
@@ -394,15 +419,40 @@ sample_measures <- function(state, sources, correlation, samples, of) {
   as.matrix(as.data.frame(found, wide = TRUE)[found$settled, of, drop = FALSE])
 }
 
-# Returns list(sd (of the draws), low, high). The interval includes an independent normal error with
-# standard deviation `own`, sampled at 21 probabilities for every draw.
-sampled_ends <- function(draws, own, level) {
-  points <- stats::qnorm((seq_len(21L) - 0.5) / 21)
+# Number of draws of the sum of contributions.
+contribution_draws <- 2000L
+
+# Returns measures for draws of all sources from their contributions (JCGM 101:2008): a matrix with
+# a row per draw. Each source has one value in every interval of equal probability. The draws are
+# the same every time.
+measure_draws <- function(found) {
+  sources <- found$sources
+  n <- contribution_draws
+  level <- with_seed(1, vapply(seq_along(sources), function(k) sample.int(n), integer(n)))
+  z <- source_draws((level - 0.5) / n, sources, found$correlation)
+  change <- tcrossprod(pmin(z, 0), found$below) + tcrossprod(pmax(z, 0), found$above)
+  sweep(change, 2L, plain_measures(found$base) + rowSums(found$off), `+`)
+}
+
+# Returns draws of all sources in standard uncertainties, from independent probabilities: a matrix
+# with a column per source.
+source_draws <- function(probability, sources, correlation) {
+  z <- stats::qnorm(probability) %*% chol(correlation)
+  is <- function(of) vapply(sources, function(source) isTRUE(source[[of]]), NA)
+  z[, is("uniform")] <- side_reach[["uniform"]] * (2 * stats::pnorm(z[, is("uniform")]) - 1)
+  z[, is("upward")] <- abs(z[, is("upward")])
+  z
+}
+
+# Returns list(sd (of the draws), low, high). The interval includes an independent error with the
+# standard deviation `own` and Student's t distribution, at 21 probabilities for every draw.
+sampled_ends <- function(draws, own, freedom, level) {
+  probability <- (seq_len(21L) - 0.5) / 21
   ends <- vapply(seq_len(ncol(draws)), function(m) {
     x <- draws[, m]
     x <- x[is.finite(x)]
-    all <- as.vector(outer(x, points * own[m], `+`))
-    c(stats::sd(x), stats::quantile(all, (1 + c(-1, 1) * level) / 2))
+    all <- as.vector(outer(x, stats::qt(probability, freedom[m]) * own[m], `+`))
+    c(stats::sd(x), stats::quantile(all, (1 + c(-1, 1) * level) / 2, names = FALSE))
   }, c(0, 0, 0))
   list(sd = ends[1L, ], low = ends[2L, ], high = ends[3L, ])
 }

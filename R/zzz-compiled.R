@@ -25,6 +25,6 @@ compiled_functions <- c(
   "spaced_group", "split_uncertain", "state_errors", "state_levels", "state_lines", "state_shape",
   "state_values", "tension_table", "trawl_boards", "trawl_fittings", "trawl_grids", "trawl_legs",
   "trawl_measures", "trawl_net", "trawl_rig", "twine_materials", "uncertain_number",
-  "uncertain_share", "uncertain_shares", "unit_size", "usual_opening_stiffness", "vessel_path",
+  "uncertain_numbers", "number_distribution", "unit_size", "usual_opening_stiffness", "vessel_path",
   "warn_of_boards", "warn_of_drag_models"
 )

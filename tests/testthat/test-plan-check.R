@@ -161,7 +161,7 @@ test_that("check agrees with standard validators of the schema", {
       {
         plan <- split_uncertain(read_plan(file))
         check_plan(plan)
-        uncertain_shares(plan)
+        uncertain_numbers(plan)
         TRUE
       },
       codend_error_plan = function(e) FALSE

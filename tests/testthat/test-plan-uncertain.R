@@ -8,21 +8,22 @@ test_that("number with an uncertainty equals the number and stores it", {
   expect_identical(known$plan$ropes$warp$length, "100 m")
   expect_identical(known$plan$uncertain, list(ropes.warp.length = "10 %"))
   expect_identical(gear_si(known), gear_si(plain))
-  expect_equal(uncertain_shares(known$plan), c(ropes.warp.length = 0.1))
+  expect_equal(uncertain_numbers(known$plan)[, "share"], 0.1)
   # in the field's unit, or another of its dimension
-  shares <- function(text) unname(uncertain_shares(uncertain_warp(text)$plan))
-  expect_equal(shares("{value: 100 m, uncertainty: 2 m}"), 0.02)
-  expect_equal(shares("{value: 100 m, uncertainty: 50 cm}"), 0.005)
+  numbers <- function(text) unlist(uncertain_numbers(uncertain_warp(text)$plan), use.names = FALSE)
+  expect_equal(numbers("{value: 100 m, uncertainty: 2 m}"), c(0.02, 0, 0))
+  expect_equal(numbers("{value: 100 m, uncertainty: 50 cm}"), c(0.005, 0, 0))
   # uniform between two limits: half of the range over the square root of 3
-  expect_equal(shares("{value: 100 m, range: [97 m, 103 m]}"), 0.03 / sqrt(3))
+  expect_equal(numbers("{value: 100 m, range: [97 m, 103 m]}"), c(0.03 / sqrt(3), 0, 1))
+  expect_equal(numbers("{value: 100 m, range: [100 m, 108 m]}"), c(0.04 / sqrt(3), 0.04, 1))
   middle <- uncertain_warp("{range: [90 m, 110 m]}")
   expect_equal(quantity_si(middle$plan$ropes$warp$length, "length"), 100)
   # items of lists, and whole parts changed at once
   net <- update(known, panels.net.twine = list(
     diameter = list(value = "2 mm", uncertainty = "5 %"), material = "PE"
   ))
-  expect_equal(uncertain_shares(net$plan),
-    c(ropes.warp.length = 0.1, panels.net.twine.diameter = 0.05))
+  expect_equal(uncertain_numbers(net$plan)[, "share"],
+    c(0.1, 0.05))
 })
 
 test_that("uncertainty is written next to its number and reads back", {
@@ -51,7 +52,7 @@ test_that("uncertainty of a part is removed with the part", {
 
 test_that("relative uncertainty of a value changed to 0 is 0", {
   gear <- update(read_gear("poly_noreastern_trawl"), bridles.upper.setback = "0 mm")
-  expect_identical(uncertain_shares(gear$plan)[["bridles.upper.setback"]], 0)
+  expect_identical(uncertain_numbers(gear$plan)["bridles.upper.setback", "share"], 0)
 })
 
 test_that("invalid uncertainty throws an error that names the field", {
@@ -63,6 +64,9 @@ test_that("invalid uncertainty throws an error that names the field", {
   expect_match(said("{value: 100 m, uncertainty: about 3 m}"), "standard uncertainty", all = FALSE)
   expect_match(said("{uncertainty: 3 m}"), "`value` with an `uncertainty`", all = FALSE)
   expect_match(said("{range: [90 m, 110 m, 120 m]}"), "`range` such as", all = FALSE)
+  expect_match(said("{value: 100 m, range: [103 m, 97 m]}"), "smaller to a larger", all = FALSE)
+  expect_match(said("{value: 100 m, range: [101 m, 105 m]}"), "contains the value 100 m",
+    all = FALSE)
   # an invalid number gives its own error
   expect_match(said("{value: 100 kg, uncertainty: 10 %}"), "a length", all = FALSE)
   wrong <- tryCatch(

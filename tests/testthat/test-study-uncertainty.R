@@ -2,15 +2,16 @@
 # values.
 
 # A sphere on a thin line: the sphere has all the drag, and its pull is known.
+# `...`: other uncertainties.
 known_sphere <- function(...) {
   plan <- towed_sphere_plan(ropes = list(line = list(axial_stiffness = "12 MN")))
-  update(
-    as_gear(plan), uncertain = list(
-      towing.speed = "1 %", pieces.sphere.mass = "4 %", pieces.sphere.volume = "0 %",
-      pieces.sphere.diameter = "0 %", ropes.line.length = "0 %", ropes.line.diameter = "0 %",
-      multipliers.piece_drag = "5 %", ...
-    )
+  uncertain <- list(
+    towing.speed = "1 %", pieces.sphere.mass = "4 %", pieces.sphere.volume = "0 %",
+    pieces.sphere.diameter = "0 %", ropes.line.length = "0 %", ropes.line.diameter = "0 %",
+    multipliers.piece_drag = "5 %"
   )
+  uncertain[...names()] <- list(...)
+  update(as_gear(plan), uncertain = uncertain)
 }
 
 row_of <- function(found, measure) found$measures[found$measures$measure == measure, ]
@@ -37,8 +38,40 @@ test_that("uncertainty() of a towed sphere equals the analytical budget", {
   largest <- found$sources[found$sources$measure == "pull_kN", ][1L, ]
   expect_identical(largest$source, "pieces sphere mass")
   expect_equal(largest$percent, 100 * (largest$contribution / row$error)^2)
-  # the interval uses Student's t with the degrees of freedom of the model residuals
-  expect_equal(row$upper - row$value, qt(0.95, row$freedom) * row$error)
+  # almost linear and normal: Student's t with the effective degrees of freedom (JCGM 100:2008,
+  # G.4). 2,000 draws give the limits to about 2 %.
+  reach <- qt(0.95, row$freedom) * row$error
+  expect_equal(c(row$value - row$lower, row$upper - row$value), c(reach, reach), tolerance = 0.03)
+})
+
+test_that("uncertainty() intervals follow ranges and curvature to both sides", {
+  drag <- function(state) row_of(uncertainty(state), "total_drag_kN")
+  with_speed <- function(uncertainty) {
+    known_sphere(towing.speed = uncertainty, multipliers.piece_drag = "0 %",
+      pieces.sphere.mass = "0 %")
+  }
+  state <- settle(with_speed("2 m/s to 2.4 m/s"))
+  row <- drag(state)
+  model <- row$model
+  # Drag is proportional to the square of the speed, and the speed is uniform between both ends. The
+  # analytical quantiles include the model error by simulation.
+  set.seed(1)
+  freedom <- measure_residuals(measures(state))$freedom[names(measures(state)) == "total_drag_kN"]
+  truth <- row$value * runif(1e6, 1, 1.2)^2 + model * rt(1e6, freedom)
+  expect_equal(c(row$lower, row$upper), unname(quantile(truth, c(0.05, 0.95))), tolerance = 0.02)
+  expect_gt(row$upper - row$value, 2 * (row$value - row$lower))
+  # a wide speed
+  wide <- drag(settle(with_speed("30 %")))
+  truth <- wide$value * (1 + 0.3 * rnorm(1e6))^2 + model * rt(1e6, freedom)
+  expect_equal(c(wide$lower, wide$upper), unname(quantile(truth, c(0.05, 0.95))), tolerance = 0.06)
+})
+
+test_that("uncertainty() warns of a range in which the gear does not settle", {
+  gear <- update(read_gear("towed_cable"),
+    ropes.cable.length = list(value = "100 m", uncertainty = "80 %"))
+  warning <- expect_warning(uncertainty(settle(gear), "body_depth_m"),
+    class = "codend_warning_range")
+  expect_match(conditionMessage(warning), "ropes.cable.length: [0-9]+ %")
 })
 
 test_that("derivatives by multipliers equal differences without a new mesh", {
