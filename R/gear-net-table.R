@@ -63,6 +63,24 @@ read_net <- function(x) {
   net
 }
 
+# Returns a plan whose field `net` names a table with the net of this table. The path is relative to
+# the folder of the plan `file`.
+with_net_file <- function(tree, file) {
+  if (!is_text(tree$net)) return(tree)
+  absolute <- grepl("^(/|~|[A-Za-z]:)", tree$net)
+  path <- if (absolute) tree$net else file.path(dirname(file), tree$net)
+  if (!file.exists(path)) {
+    abort_field("net", tree$net, sprintf(
+      "a table in the folder of the plan, %s, or the pieces of the net", dirname(file)
+    ), is = sprintf("is \"%s\", a file that does not exist", tree$net))
+  }
+  tree$net <- tryCatch(read_net(path), codend_error_argument = function(e) {
+    abort_plan(sprintf("Plan field `net`, \"%s\": %s", tree$net,
+      sub("^`x`", "The table", conditionMessage(e))), "net", tree$net)
+  })
+  tree
+}
+
 #' @rdname read_net
 #' @param gear A gear of class `codend_gear` with the field `net`.
 #' @param file Path of the CSV file to write.

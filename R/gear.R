@@ -31,7 +31,9 @@ gear_si <- function(gear) gear_checked(gear)$si
 #' Read the plan of a gear
 #'
 #' Reads a plan file (YAML) and checks it completely before anything is computed. The check covers
-#' every field, unit and bound, and the connections of the parts. The file cannot contain code.
+#' every field, unit and bound, and the connections of the parts. The file cannot contain code. Its
+#' field `net` may be the name of a table in the same folder, such as `net: my_net.csv`
+#' ([read_net()]).
 #'
 #' @param plan Character: path of a YAML file, or name of a plan that ships with the package
 #'   ([gears()]).
@@ -64,14 +66,18 @@ read_gear <- function(plan) {
       NULL, plan
     )
   }
-  gear_of_bytes(plan_bytes(file), file, file)
+  gear_of_bytes(plan_bytes(file), file, file, tables = TRUE)
 }
 
-# Returns the gear of a plan's bytes (raw YAML). `name`: name in messages; `file`: path or NULL.
-gear_of_bytes <- function(bytes, name, file = NULL) {
-  tree <- plan_of_bytes(bytes, name)
+# Returns the gear of a plan's bytes (raw YAML). `name`: name in messages; `file`: path or NULL;
+# `tables`: TRUE if the plan may name a table in the folder of the file.
+gear_of_bytes <- function(bytes, name, file = NULL, tables = FALSE) {
   text <- plan_text_of(bytes, name)
-  with_places(as_gear(tree, file = file, source = text), text)
+  with_places({
+    tree <- plan_of_bytes(bytes, name)
+    if (tables) tree <- with_net_file(tree, file)
+    as_gear(tree, file = file, source = text)
+  }, text)
 }
 
 # Returns the paths of the shipped plans, named by file name.

@@ -11,7 +11,6 @@ frame_strut <- list(
 )
 
 expand_beam_trawl <- function(fields, plan) {
-  fields$panels <- 2
   check_beam_trawl(fields)
   net <- bottom_trawl_net(fields, plan)
   points <- c(
@@ -156,9 +155,7 @@ beam_trawl_measures <- function(fields) {
     net_mouth_height = list(height = c("headline.middle", "footrope.middle")),
     headline_height = list(clearance = "headline.middle"),
     footrope_height = list(clearance = "footrope.middle"),
-    mouth_area = list(
-      area = c("headline", "side_line_starboard", rope_names("footrope", fields), "side_line_port")
-    ),
+    mouth_area = list(area = mouth_ropes(fields)),
     warp_tension = list(tension = "warp.start"),
     warp_declination = list(angle = list(warp.start = "declination")),
     bridle_outer_tension = list(tension = "bridle_port.end")

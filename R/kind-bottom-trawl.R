@@ -19,7 +19,7 @@ rigged_net <- function(fields, plan, rig) {
   net <- bottom_trawl_net(fields, plan)
   # A jib has a point at its tip even without a middle bridle.
   if (!is.null(fields$bridles$middle) || !is.null(fields$wings$jib)) {
-    net$points <- append(net$points, middle_points(net), match("codline", names(net$points)) - 1L)
+    net$points <- append(net$points, middle_points(net, fields), match("codline", names(net$points)) - 1L)
   }
   out <- shared_fields(plan, fields)
   out$points <- c(rig$points, net$points)
@@ -88,7 +88,7 @@ front_depth <- function(fields) {
 check_wing_ends <- function(fields) {
   if (!is.null(fields$net)) return(invisible())
   wings <- fields$wings
-  sides <- fields$panels == 4
+  sides <- isTRUE(fields$panels == 4)
   if (sides && is.null(wings$side)) {
     abort_field("wings.side", NULL, "given in a trawl of 4 panels", "is missing")
   }
@@ -162,14 +162,44 @@ bottom_trawl_net <- function(fields, plan) {
 }
 
 # Returns the points at the ends of the middle bridles: the tip of a pointed piece at the front of a
-# side panel, otherwise the middle of the side line.
-middle_points <- function(net) {
-  ends <- lapply(trawl_sides, function(side) {
-    piece <- net$fronts[[side]]
-    pointed <- length(piece) && net$panels[[piece]]$meshes$upper == 0
-    list(at = if (pointed) paste0(piece, ".upper_left") else paste0("side_line_", side, ".middle"))
-  })
-  stats::setNames(ends, paste0("middle_", trawl_sides))
+# side panel, otherwise the joints between sections of the side line, or points at equal distances
+# along it.
+middle_points <- function(net, fields) {
+  tiers <- setdiff(names(bridle_tiers(fields$bridles)), c("upper", "lower"))
+  if (!length(tiers)) tiers <- "middle"
+  count <- length(tiers)
+  sections <- length(fields$side_lines$sections)
+  out <- list()
+  for (k in seq_along(tiers)) {
+    for (side in trawl_sides) {
+      piece <- net$fronts[[side]]
+      line <- paste0("side_line_", side)
+      port <- side == "port"
+      out[[paste(tiers[k], side, sep = "_")]] <- list(at =
+        if (length(piece) && net$panels[[piece]]$meshes$upper == 0) {
+          if (count > 1L) {
+            abort_field("bridles.middle", count, "one bridle to the tip of the side panel",
+              is = paste("has", count, "bridles"))
+          }
+          paste0(piece, ".upper_left")
+        } else if (sections > 0L) {
+          if (sections != count + 1L) {
+            abort_field("side_lines.sections", sections, sprintf(
+              "%d sections, with one joint for each middle bridle", count + 1L
+            ), is = paste("has", sections))
+          }
+          # Chains of side lines run upwards on the port side.
+          ropes <- rope_names(line, fields, "side_lines")
+          if (port) paste0(rev(ropes)[k], ".start") else paste0(ropes[k], ".end")
+        } else if (count == 1L) {
+          paste0(line, ".middle")
+        } else {
+          from_top <- k / (count + 1L)
+          sprintf("%s[%.6g]", line, if (port) 1 - from_top else from_top)
+        })
+    }
+  }
+  out
 }
 
 # Returns the grid of a bottom trawl: wings, jibs and square ahead of the sections.
@@ -195,7 +225,7 @@ bottom_trawl_grid <- function(fields, plan) {
     back_upper_wings = wings("back", "upper", first_of(square, first$back)),
     belly_lower_wings = wings("belly", "lower", first$belly)
   )
-  if (fields$panels == 4) {
+  if (isTRUE(fields$panels == 4)) {
     ahead <- c(ahead, side_cells(fields, plan, "port"), side_cells(fields, plan, "starboard"))
   }
   ahead <- Filter(Negate(is.null), c(ahead, list(back_square = square)))
@@ -294,6 +324,12 @@ bottom_trawl_rig <- function(fields, plan) {
   trawl_legs(plan, fields, rig, start)
 }
 
+# Returns the ropes around the mouth in order.
+mouth_ropes <- function(fields) {
+  side <- function(of) rope_names(paste0("side_line_", of), fields, "side_lines")
+  c(rope_names("headline", fields), side("starboard"), rope_names("footrope", fields), side("port"))
+}
+
 # joint: name of the points between warp and sweep or bridles; measure: name of their spread.
 bottom_trawl_measures <- function(fields, free_boards, joint = "board",
                                   measure = "door_spread") {
@@ -311,10 +347,7 @@ bottom_trawl_measures <- function(fields, free_boards, joint = "board",
     net_mouth_height = list(height = c("headline.middle", "footrope.middle")),
     headline_depth = list(depth = "headline.middle"),
     wing_end_height = list(height = paste0(c("upper", lower), "_port")),
-    mouth_area = list(
-      area = c(rope_names("headline", fields), "side_line_starboard",
-        rope_names("footrope", fields), "side_line_port")
-    ),
+    mouth_area = list(area = mouth_ropes(fields)),
     bridle_angle = angle(first, "divergence")
   )
   names(out)[1L] <- measure
@@ -324,10 +357,12 @@ bottom_trawl_measures <- function(fields, free_boards, joint = "board",
       footrope_height = list(clearance = "footrope.middle")
     ))
   }
-  if (!is.null(fields$bridles$middle)) {
-    out <- append(out, after = match("lower_wing_spread", names(out)),
-      list(middle_wing_spread = list(spread = pair("middle"))))
-  }
+  bridles <- names(bridle_tiers(fields$bridles))
+  middle <- setdiff(bridles, c("upper", "lower"))
+  out <- append(out, after = match("lower_wing_spread", names(out)), stats::setNames(
+    lapply(middle, function(tier) list(spread = pair(tier))),
+    sub("(_[0-9]+)?$", "_wing_spread\\1", middle)
+  ))
   out <- c(out, board_measures(free_boards))
   if (is.null(fields$towing_points)) {
     out <- c(out, list(
@@ -340,7 +375,7 @@ bottom_trawl_measures <- function(fields, free_boards, joint = "board",
     names(out)[names(out) == ""] <- sub("spread", "depth", measure, fixed = TRUE)
   }
   if (!is.null(fields$sweeps)) out$sweep_tension <- list(tension = "sweep_port.start")
-  for (tier in intersect(c("upper", "middle", "lower"), names(fields$bridles))) {
+  for (tier in bridles) {
     out[[paste0("bridle_", tier, "_tension")]] <-
       list(tension = paste0("bridle_", tier, "_port.end"))
   }

@@ -68,7 +68,10 @@ trawl_rig <- function(fields, plan, net) {
     }
     pieces[[paste0("hammer_", side)]] <- part_with_role(plan$hammers, "hammer",
       at = paste0("lower_", side))
-    if (is.null(net$ropes$side_line_port)) {
+    if (!"side_lines" %in% names(net$lines)) {
+      if (!is.null(plan$side_lines$sections)) {
+        abort_field("side_lines.sections", "given", "omitted in a net with gathered wing tips")
+      }
       ropes[[paste0("side_line_", side)]] <- part_with_role(plan$side_lines, "side_line",
         from = paste0("upper_", side), to = paste0("lower_", side))
     }
@@ -89,8 +92,7 @@ trawl_measures <- function(fields, free_boards) {
     wing_end_height = list(height = c("upper_port", "lower_port"))
   )
   if (fields$panels > 2) {
-    out$mouth_area <- list(area = c(rope_names("headline", fields), "side_line_starboard",
-      rope_names("footrope", fields), "side_line_port"))
+    out$mouth_area <- list(area = mouth_ropes(fields))
   }
   out <- c(out, board_measures(free_boards))
   c(out, list(

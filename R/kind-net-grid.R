@@ -30,11 +30,36 @@ net_grid <- function(fields, plan) {
   gathered <- unlist(lapply(fields$net, function(column) isTRUE(column[[1L]]$gathered)))
   grid <- list(columns = columns[around], cells = cells, gathered = all(gathered),
     separators = net_separators(fields, plan, columns))
-  for (k in seq_along(around)) {
-    grid <- check_stretches(grid, around[k], panel_after(around)[k], fields$net)
-  }
+  check_ends(grid)
+  for (pair in neighbours(grid$columns)) grid <- check_stretches(grid, pair, fields$net)
   grid
 }
+
+# Throws an error if a side panel ends at a row that other panels lack, or ahead of a cover.
+check_ends <- function(grid) {
+  ended <- ended_panels(grid$columns)
+  active <- names(grid$columns)
+  for (row in names(ended)) {
+    name <- net_panel_of(ended[[row]][1L])
+    path <- paste("net", name, row, sep = ".")
+    for (panel in active) {
+      at <- match(row, grid$columns[[panel]])
+      if (is.na(at)) {
+        abort_plan(sprintf(paste(
+          "Plan field `%s` is the last piece of its panel, but the panel `%s` has no piece of this",
+          "name. Side panels end together with a row of all panels. Rename a piece."
+        ), path, net_panel_of(panel)), path)
+      }
+      behind <- grid$columns[[panel]][at + 1L]
+      if (!is.na(behind) && length(grid$cells[[paste(panel, behind, sep = "_")]]$covers)) {
+        abort_field(paste("net", net_panel_of(panel), behind, "covers", sep = "."), "given",
+          sprintf("omitted in the piece behind the last piece of the panel `%s`", name))
+      }
+    }
+    active <- setdiff(active, ended[[row]])
+  }
+}
+
 
 # Largest ratio of the stretched widths that are joined.
 most_taken_up <- 2
@@ -81,10 +106,10 @@ check_column <- function(column, sizes, path) {
 
 # Returns the grid with free edges where the next panel has no row, ahead of the first common row (a
 # topless net). Throws an error if seamed stretches differ in length.
-check_stretches <- function(grid, panel, after, net) {
-  stretch <- row_stretches(grid, panel, after)
+check_stretches <- function(grid, pair, net) {
+  columns <- pair$columns
+  stretch <- row_stretches(columns)
   sides <- c("right", "left")
-  columns <- grid$columns[c(panel, after)]
   for (name in unique(unlist(stretch))) {
     rows <- Map(function(rows, stretch) rows[stretch == name], columns, stretch)
     field <- lapply(names(rows), net_panel_of)

@@ -80,6 +80,10 @@ net_separators <- function(fields, plan, columns) {
   common <- Reduce(intersect, columns)
   Map(function(separator, given, name) {
     for (end in c("from", "to")) {
+      if (any(paste0(separator[[end]], "_window") %in% unlist(columns))) {
+        abort_field(paste("separators", name, end, sep = "."), separator[[end]],
+          "a row without a window")
+      }
       if (!separator[[end]] %in% common) {
         abort_reference(separator[[end]], separator[[end]], common, "row",
           paste("separators", name, end, sep = "."))

@@ -6,7 +6,8 @@
 #
 # A grid is list(columns, cells, gathered, separators):
 # `columns`: for each panel, the names of its rows from front to rear. Neighbouring panels are
-# joined from end to end of each row that both have, and along the rows in between.
+# joined from end to end of each row that both have, and along the rows in between. Side panels may
+# end ahead of the last row; then the panels on both sides of them are neighbours behind this row.
 # `cells`: the cell of each panel and row, named "panel_row".
 # `gathered`: TRUE if each wing tip is gathered at a point, FALSE if a line is laced along the tips.
 # `separators`: netting between the seams of both sides, by name (R/kind-net-inside.R).
@@ -23,7 +24,7 @@ panels_by_number <- list(
   )
 )
 
-panels_around <- function(fields) panels_by_number[[as.character(fields$panels)]]
+panels_around <- function(fields) panels_by_number[[as.character(first_of(fields$panels, 2))]]
 
 # Returns a cell of one piece, of pieces side by side, or of a pair of wings.
 #
@@ -52,9 +53,51 @@ is_pair <- function(cell) length(cell$pieces) == 2L
 
 panel_after <- function(around) c(around[-1L], around[1L])
 
-column_cells <- function(grid, panel) {
-  grid$cells[paste(panel, grid$columns[[panel]], sep = "_")]
+# Returns the rows at which side panels end, from front to rear, each with the names of the panels
+# that end there.
+ended_panels <- function(columns) {
+  last <- vapply(columns, function(rows) rows[length(rows)], "")
+  last <- last[!names(last) %in% c("back", "belly")]
+  back <- columns$back
+  last <- last[last %in% back[-length(back)] & last %in% columns$belly]
+  ended <- split(names(last), factor(last, back))
+  ended[lengths(ended) > 0L]
 }
+
+# Returns the pairs of neighbouring panels: list(panel, after, columns) each. `columns`: the rows of
+# both panels along which they are neighbours.
+neighbours <- function(columns) {
+  active <- names(columns)
+  ended <- ended_panels(columns)
+  pairs <- list()
+  from <- stats::setNames(rep(0L, length(active)), active)
+  for (k in seq_len(length(ended) + 1L)) {
+    row <- names(ended)[k]
+    to <- if (is.na(row)) lengths(columns) else vapply(columns, match, 0L, x = row)
+    stretch <- lapply(stats::setNames(nm = active), function(panel) {
+      columns[[panel]][seq_len(to[[panel]] - from[[panel]]) + from[[panel]]]
+    })
+    after <- panel_after(active)
+    for (i in seq_along(active)) {
+      name <- paste(active[i], after[i], sep = "_")
+      own <- stretch[c(active[i], after[i])]
+      if (!is.null(pairs[[name]])) own <- Map(c, pairs[[name]]$columns, own)
+      pairs[[name]] <- list(panel = active[i], after = after[i], columns = own)
+    }
+    from <- to
+    if (!is.na(row)) active <- setdiff(active, ended[[k]])
+  }
+  pairs
+}
+
+# Returns the panels around the net at its rear end.
+panels_at_end <- function(columns) {
+  setdiff(names(columns), unlist(ended_panels(columns), use.names = FALSE))
+}
+
+cells_of <- function(grid, panel, rows) grid$cells[sprintf("%s_%s", panel, rows)]
+
+column_cells <- function(grid, panel) cells_of(grid, panel, grid$columns[[panel]])
 
 # Returns an edge of a piece between two meshes of its `whole` meshes; NULL without meshes.
 edge_range <- function(piece, edge, from, to, whole) {
@@ -166,7 +209,7 @@ join_grid <- function(grid) {
   sides <- side_seams(grid)
   ring <- vapply(joints, `[[`, NA, "ring")
   joined <- function(joints) do.call(c, lapply(unname(joints), rear_seams))
-  last <- lapply(names(grid$columns), function(panel) {
+  last <- lapply(panels_at_end(grid$columns), function(panel) {
     whole_edges(rev(column_cells(grid, panel))[[1L]], "lower")
   })
   tips <- unlist(lapply(unname(sides), `[[`, "gathered_at"))
@@ -185,8 +228,10 @@ join_grid <- function(grid) {
 joined_grid <- remembered(join_grid)
 
 # Returns the joints between cells and the cells behind them, in the order of the cells: list(cell,
-# behind, ring, name) each. `ring`: TRUE for a piece of a row that all panels have.
+# behind, ring, name, left, right) each. `ring`: TRUE for a piece of a row that all panels have;
+# `left`, `right`: parts of the rear edges of ended side panels next to the cell.
 cell_joints <- function(grid) {
+  ended <- ended_panels(grid$columns)
   rings <- Reduce(intersect, grid$columns)
   joints <- lapply(names(grid$columns), function(panel) {
     rows <- grid$columns[[panel]]
@@ -194,12 +239,35 @@ cell_joints <- function(grid) {
     lapply(stats::setNames(seq_along(rows)[-1L], cells[-length(cells)]), function(k) {
       cell <- grid$cells[[cells[k - 1L]]]
       ring <- rows[k - 1L] %in% rings && !is_pair(cell)
+      beside <- function(side) ended_beside(grid, panel, rows[k - 1L], ended[[rows[k - 1L]]], side)
       list(cell = cell, behind = grid$cells[[cells[k]]], ring = ring,
-        name = if (ring) paste(cells[k - 1L], rows[k], sep = "_") else cell$name)
+        name = if (ring) paste(cells[k - 1L], rows[k], sep = "_") else cell$name,
+        left = beside("left"), right = beside("right"))
     })
   })
   joints <- unlist(joints, recursive = FALSE)
   joints[intersect(names(grid$cells), names(joints))]
+}
+
+# Returns the part of the rear edge of an ended side panel that is joined behind the next panel:
+# list(edge, width (m)), or NULL. A single side panel is divided in the middle. `ended`: panels that
+# end at this row; `side`: side of the panel at which the ended panel is.
+ended_beside <- function(grid, panel, row, ended, side) {
+  around <- names(grid$columns)[vapply(grid$columns, function(rows) row %in% rows, NA)]
+  turn <- if (side == "left") -1L else 1L
+  next_to <- function(k) around[(k - 1L) %% length(around) + 1L]
+  at <- match(panel, around)
+  first <- next_to(at + turn)
+  if (!first %in% ended) return(NULL)
+  cell <- grid$cells[[paste(first, row, sep = "_")]]
+  meshes <- cell$counts$lower
+  range <- c(0, meshes)
+  if (!next_to(at + 2L * turn) %in% ended) {
+    range <- if (side == "left") c(meshes / 2, meshes) else c(0, meshes / 2)
+  }
+  if (meshes == 0) return(NULL)
+  list(edge = edge_range(names(cell$pieces), "lower", range[1L], range[2L], meshes),
+    width = cell$mesh_size * diff(range))
 }
 
 # Returns the seams of a joint. A pair of wings is joined to the pair behind it, or to both ends of
@@ -209,7 +277,17 @@ rear_seams <- function(joint) {
   behind <- joint$behind
   rear <- whole_edges(cell, "lower")
   front <- whole_edges(behind, "upper")
-  edges <- if (!is_pair(cell)) {
+  edges <- if (!is.null(joint$left) || !is.null(joint$right)) {
+    widths <- c(first_of(joint$left$width, 0), cell$mesh_size * cell$counts$lower,
+      first_of(joint$right$width, 0))
+    ends <- c(0, cumsum(widths) / sum(widths)) * behind$counts$upper
+    use <- widths > 0
+    joint$name <- paste0(joint$name, c("_left", "", "_right"))[use]
+    own <- list(joint$left$edge, rear[[1L]], joint$right$edge)
+    Map(function(edge, from, to) {
+      list(edge, edge_range(names(behind$pieces), "upper", from, to, behind$counts$upper))
+    }, own[use], ends[-4L][use], ends[-1L][use])
+  } else if (!is_pair(cell)) {
     list(c(rear, front))
   } else if (is_pair(behind)) {
     Map(c, rear[[1L]], front[[1L]])
@@ -226,29 +304,25 @@ rear_seams <- function(joint) {
 # Returns the seams along the sides of neighbouring panels, row by row from the front. Those of the
 # wings are followed by the seams of gathered wing tips.
 side_seams <- function(grid) {
-  around <- names(grid$columns)
-  after <- panel_after(around)
-  stretches <- Map(seam_stretches, around, after, MoreArgs = list(grid = grid))
+  pairs <- neighbours(grid$columns)
+  stretches <- lapply(pairs, seam_stretches, grid = grid)
   seams <- list()
   for (row in unique(c("wings", unlist(lapply(stretches, names))))) {
-    for (k in seq_along(around)) {
+    for (k in names(pairs)) {
       # In a gathered net of two panels, upper and lower wings have separate ends.
-      apart <- row == "wings" && grid$gathered && length(around) == 2L
+      apart <- row == "wings" && grid$gathered && length(grid$columns) == 2L
       edges <- if (!apart) stretches[[k]][[row]]
-      if (length(edges)) {
-        seams[[paste(row, around[k], after[k], sep = "_")]] <- list(edges = edges)
-      }
-      if (row == "wings") seams <- c(seams, tip_seams(grid, around[k], after[k]))
+      if (length(edges)) seams[[paste(row, k, sep = "_")]] <- list(edges = edges)
+      if (row == "wings") seams <- c(seams, tip_seams(grid, pairs[[k]]$panel, pairs[[k]]$after))
     }
   }
   seams
 }
 
-# Returns the stretch of the seam between a panel and the next one to which each row of both panels
-# belongs: each row that both have, and the rows in between. Stretches are named after their row;
-# "wings" is the stretch ahead of the first common row.
-row_stretches <- function(grid, panel, after) {
-  rows <- grid$columns[c(panel, after)]
+# Returns the stretch of the seam between two panels to which each row of both belongs: each row that
+# both have, and the rows in between. Stretches are named after their row; "wings" is the stretch
+# ahead of the first common row. `rows`: of both panels.
+row_stretches <- function(rows) {
   both <- intersect(rows[[1L]], rows[[2L]])
   between <- c("wings", paste0("behind_", both))
   lapply(rows, function(rows) {
@@ -256,18 +330,19 @@ row_stretches <- function(grid, panel, after) {
   })
 }
 
-# Returns the joined chains of edges of each stretch of the seam between two panels, by name.
-seam_stretches <- function(panel, after, grid) {
-  stretch <- row_stretches(grid, panel, after)
+# Returns the joined chains of edges of each stretch of the seam of a pair of panels, by name.
+seam_stretches <- function(pair, grid) {
+  stretch <- row_stretches(pair$columns)
   chains <- function(name) {
     sides <- Map(function(panel, stretch, side) {
-      cells <- column_cells(grid, panel)[stretch == name]
+      cells <- cells_of(grid, panel, pair$columns[[panel]][stretch == name])
       covers <- names(do.call(c, lapply(unname(cells), `[[`, "covers")))
       chain <- outer_edges(cells, side, "joined")
       if (length(chain)) c(list(chain), paste0(covers, rep(paste0(".", side), length(covers))))
     }, names(stretch), stretch, c("right", "left"))
     if (!all(lengths(sides))) return(NULL)
-    c(unlist(unname(sides), recursive = FALSE), separator_edges(grid, panel, after, name))
+    c(unlist(unname(sides), recursive = FALSE),
+      separator_edges(grid, pair$panel, pair$after, name))
   }
   lapply(stats::setNames(nm = unique(unlist(stretch, use.names = FALSE))), chains)
 }

@@ -79,16 +79,17 @@ wing_counts <- function(meshes, across, path) {
   list(upper = meshes$tip, lower = meshes$base, deep = meshes$deep)
 }
 
-# Returns list(panels, seams, points, ropes) of the net of a trawl.
+# Returns list(panels, seams, points, ropes, lines, columns, headline, fronts) of the net of a trawl.
+# `lines`: names of the ropes of each line, by field; `columns`: rows of the panels; `headline`: its
+# rope or chain; `fronts`: first pieces of the side panels.
 trawl_net <- function(grid, fields, plan) {
   net <- joined_grid(grid)
   mouth <- mouth_chains(grid)
-  for (line in c("headline", "footrope", "ground_gear")) {
-    fields[[line]]$length <- line_length(fields[[line]])
+  for (line in intersect(c("headline", "footrope", "side_lines", "ground_gear"), names(plan))) {
+    fields[[line]]$length <- line_length(fields[[line]], line)
   }
-  net$lines <- list(headline = "headline")
   net$fronts <- lapply(stats::setNames(nm = trawl_sides), function(side) {
-    names(column_cells(grid, paste0("side_", side))[[1L]]$pieces)
+    names(column_cells(grid, paste0("side_", side))[1L][[1L]]$pieces)
   })
   fronts <- c(headline = "back", footrope = "belly", side_lines = "side_port")
   for (line in intersect(names(fronts), names(plan))) {
@@ -97,60 +98,85 @@ trawl_net <- function(grid, fields, plan) {
     plan[[line]] <- hung_line(fields, plan, line, length(chain), wings)
   }
   if (!grid$gathered) net$points <- c(wing_end_points(grid), net$points)
-  net$ropes <- grid_ropes(grid, plan, mouth)
-  if (!is.null(plan$ground_gear) && is.null(plan$ground_gear$sections)) {
-    net$ropes$ground_gear <- ground_gear_rope(fields, plan, mouth$footrope, plan$footrope$lengths)
-  }
-  for (line in c("headline", "footrope", "ground_gear")) {
-    if (is.null(fields[[line]]$sections)) next
-    of <- if (line == "headline") line else "footrope"
-    ropes <- section_ropes(line, fields, plan, chain_edges(grid, mouth[[of]]), plan[[of]])
-    at <- match(line, names(net$ropes), nomatch = length(net$ropes) + 1L)
-    net$ropes <- append(net$ropes[setdiff(names(net$ropes), line)], ropes, at - 1L)
-    net$lines[[line]] <- mouth[[of]]
-  }
+  chains <- line_chains(grid, plan, mouth)
+  ropes <- lapply(names(chains), function(name) {
+    line_ropes(name, chains[[name]], grid, fields, plan)
+  })
+  net$ropes <- do.call(c, ropes)
+  line <- vapply(chains, `[[`, "", "line")
+  net$lines <- split(unlist(lapply(ropes, names)), factor(rep(line, lengths(ropes)), unique(line)))
+  net$columns <- grid$columns
+  net$headline <- if (is.null(plan$headline$sections)) "headline" else mouth$headline
   net
 }
 
-# Returns the ropes along the mouth (chains of edges by name), along the seams between panels and
-# around the net.
-grid_ropes <- function(grid, plan, mouth) {
-  around <- names(grid$columns)
-  line <- function(given, role, along) c(list(along = along), given, list(role = role))
-  ropes <- list()
-  for (name in names(mouth)) {
-    role <- sub("_(port|starboard)$", "", name)
-    given <- if (role == "side_line") plan$side_lines else plan[[name]]
-    ropes[[name]] <- line(given, role, mouth[[name]])
-  }
+# Returns the chains of edges of all lines along the mouth, along the seams between panels and around
+# the net: list(line (field of the plan), along) each, by name.
+line_chains <- function(grid, plan, mouth) {
+  chains <- lapply(stats::setNames(nm = names(mouth)), function(name) {
+    list(line = if (startsWith(name, "side_line")) "side_lines" else name, along = mouth[[name]])
+  })
   if (!is.null(plan$belly_lines)) {
-    given <- plan$belly_lines[setdiff(names(plan$belly_lines), "until")]
-    for (k in seq_along(around)) {
-      panel <- panel_after(around)[k]
-      rows <- grid$columns[[panel]]
-      until <- match(first_of(plan$belly_lines$until, rows[length(rows)]), rows)
-      cells <- column_cells(grid, panel)[seq_len(until)]
-      ropes[[paste("belly_line", around[k], panel, sep = "_")]] <-
-        line(given, "belly_line", outer_edges(cells, "left", "joined"))
+    for (pair in neighbours(grid$columns)) {
+      rows <- pair$columns[[2L]]
+      whole <- grid$columns[[pair$after]]
+      until <- first_of(rear_row(whole, plan$belly_lines$until), whole[length(whole)])
+      rows <- rows[match(rows, whole) <= match(until, whole)]
+      if (!length(rows)) next
+      along <- outer_edges(cells_of(grid, pair$after, rows), "left", "joined")
+      chains[[paste("belly_line", pair$panel, pair$after, sep = "_")]] <-
+        list(line = "belly_lines", along = along)
     }
   }
   for (name in names(plan$cross_ropes)) {
-    given <- plan$cross_ropes[[name]]
-    ropes[[name]] <- line(given[setdiff(names(given), "behind")], "cross_rope",
-      rear_edges(around, given$behind))
+    chains[[name]] <- list(line = "cross_ropes",
+      along = rear_edges(grid$columns, plan$cross_ropes[[name]]$behind))
   }
-  ropes
+  if (!is.null(plan$ground_gear)) {
+    chains$ground_gear <- list(line = "ground_gear", along = mouth$footrope)
+  }
+  chains
 }
 
-# Returns the rear edges of a row, around the net.
-rear_edges <- function(around, row) paste0(section_panel_name(around, row), ".lower")
+# Returns the ropes of a line: one, or one for each section.
+line_ropes <- function(name, chain, grid, fields, plan) {
+  line <- chain$line
+  given <- if (line == "cross_ropes") plan$cross_ropes[[name]] else plan[[line]]
+  hung <- if (line == "ground_gear") plan$footrope else given
+  if (!is.null(given$sections)) {
+    return(section_ropes(name, line, fields, given, chain_edges(grid, chain$along), hung))
+  }
+  rope <- if (line == "ground_gear") {
+    ground_gear_rope(fields, plan, chain$along, hung$lengths)
+  } else {
+    c(list(along = chain$along), given[setdiff(names(given), c("until", "behind"))],
+      list(role = line_role(line)))
+  }
+  stats::setNames(list(rope), name)
+}
+
+# Returns the role of the ropes of a field.
+line_role <- function(line) sub("(line|rope)s$", "\\1", line)
+
+# Returns the rear edges of a row, around the net. `columns`: rows of the panels.
+rear_edges <- function(columns, row) {
+  rows <- unlist(lapply(columns, rear_row, row))
+  paste0(section_panel_name(names(rows), rows), ".lower")
+}
+
+# Returns the row of a column at the rear edge of a row, which a window may divide; NULL without one.
+rear_row <- function(rows, row) {
+  found <- intersect(c(row, paste0(row, "_behind")), rows)
+  if (length(found)) found[1L]
+}
 
 # Number of positions around the net that share a grid's weight and drag.
 places_of_grid <- 12
 
-trawl_grids <- function(fields, around) {
+# `columns`: rows of the panels.
+trawl_grids <- function(fields, columns) {
   lapply(fields$grids, function(grid) {
-    along <- rear_edges(around, grid$behind)
+    along <- rear_edges(columns, grid$behind)
     density <- if (is.null(grid$density) && is.null(grid$material) && is.null(grid$volume)) 7850
     own <- grid[names(grid) != "behind"]
     for (field in intersect(c("mass", "volume", "area", "drag_area"), names(own))) {
@@ -165,7 +191,8 @@ trawl_grids <- function(fields, around) {
 # section has a cover, which needs a section in front.
 check_section_names <- function(fields) {
   check_section <- function(name, path) {
-    sections <- c(names(fields$sections), Reduce(intersect, lapply(fields$net, names)))
+    sections <- c(names(fields$sections),
+      Reduce(intersect, lapply(fields$net[c("upper", "lower")], names)))
     if (!is.null(name) && !name %in% sections) {
       abort_reference(name, name, sections, "section", path)
     }

@@ -87,7 +87,7 @@ trawl_legs <- function(plan, fields, rig, from) {
     rig$ropes[[name]] <-
       rope_between("lower_port", "lower_starboard", plan$ticklers[[name]], "tickler")
   }
-  tiers <- intersect(c("upper", "middle", "lower"), names(plan$bridles))
+  bridles <- bridle_tiers(plan$bridles)
   extensions <- list(
     upper = plan[["headline_extensions"]], lower = plan[["footrope_extensions"]]
   )
@@ -103,11 +103,11 @@ trawl_legs <- function(plan, fields, rig, from) {
         rope_between(start, named("sweep_end"), of_side(plan$sweeps, side), "sweep")
       start <- named("sweep_end")
     }
-    for (tier in tiers) {
+    for (tier in names(bridles)) {
       extended <- !is.null(extensions[[tier]])
       rig$ropes[[named("bridle", tier)]] <- rope_between(
         start, named(if (extended) points[[tier]] else tier),
-        set_back(plan$bridles[[tier]], fields$bridles[[tier]], side), "bridle"
+        set_back(bridles[[tier]], bridle_tiers(fields$bridles)[[tier]], side), "bridle"
       )
       if (!extended) next
       rig$points[[named(points[[tier]])]] <- nothing
@@ -119,6 +119,17 @@ trawl_legs <- function(plan, fields, rig, from) {
       at = named("lower"))
   }
   rig
+}
+
+# Returns the bridles of a side from top to bottom, by tier: upper, middle, or middle_1, middle_2 and
+# so on, lower.
+bridle_tiers <- function(bridles) {
+  middle <- bridles["middle"]
+  if (is.null(names(middle$middle)) && length(middle$middle)) {
+    middle <- middle$middle
+    names(middle) <- paste0("middle_", seq_along(middle))
+  }
+  Filter(length, c(bridles["upper"], middle, bridles["lower"]))
 }
 
 # Returns a bridle on one side. Its setback is added to its length.
@@ -196,18 +207,19 @@ spaced_group <- function(piece, fields, given, line, path, called) {
 # Returns floats on the headline, discs on the ground gear, grids, and a catch as a piece at the
 # codline. `net`: result of `trawl_net()`.
 trawl_fittings <- function(fields, plan, net) {
-  headline <- net$lines$headline
+  headline <- net$headline
   if (!is.null(fields$floats) && !is.null(fields$headline$sections)) {
     abort_field("floats", "given", "replaced by `floats` of each of `headline.sections`")
   }
   pieces <- c(
     grouped_pieces(float_group, fields$floats, plan$floats, fields$headline, "floats", "floats",
       headline),
-    section_pieces("headline", "floats", float_group, fields, plan),
+    do.call(c, lapply(setdiff(names(net$lines), c("ground_gear", "cross_ropes")), section_pieces,
+      mounted = "floats", float_group, fields, plan, net$lines)),
     grouped_pieces(disc_group, fields$ground_gear$discs, plan$ground_gear$discs,
       fields$ground_gear, "discs", "ground_gear.discs", "ground_gear"),
-    section_pieces("ground_gear", "discs", disc_group, fields, plan),
-    trawl_grids(fields, panels_around(fields))
+    section_pieces("ground_gear", "discs", disc_group, fields, plan, net$lines),
+    trawl_grids(fields, net$columns)
   )
   pieces$canvas <- part_with_role(plan$canvas, "canvas", along = headline, lift_direction = "up")
   pieces$catch <- part_with_role(plan$catch, "catch", at = "codline")

@@ -31,3 +31,22 @@ test_that("a pasted sheet with units in its header reads as a net", {
   expect_error(read_net("panel,row\nupper,a\nupper,a"), "two rows")
   expect_error(write_net(read_gear("pair_trawl"), "x.csv"), "net_form")
 })
+
+test_that("the net of a plan may be a table in its folder", {
+  folder <- withr::local_tempdir()
+  trawl <- two_seam()
+  write_net(trawl, file.path(folder, "my_net.csv"))
+  text <- readLines(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
+  plan <- file.path(folder, "plan.yaml")
+  writeLines(c(text[seq_len(grep("^net:", text) - 1L)], "net: my_net.csv  # from the drawing"), plan)
+  read <- read_gear(plan)
+  expect_equal(gear_si(read)$panels, gear_si(trawl)$panels)
+  # a written plan holds the net itself
+  copy <- file.path(withr::local_tempdir(), "copy.yaml")
+  write_gear(update(read, towing.speed = "2.5 knot"), copy)
+  expect_equal(gear_si(read_gear(copy))$panels, gear_si(trawl)$panels)
+  writeLines(sub("my_net", "no_net", readLines(plan)), plan)
+  expect_refused(read_gear(plan), "no_net.csv\", a file that does not exist.*line")
+  writeLines("row,front\nbody,20", file.path(folder, "no_net.csv"))
+  expect_refused(read_gear(plan), "no_net.csv.*no column")
+})

@@ -72,3 +72,61 @@ test_that("backstrops of fixed boards share the pull of the sweep", {
   expect_equal(at("backstrop_upper_port") + at("backstrop_lower_port"), at("sweep_port"),
     tolerance = 0.05)
 })
+
+test_that("side lines and belly lines in sections run from end to end", {
+  wire <- list(diameter = "14 mm", material = "PP")
+  parts <- function(...) list(sections = lapply(list(...), function(long) list(length = long)))
+  trawl <- two_seam(side_lines = c(wire, parts("3 m", "4 m")),
+    belly_lines = c(wire, parts("10 m", "14 m")))
+  side <- ropes_of(trawl, "side_line")
+  expect_identical(names(side), c("side_line_starboard", "side_line_2_starboard",
+    "side_line_2_port", "side_line_port"))
+  expect_equal(vapply(side, `[[`, 0, "length"), c(3, 4, 4, 3), ignore_attr = TRUE)
+  # each section of the port side has the same netting as its mirror image
+  edges <- function(rope) {
+    part <- vapply(rope$along, function(edge) edge$to - edge$from, 0)
+    panels <- sub("_(left|right)$", "", vapply(rope$along, `[[`, "", "panel"))
+    sort(round(stats::setNames(part, panels), 9))
+  }
+  expect_equal(edges(side$side_line_port), edges(side$side_line_starboard))
+  expect_equal(range(covered_edges(trawl)), c(1, 1))
+  belly <- ropes_of(trawl, "belly_line")
+  expect_length(belly, 4)
+  expect_equal(sum(vapply(belly, `[[`, 0, "length")), 2 * 24)
+  # the first section starts at the wing, the second one ends at the codline
+  expect_identical(belly$belly_line_back_belly$along[[1]]$panel, "belly_lower_wing_1_left")
+  expect_identical(belly$belly_line_2_back_belly$along[[
+    length(belly$belly_line_2_back_belly$along)]]$panel, "belly_codend")
+  expect_no_error(settle(trawl, nodes = 300))
+})
+
+test_that("middle bridles lead to joints of the side line, or to equal distances along it", {
+  wire <- function(long) list(length = long, diameter = "12 mm", material = "steel_wire")
+  trawl <- two_seam(bridles.middle = list(wire("25 m"), wire("25.1 m")))
+  points <- assembly(trawl)$plan$points
+  expect_identical(points$middle_1_starboard$at, "side_line_starboard[0.333333]")
+  expect_identical(points$middle_1_port$at, "side_line_port[0.666667]")
+  line <- list(diameter = "14 mm", material = "PP", sections = list(list(length = "2 m"),
+    list(length = "2 m"), list(length = "3 m")))
+  jointed <- two_seam(bridles.middle = list(wire("25 m"), wire("25.1 m")), side_lines = line)
+  state <- settle(jointed, nodes = 300)
+  height <- function(point) state$position[3, nodes_at(state, point)]
+  for (side in c("port", "starboard")) {
+    heights <- vapply(paste0(c("upper", "middle_1", "middle_2", "lower"), "_", side), height, 0)
+    expect_true(all(diff(heights) < 0.05))
+  }
+  expect_equal(height("middle_1_port"), height("middle_1_starboard"), tolerance = 1e-3)
+  expect_gt(measures(state)[["bridle_middle_2_tension_kN"]], 0)
+  line$sections <- line$sections[1:2]
+  expect_refused(two_seam(bridles.middle = list(wire("25 m"), wire("25.1 m")), side_lines = line),
+    "side_lines.sections` has 2; it must be 3 sections")
+})
+
+test_that("floats on a section of the footrope are pieces on each side", {
+  float <- list(number = 6L, buoyancy = "1 kgf", diameter = "150 mm")
+  trawl <- two_seam(footrope = list(diameter = "20 mm", material = "combination_rope",
+    sections = list(list(length = "6 m"), list(length = "15 m", floats = float))))
+  floats <- Filter(function(piece) isTRUE(grepl("^footrope", piece$along$name)),
+    gear_si(trawl)$pieces)
+  expect_equal(sum(vapply(floats, `[[`, 0, "number")), 12)
+})

@@ -80,3 +80,57 @@ test_that("net_form() keeps the measures of short forms", {
       plain_measures(measures(settle(short, nodes = 300))), tolerance = 1e-6, info = name)
   }
 })
+
+# Returns a trawl of four panels whose side panels end behind `body`, with `rear` meshes.
+short_sided <- function(rear, until = "body", gear = "poly_noreastern_trawl") {
+  trawl <- net_form(read_gear(gear))
+  side <- trawl$plan$net$side
+  side <- side[seq_len(match(until, names(side)))]
+  whole <- trawl$plan$net$upper[[until]]
+  side[[until]]$meshes <- list(front = side[[until]]$meshes$front, rear = rear,
+    deep = first_of(side[[until]]$meshes$deep, whole$meshes$deep))
+  side[[until]]$cutting <- NULL
+  update(trawl, net.side = side)
+}
+
+test_that("side panels may end ahead of the codend, pointed or joined to both panels", {
+  rows <- names(net_form(read_gear("poly_noreastern_trawl"))$plan$net$side)
+  until <- rows[length(rows) - 1L]
+  for (rear in c(0, 12)) {
+    trawl <- short_sided(rear, until)
+    expect_equal(range(covered_edges(trawl)), c(1, 1), info = rear)
+    expect_false(any(grepl(paste0("side_.*", rows[length(rows)]), names(gear_si(trawl)$panels))))
+    state <- settle(trawl, nodes = 400)
+    found <- measures(state)
+    expect_equal(found[["warp_tension_port_kN"]], found[["warp_tension_starboard_kN"]],
+      tolerance = 1e-4)
+  }
+  # a half of the side's rear edge is joined to each panel behind, by width
+  seams <- gear_si(short_sided(12, until))$seams
+  edges <- unlist(unlist(unname(lapply(seams, `[[`, "edges")), recursive = FALSE),
+    recursive = FALSE)
+  own <- Filter(function(edge) {
+    edge$edge == "lower" && grepl(paste0("side_.*", until), edge$panel)
+  }, edges)
+  expect_equal(vapply(own, function(edge) edge$to - edge$from, 0), rep(0.5, 4))
+})
+
+test_that("check names panels that lack the last row of a side panel", {
+  trawl <- Find(function(trawl) length(trawl$plan$net) == 4L, lapply(1:12, random_net))
+  rows <- trawl$plan$net$upper_side
+  short <- rows[seq_len(match("row_2", names(rows)))]
+  both <- update(trawl, net.upper_side = short, net.lower_side = short)
+  expect_equal(range(covered_edges(both)), c(1, 1))
+  expect_no_error(settle(both, nodes = 300))
+  names(rows)[match("row_2", names(rows))] <- "other"
+  upper <- trawl$plan$net$upper$row_2
+  rows$other <- modifyList(upper[names(upper) != "cutting"], rows$other)
+  expect_refused(update(trawl, net.upper_side = short, net.lower_side = rows),
+    "net.upper_side.row_2` is the last piece of its panel, but the panel `lower_side` has no piece")
+})
+
+test_that("net_form() keeps the measures of a beam trawl", {
+  short <- read_gear("beam_trawl")
+  expect_equal(plain_measures(measures(settle(net_form(short), nodes = 300))),
+    plain_measures(measures(settle(short, nodes = 300))), tolerance = 1e-6)
+})

@@ -16,6 +16,13 @@ test_that("a window replaces its meshes and is joined along all its edges", {
   covered <- covered_edges(trawl)
   expect_equal(range(covered), c(1, 1))
   expect_no_error(settle(trawl, nodes = 400))
+  # a rope around the net behind a divided row follows both panels
+  roped <- update(trawl, cross_ropes = list(strap = list(behind = "body_2", length = "12 m",
+    diameter = "14 mm", material = "PP")), belly_lines = list(until = "body_2",
+    hanging_ratio = 0.95, diameter = "14 mm", material = "PP"))
+  panels_of <- function(rope) vapply(gear_si(roped)$ropes[[rope]]$along, `[[`, "", "panel")
+  expect_setequal(panels_of("strap"), c("back_body_2_behind", "belly_body_2"))
+  expect_identical(rev(panels_of("belly_line_belly_back"))[1], "back_body_2_behind")
   expect_refused(update(two_seam(), net.upper.body_2.window = modifyList(window,
     list(rows = 60))), "body_2.window.rows.*less than 60")
   expect_refused(update(two_seam(), net.upper.body_2.window = modifyList(window,
@@ -40,4 +47,8 @@ test_that("a separator panel is joined to both side seams from row to row", {
     measures(state)[["warp_tension_starboard_kN"]], tolerance = 1e-4)
   expect_refused(update(two_seam(), separators = list(a = modifyList(separator,
     list(from = "square")))), "separators.a.from")
+  window <- list(ahead = 20, rows = 20, across = 40, mesh_size = "100 mm",
+    twine = list(diameter = "4 mm", material = "PE"), meshes = list(front = 40, rear = 40, deep = 28))
+  expect_refused(update(trawl, net.upper.body_2.window = window),
+    "separators.separator.to` is \"body_2\"; it must be a row without a window")
 })
