@@ -2,7 +2,7 @@
 #
 # The layout follows the FAO Catalogue of Fishing Gear Designs: stretched depth and half the
 # stretched width (hanging ratio 0.5). Exceptions: netting between two ropes of known hanging ratio
-# has the hung width, and square netting has its own width.
+# has the hung width, square netting has its own width, and a window has the size of its hole.
 
 # Returns a data frame, one row per panel: name, upper and lower (widths), depth, shift (x of the
 # lower left corner minus x of the upper left corner).
@@ -24,7 +24,39 @@ flat_panels <- function(si, joints) {
       }
     )
   })
-  do.call(rbind, rows)
+  fill_holes(do.call(rbind, rows), joints)
+}
+
+# Draws a window in the size of its hole: a panel between two others, if all three are joined to the
+# same panel ahead and to the same panel behind.
+fill_holes <- function(flat, joints) {
+  whole <- joints$to - joints$from == 1 & joints$other_to - joints$other_from == 1
+  met <- function(name, edge, other_edge, sides = FALSE) {
+    found <- joints$panel == name & joints$edge == edge & joints$other_edge == other_edge
+    which(found & (whole | !sides))
+  }
+  ends <- function(names, edge, other_edge) {
+    found <- lapply(names, met, edge, other_edge)
+    if (all(lengths(found) == 1L) && length(unique(joints$other[unlist(found)])) == 1L) {
+      joints[found[[1L]], ]
+    }
+  }
+  for (k in seq_len(nrow(flat))) {
+    beside <- c(met(flat$name[k], "left", "right", TRUE), met(flat$name[k], "right", "left", TRUE))
+    if (length(beside) != 2L) next
+    names <- c(flat$name[k], joints$other[beside])
+    ahead <- ends(names, "upper", "lower")
+    behind <- ends(names, "lower", "upper")
+    if (is.null(ahead) || is.null(behind)) next
+    left <- flat[match(names[2L], flat$name), ]
+    flat$upper[k] <- flat$lower[match(ahead$other, flat$name)] *
+      abs(ahead$other_to - ahead$other_from)
+    flat$lower[k] <- flat$upper[match(behind$other, flat$name)] *
+      abs(behind$other_to - behind$other_from)
+    flat$depth[k] <- left$depth
+    flat$shift[k] <- left$shift + left$lower - left$upper
+  }
+  flat
 }
 
 # Returns the widths of upper and lower edges (2 x panels, m) of netting that hangs between two

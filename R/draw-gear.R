@@ -7,7 +7,8 @@
 #' @section Netting:
 #' - Panels that follow each other are drawn in columns, front edge up, at a single scale.
 #' - A panel is drawn at its stretched depth and half its stretched width. Netting between two ropes
-#'   of known hanging ratio has its hung width. Square netting has its own width.
+#'   of known hanging ratio has its hung width. Square netting has its own width. A window has the
+#'   size of its hole.
 #' - A symmetric column with taper is drawn as one half: the left half of the upper panel and the
 #'   right half of the lower panel share a centre line.
 #' - Identical columns are drawn once.

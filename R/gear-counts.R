@@ -1,7 +1,7 @@
 # Completes mesh counts, cutting rates and twines that follow from other fields of a plan.
 
 # Plan groups that determine the mesh counts.
-count_groups <- c("panels", "net", "wings", "square", "sections", "materials")
+count_groups <- c("panels", "net", "separators", "wings", "square", "sections", "materials")
 
 # Completes the counts and twines of a plan. `fields`: checked fields in SI; `plan`: the plan as
 # given; `twines`: FALSE for expanded short forms, which have no twine given by weight.
@@ -37,6 +37,7 @@ complete_counts <- function(fields, plan, twines = TRUE) {
   }
   if (!is.null(fields$wings$side)) complete(c("wings", "side"), fields$wings$side)
   if (!is.null(fields$square)) complete("square", fields$square)
+  for (name in names(fields$separators)) complete(c("separators", name), fields$separators[[name]])
   before <- NULL
   for (name in names(fields$sections)) {
     path <- c("sections", name)

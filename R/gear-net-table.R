@@ -21,7 +21,8 @@ piece_columns <- c(
 #'
 #' Other columns are named after their field, such as `orientation` or `covers.chafer.mesh_size`.
 #' A header may contain a unit for its column: `mesh_size (mm)` or `mesh_size_mm`. Empty cells leave
-#' a field out. The rows of a panel run from front to rear.
+#' a field out; an empty cell in `panel` repeats the panel above. Spaces in `row` become
+#' underscores. The rows of a panel run from front to rear.
 #'
 #' @param x Path of a file, text with several lines as copied from a spreadsheet, or a data frame.
 #'   Columns are separated by commas, semicolons or tabs.
@@ -43,6 +44,12 @@ read_net <- function(x) {
   if (length(missing)) {
     abort_argument("{.arg x} has no column {.val {missing[1L]}}; it has {.val {names(table)}}.")
   }
+  # Spreadsheets may name the panel in its first row only, and pieces with spaces.
+  for (k in seq_len(nrow(table))[-1L]) {
+    if (!nzchar(table$panel[k])) table$panel[k] <- table$panel[k - 1L]
+  }
+  table$panel <- tolower(table$panel)
+  table$row <- gsub("[^A-Za-z0-9_-]+", "_", table$row)
   net <- list()
   for (k in seq_len(nrow(table))) {
     values <- table[k, setdiff(names(table), c("panel", "row")), drop = FALSE]

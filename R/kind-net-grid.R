@@ -29,7 +29,7 @@ net_grid <- function(fields, plan) {
   around <- panels_around(fields)
   gathered <- unlist(lapply(fields$net, function(column) isTRUE(column[[1L]]$gathered)))
   grid <- list(columns = columns[around], cells = cells, gathered = all(gathered),
-    separators = net_separators(fields, plan, columns))
+    separators = net_separators(fields, plan, columns, cells))
   check_ends(grid)
   for (pair in neighbours(grid$columns)) grid <- check_stretches(grid, pair, fields$net)
   grid
@@ -194,13 +194,17 @@ net_cell <- function(row, fields, given, panel) {
       list(part = row))
   }
   name <- paste(panel, row, sep = "_")
+  across <- NULL
   flying <- flying_meshes(fields, mirrored)
   pieces <- if (!is.null(fields$window)) {
     if (mirrored) {
       fields$window$left <- fields$meshes$front - fields$window$left - fields$window$across
     }
-    stats::setNames(window_pieces(row, own, unname(fields$lost[sides]), fields, given$window),
-      paste0(name, c("_left", "", "_right")))
+    inside <- window_pieces(row, own, unname(fields$lost[sides]), fields, given$window)
+    counts_of <- function(edge) vapply(inside, function(piece) piece$meshes[[edge]], 0)
+    across <- lapply(list(upper = "upper", lower = "lower"), counts_of)
+    across <- lapply(across, replace, 2L, fields$window$across)
+    stats::setNames(inside, paste0(name, c("_left", "", "_right")))
   } else if (isTRUE(fields$pair)) {
     stats::setNames(list(piece(c("outer", "inner")), piece(c("inner", "outer"))),
       paste0(name, c("_left", "_right")))
@@ -211,5 +215,5 @@ net_cell <- function(row, fields, given, panel) {
   if (length(covers)) names(covers) <- paste(name, names(covers), sep = "_")
   new_cell(pieces, counts, fields$mesh_size, flying, covers,
     gain = if (isTRUE(fields$pair)) -fields$lost[["inner"]] else 0,
-    joined = first_of(fields$joined, counts$lower))
+    joined = first_of(fields$joined, counts$lower), across = across)
 }

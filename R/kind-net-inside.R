@@ -52,6 +52,7 @@ check_window <- function(piece, path) {
   window <- piece$window
   meshes <- piece$meshes
   if (isTRUE(piece$pair)) abort_field(path, "given", "omitted in a pair of wings")
+  if (length(piece$covers)) abort_field(path, "given", "omitted in a piece with `covers`")
   if (window$ahead + window$rows >= meshes$deep) {
     abort_field(paste0(path, ".rows"), window$rows, sprintf(
       "less than %s, so that the piece has meshes behind the window",
@@ -67,6 +68,26 @@ check_window <- function(piece, path) {
       displayed_count(min(width))
     ))
   }
+  own <- window$mesh_size / if (identical(window$orientation, "square")) 2 else 1
+  hole <- c(front = window$across, rear = window$across, deep = window$rows) * piece$mesh_size
+  for (edge in names(hole)) {
+    check_fit(paste0(path, ".meshes.", edge), window$meshes[[edge]], own, hole[[edge]],
+      "the hole in the piece")
+  }
+}
+
+# Largest ratio of the stretched lengths of a window or separator and of the netting at its edges.
+most_inside_slack <- 3
+
+# Throws an error if netting inside a net is much longer or shorter than what it is joined to.
+# `count`: its meshes along the edge; `due`: stretched length (m) of the other netting, `other`.
+check_fit <- function(path, count, mesh_size, due, other) {
+  long <- count * mesh_size
+  if (max(long, due) <= most_inside_slack * min(long, due)) return(invisible())
+  abort_field(path, count, sprintf(
+    "a count for stretched netting within a factor of %s of %s, %s; it is %s long",
+    most_inside_slack, other, format_si(due, "length"), format_si(long, "length")
+  ))
 }
 
 # Returns the meshes of a piece left of its window, at its front; by default it is in the middle.
@@ -75,8 +96,9 @@ window_left <- function(piece) {
   first_of(piece$window$left, (width - piece$window$across) / 2)
 }
 
-# Returns list(piece, rows, counts) of each separator panel, by name. `columns`: rows of the grid.
-net_separators <- function(fields, plan, columns) {
+# Returns list(piece, rows, counts) of each separator panel, by name. `columns`, `cells`: of the
+# grid.
+net_separators <- function(fields, plan, columns, cells) {
   common <- Reduce(intersect, columns)
   Map(function(separator, given, name) {
     for (end in c("from", "to")) {
@@ -90,6 +112,13 @@ net_separators <- function(fields, plan, columns) {
       }
     }
     rows <- common[seq(match(separator$from, common), match(separator$to, common))]
+    seam <- sum(vapply(cells[paste("back", rows, sep = "_")], function(cell) {
+      cell$mesh_size * cell$counts$deep
+    }, 0))
+    counts <- separator$meshes
+    check_fit(paste("separators", name, "meshes.deep", sep = "."),
+      max(counts$deep, abs(counts$upper - counts$lower) / 2), separator$mesh_size, seam,
+      "the seam between these rows")
     own <- given[setdiff(names(given), c("from", "to", "seam"))]
     list(piece = c(own, list(part = name)), rows = rows, counts = separator$meshes,
       seam = first_of(separator$seam, "upper"))

@@ -32,11 +32,13 @@ panels_around <- function(fields) panels_by_number[[as.character(first_of(fields
 # and `deep` of a piece; `mesh_size` in m; `free`: meshes of the left and the right edge without a
 # seam, from the front; `covers`: netting over the piece, by name; `gain`: meshes that a wing gains
 # along its inner edge; `joined`: meshes behind to which a wing is joined.
+#
+# `across`: for a row with a window, list(upper, lower) with the meshes across each piece.
 new_cell <- function(pieces, counts, mesh_size, free = c(left = 0, right = 0), covers = list(),
-                     gain = counts$lower - counts$upper, joined = counts$lower) {
+                     gain = counts$lower - counts$upper, joined = counts$lower, across = NULL) {
   list(name = if (length(pieces) == 3L) names(pieces)[2L] else names(pieces), pieces = pieces,
     counts = counts, mesh_size = mesh_size, free = free, covers = covers,
-    inner_length = mesh_size * max(counts$deep, abs(gain)), joined = joined)
+    inner_length = mesh_size * max(counts$deep, abs(gain)), joined = joined, across = across)
 }
 
 # Returns a cell of two wings, `name`_left and `name`_right, with straight outer edges. `given`:
@@ -239,7 +241,8 @@ cell_joints <- function(grid) {
     lapply(stats::setNames(seq_along(rows)[-1L], cells[-length(cells)]), function(k) {
       cell <- grid$cells[[cells[k - 1L]]]
       ring <- rows[k - 1L] %in% rings && !is_pair(cell)
-      beside <- function(side) ended_beside(grid, panel, rows[k - 1L], ended[[rows[k - 1L]]], side)
+      row <- rows[k - 1L]
+      beside <- function(side) ended_neighbour(grid, panel, row, ended[[row]], side)
       list(cell = cell, behind = grid$cells[[cells[k]]], ring = ring,
         name = if (ring) paste(cells[k - 1L], rows[k], sep = "_") else cell$name,
         left = beside("left"), right = beside("right"))
@@ -252,7 +255,7 @@ cell_joints <- function(grid) {
 # Returns the part of the rear edge of an ended side panel that is joined behind the next panel:
 # list(edge, width (m)), or NULL. A single side panel is divided in the middle. `ended`: panels that
 # end at this row; `side`: side of the panel at which the ended panel is.
-ended_beside <- function(grid, panel, row, ended, side) {
+ended_neighbour <- function(grid, panel, row, ended, side) {
   around <- names(grid$columns)[vapply(grid$columns, function(rows) row %in% rows, NA)]
   turn <- if (side == "left") -1L else 1L
   next_to <- function(k) around[(k - 1L) %% length(around) + 1L]
@@ -277,16 +280,22 @@ rear_seams <- function(joint) {
   behind <- joint$behind
   rear <- whole_edges(cell, "lower")
   front <- whole_edges(behind, "upper")
+  # Returns one pair of edges for each of `edges`, with ranges of a piece's edge by their `widths`.
+  ranged <- function(edges, widths, piece, edge, whole) {
+    ends <- c(0, cumsum(widths) / sum(widths)) * whole
+    joint$name <<- paste0(joint$name, c("_left", "", "_right"))[widths > 0]
+    Map(function(own, from, to) list(own, edge_range(piece, edge, from, to, whole)),
+      edges[widths > 0], ends[-4L][widths > 0], ends[-1L][widths > 0])
+  }
+  after <- names(behind$pieces)
   edges <- if (!is.null(joint$left) || !is.null(joint$right)) {
-    widths <- c(first_of(joint$left$width, 0), cell$mesh_size * cell$counts$lower,
-      first_of(joint$right$width, 0))
-    ends <- c(0, cumsum(widths) / sum(widths)) * behind$counts$upper
-    use <- widths > 0
-    joint$name <- paste0(joint$name, c("_left", "", "_right"))[use]
-    own <- list(joint$left$edge, rear[[1L]], joint$right$edge)
-    Map(function(edge, from, to) {
-      list(edge, edge_range(names(behind$pieces), "upper", from, to, behind$counts$upper))
-    }, own[use], ends[-4L][use], ends[-1L][use])
+    ranged(list(joint$left$edge, rear[[1L]], joint$right$edge),
+      c(first_of(joint$left$width, 0), cell$mesh_size * cell$counts$lower,
+        first_of(joint$right$width, 0)), after, "upper", behind$counts$upper)
+  } else if (!is.null(cell$across)) {
+    ranged(rear[[1L]], cell$across$lower, after, "upper", behind$counts$upper)
+  } else if (!is.null(behind$across)) {
+    ranged(front[[1L]], behind$across$upper, names(cell$pieces), "lower", cell$counts$lower)
   } else if (!is_pair(cell)) {
     list(c(rear, front))
   } else if (is_pair(behind)) {
@@ -295,7 +304,7 @@ rear_seams <- function(joint) {
     rear <- rear[[1L]]
     base <- cell$joined
     across <- behind$counts$upper
-    range <- function(from, to) edge_range(names(behind$pieces), "upper", from, to, across)
+    range <- function(from, to) edge_range(after, "upper", from, to, across)
     list(c(rear[1L], range(0, base)), c(rear[2L], range(across - base, across)))
   }
   stats::setNames(lapply(unname(edges), function(edges) list(edges = edges)), joint$name)
@@ -313,15 +322,19 @@ side_seams <- function(grid) {
       apart <- row == "wings" && grid$gathered && length(grid$columns) == 2L
       edges <- if (!apart) stretches[[k]][[row]]
       if (length(edges)) seams[[paste(row, k, sep = "_")]] <- list(edges = edges)
-      if (row == "wings") seams <- c(seams, tip_seams(grid, pairs[[k]]$panel, pairs[[k]]$after))
+      # Pairs behind an ended side panel have no wings.
+      front <- match(k, names(pairs)) <= length(grid$columns)
+      if (row == "wings" && front) {
+        seams <- c(seams, tip_seams(grid, pairs[[k]]$panel, pairs[[k]]$after))
+      }
     }
   }
   seams
 }
 
-# Returns the stretch of the seam between two panels to which each row of both belongs: each row that
-# both have, and the rows in between. Stretches are named after their row; "wings" is the stretch
-# ahead of the first common row. `rows`: of both panels.
+# Returns the stretch of the seam between two panels to which each row of both belongs: each row
+# that both have, and the rows in between. Stretches are named after their row; "wings" is the
+# stretch ahead of the first common row. `rows`: of both panels.
 row_stretches <- function(rows) {
   both <- intersect(rows[[1L]], rows[[2L]])
   between <- c("wings", paste0("behind_", both))

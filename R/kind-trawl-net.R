@@ -66,7 +66,7 @@ section_grid <- function(fields, plan, around) {
   }
   columns <- lapply(stats::setNames(nm = around), function(panel) names(plan$sections))
   list(columns = columns, cells = cells, gathered = FALSE,
-    separators = net_separators(fields, plan, columns))
+    separators = net_separators(fields, plan, columns, cells))
 }
 
 # Returns list(upper, lower, deep): the counts of a wing. Throws an error if two wings are wider
@@ -79,7 +79,7 @@ wing_counts <- function(meshes, across, path) {
   list(upper = meshes$tip, lower = meshes$base, deep = meshes$deep)
 }
 
-# Returns list(panels, seams, points, ropes, lines, columns, headline, fronts) of the net of a trawl.
+# Returns the net of a trawl: list(panels, seams, points, ropes, lines, columns, headline, fronts).
 # `lines`: names of the ropes of each line, by field; `columns`: rows of the panels; `headline`: its
 # rope or chain; `fronts`: first pieces of the side panels.
 trawl_net <- function(grid, fields, plan) {
@@ -110,8 +110,8 @@ trawl_net <- function(grid, fields, plan) {
   net
 }
 
-# Returns the chains of edges of all lines along the mouth, along the seams between panels and around
-# the net: list(line (field of the plan), along) each, by name.
+# Returns the chains of edges of all lines along the mouth, along the seams between panels and
+# around the net: list(line (field of the plan), along) each, by name.
 line_chains <- function(grid, plan, mouth) {
   chains <- lapply(stats::setNames(nm = names(mouth)), function(name) {
     list(line = if (startsWith(name, "side_line")) "side_lines" else name, along = mouth[[name]])
@@ -164,7 +164,7 @@ rear_edges <- function(columns, row) {
   paste0(section_panel_name(names(rows), rows), ".lower")
 }
 
-# Returns the row of a column at the rear edge of a row, which a window may divide; NULL without one.
+# Returns the row of a column at the rear edge of a row, which a window may divide, or NULL.
 rear_row <- function(rows, row) {
   found <- intersect(c(row, paste0(row, "_behind")), rows)
   if (length(found)) found[1L]

@@ -121,8 +121,8 @@ trawl_legs <- function(plan, fields, rig, from) {
   rig
 }
 
-# Returns the bridles of a side from top to bottom, by tier: upper, middle, or middle_1, middle_2 and
-# so on, lower.
+# Returns the bridles of a side from top to bottom, by tier: upper, middle (or middle_1, middle_2
+# and so on), lower.
 bridle_tiers <- function(bridles) {
   middle <- bridles["middle"]
   if (is.null(names(middle$middle)) && length(middle$middle)) {

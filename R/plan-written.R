@@ -49,7 +49,7 @@ part_text <- function(path) {
 written_path <- function(plan, path, value, leaves = plan_leaves(plan)) {
   path <- dotted_path(path)
   steps <- path_steps(path)
-  found <- net_path(plan, steps)
+  found <- first_of(net_path(plan, steps), section_path(plan, steps))
   if (!is.null(found)) return(found)
   last <- sub("^.*[.]", "", leaves$path)
   fits <- last == steps[length(steps)]
@@ -83,11 +83,28 @@ net_path <- function(plan, steps) {
   for (start in names(net_names)[startsWith(steps[2L], paste0(names(net_names), "_"))]) {
     row <- substring(steps[2L], nchar(start) + 2L)
     of <- plan$net[[net_names[[start]]]]
-    row <- intersect(c(row, sub("_(left|right)$", "", row)), names(of))[1L]
+    whole <- sub("(_(ahead|behind|window))?(_(left|right))?$", "", row)
+    inside <- endsWith(row, "_window") && !row %in% names(of)
+    row <- intersect(c(row, sub("_(left|right)$", "", row), whole), names(of))[1L]
     if (is.na(row)) next
+    if (inside) return(paste(c("net", net_names[[start]], row, "window", rest), collapse = "."))
     paths <- lapply(c(net_names[[start]], "upper"), function(panel) c("net", panel, row, rest))
     paths <- vapply(paths, paste, "", collapse = ".")
     return(first_of(Find(function(path) !is.null(plan_field(plan, path)$value), paths), paths[1L]))
+  }
+  NULL
+}
+
+# Returns the path in the sections of a line of a rope's field in the assembly, or NULL.
+section_path <- function(plan, steps) {
+  if (length(steps) < 2L || steps[1L] != "ropes") return(NULL)
+  lines <- names(plan)[vapply(plan, function(part) is_map(part) && length(part$sections), NA)]
+  for (line in lines) {
+    role <- sub("s$", "", line)
+    if (!grepl(paste0("^", role, "(_|$)"), steps[2L])) next
+    k <- sub(paste0("^", role, "_([0-9]+)(_.*)?$"), "\\1", steps[2L])
+    if (k == steps[2L]) k <- "1"
+    return(paste(c(line, "sections", k, steps[-(1:2)]), collapse = "."))
   }
   NULL
 }

@@ -38,7 +38,8 @@ test_that("the net of a plan may be a table in its folder", {
   write_net(trawl, file.path(folder, "my_net.csv"))
   text <- readLines(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
   plan <- file.path(folder, "plan.yaml")
-  writeLines(c(text[seq_len(grep("^net:", text) - 1L)], "net: my_net.csv  # from the drawing"), plan)
+  text <- text[seq_len(grep("^net:", text) - 1L)]
+  writeLines(c(text, "net: my_net.csv  # from the drawing"), plan)
   read <- read_gear(plan)
   expect_equal(gear_si(read)$panels, gear_si(trawl)$panels)
   # a written plan holds the net itself

@@ -134,3 +134,63 @@ test_that("net_form() keeps the measures of a beam trawl", {
   expect_equal(plain_measures(measures(settle(net_form(short), nodes = 300))),
     plain_measures(measures(settle(short, nodes = 300))), tolerance = 1e-6)
 })
+
+test_that("errors about nets, lines and windows name fields of the plan", {
+  window <- list(ahead = 20, rows = 20, across = 40, mesh_size = "100 mm", orientation = "square",
+    twine = list(diameter = "4 mm", material = "PE"),
+    meshes = list(front = 40, rear = 40, deep = 56))
+  separator <- list(from = "body_1", to = "body_1", mesh_size = "100 mm",
+    meshes = list(upper = 120, lower = 60, deep = 84), twine = window$twine)
+  trawl <- update(two_seam(), net.upper.body_2.window = window,
+    separators = list(separator = separator),
+    ground_gear = list(sections = list(
+      list(length = "6 m", diameter = "16 mm", material = "steel_wire"),
+      list(length = "15 m", diameter = "60 mm", mass_in_water = "5 kg/m",
+        axial_stiffness = "10 MN")
+    )))
+  leaves <- plan_leaves(unclass(trawl$plan))
+  use <- grepl("^(net|separators|ground_gear|headline|side_lines)", leaves$path)
+  refused <- 0
+  for (k in which(use)) {
+    value <- leaves$value[[k]]
+    tries <- list(NULL)
+    if (is.numeric(value)) tries <- c(tries, list(20 * value, value / 20))
+    for (other in tries) {
+      change <- stats::setNames(list(other), leaves$path[k])
+      error <- tryCatch({
+        do.call(update, c(list(trawl), change))
+        NULL
+      }, error = function(e) e)
+      if (is.null(error)) next
+      refused <- refused + 1
+      expect_s3_class(error, "codend_error_plan")
+      expect_no_match(conditionMessage(error),
+        "`(panels|seams|ropes|points|pieces)[.]|back_|belly_(?!lines)", perl = TRUE,
+        label = leaves$path[k])
+    }
+  }
+  expect_gt(refused, 100)
+})
+
+test_that("a sheet of 13 rows reads as a net by one paste and settles", {
+  sheet <- paste(c(
+    "panel\trow\tpair\tmesh size (mm)\ttwine (mm)\tmaterial\tfront\tdeep\tinner\touter\tcutting",
+    "upper\twing 1\tyes\t160\t3\tPE\t25\t40\tAB\t1N2B\t",
+    "\twing 2\tyes\t140\t3\tPE\t51\t50\tAB\t1N2B\t",
+    "upper\tsquare\t\t140\t3\tPE\t220\t30\t\t\t1N2B",
+    "upper\tbody 1\t\t140\t3\tPE\t190\t60\t\t\t1N2B",
+    "upper\tbody 2\t\t100\t2,5\tPE\t182\t80\t\t\t1N2B",
+    "upper\textension\t\t80\t2,5\tPE\t127\t90\t\t\t5N2B",
+    "upper\tcodend\t\t80\t3\tPE\t97\t75\t\t\tAN",
+    "lower\tlower wing 1\tyes\t160\t4\tPE\t30\t48\t1N4B\t1N2B\t",
+    "lower\tlower wing 2\tyes\t140\t4\tPE\t44\t66\t1N4B\t1N2B\t",
+    "lower\tbody 1\t\t\t4\t\t\t\t\t\t",
+    "lower\tbody 2\t\t\t3\t\t\t\t\t\t",
+    "lower\textension\t\t\t\t\t\t\t\t\t",
+    "lower\tcodend\t\t\t\t\t\t\t\t\t"
+  ), collapse = "\n")
+  trawl <- update(two_seam(), net = read_net(sheet))
+  drawn <- gear_si(update(two_seam(), net.upper.codend.twine.double = NULL))$panels
+  expect_equal(unname(gear_si(trawl)$panels), unname(drawn))
+  expect_no_error(settle(trawl, nodes = 300))
+})

@@ -13,6 +13,22 @@ test_that("a window replaces its meshes and is joined along all its edges", {
   expect_identical(panels$back_body_2_window$orientation, "square")
   # the half panels left and right of the window are mirror images
   expect_equal(panels$back_body_2_window_left$lost_left, panels$back_body_2_window_right$lost_right)
+  # 40 of 162 meshes ahead and of 142 behind are joined to the window, the rest to its sides
+  joints <- seam_joints(gear_si(trawl))
+  own <- joints[joints$panel == "back_body_2_window", ]
+  part <- function(edge) own$other_to[own$edge == edge] - own$other_from[own$edge == edge]
+  expect_equal(c(part("upper"), part("lower")), c(40 / 162, 40 / 142))
+  # the drawing has one column for the upper panel, with the window in its hole
+  flat <- flat_layout(gear_si(trawl))
+  expect_true(all(flat$columns$symmetric))
+  expect_length(unique(flat$panels$column[grepl("body_2_window", flat$panels$name)]), 1)
+  cover <- list(mesh_size = "120 mm", twine = window$twine,
+    meshes = list(upper = 40, lower = 40, deep = 40))
+  expect_refused(update(trawl, net.upper.body_2.covers = list(chafer = cover)),
+    "body_2.window` is given; it must be omitted in a piece with `covers`")
+  long <- modifyList(window, list(meshes = list(front = 800)))
+  expect_refused(update(two_seam(), net.upper.body_2.window = long),
+    "window.meshes.front` is 800; it must be .* hole in the piece, 4 m; it is 40 m long")
   covered <- covered_edges(trawl)
   expect_equal(range(covered), c(1, 1))
   expect_no_error(settle(trawl, nodes = 400))
@@ -48,7 +64,8 @@ test_that("a separator panel is joined to both side seams from row to row", {
   expect_refused(update(two_seam(), separators = list(a = modifyList(separator,
     list(from = "square")))), "separators.a.from")
   window <- list(ahead = 20, rows = 20, across = 40, mesh_size = "100 mm",
-    twine = list(diameter = "4 mm", material = "PE"), meshes = list(front = 40, rear = 40, deep = 28))
+    twine = list(diameter = "4 mm", material = "PE"),
+    meshes = list(front = 40, rear = 40, deep = 28))
   expect_refused(update(trawl, net.upper.body_2.window = window),
     "separators.separator.to` is \"body_2\"; it must be a row without a window")
 })
