@@ -168,33 +168,4 @@ define_finding("seam", "plan",
   }
 )
 
-# Rope length over stretched netting: from gathered bosoms of footropes to ropes longer than
-# netting.
-least_hanging <- 0.2
-greatest_hanging <- 1.15
-
-define_finding("hanging ratio", "plan",
-  "The hanging ratio of a rope (its length over the stretched length of its netting) is below 0.2 or
-  above 1.15.",
-  function(gear, state) {
-    si <- gear_si(gear)
-    lapply(names(si$ropes), function(name) {
-      rope <- si$ropes[[name]]
-      if (is.null(rope$along)) return(NULL)
-      netting <- vapply(rope$along, function(edge) chain_length(list(edge), si$panels), 0)
-      ratio <- if (is.null(rope$shares)) {
-        rope$length / sum(netting)
-      } else {
-        (rope$length * rope$shares / netting)[netting > 0]
-      }
-      odd <- ratio[ratio < least_hanging | ratio > greatest_hanging]
-      if (!length(odd)) return(NULL)
-      worst <- odd[which.max(abs(log(odd)))]
-      finding(paste("rope", name), worst, figures(worst),
-        template("its hanging ratio is {n}.", n = figures(worst)),
-        "Check the length of the rope and the mesh count along it.")
-    })
-  }
-)
-
 unless_na <- function(x) if (is.na(x)) NULL else x

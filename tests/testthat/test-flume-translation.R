@@ -52,7 +52,7 @@ finding_words <- function() {
     walk(body(check$test), TRUE)
     # strings of a usual range
     given <- environment(check$test)
-    if (!identical(given, ns)) said <- c(said, given$quantity, given$low, given$high)
+    if (!identical(given, ns)) said <- c(said, given$quantity, given$low, given$high, given$advice)
   }
   unique(c(one_line(said[nzchar(said)]), "rope", "panel", "seam", "piece", "stalled", "back-winded",
     "fallen over"))

@@ -1,0 +1,266 @@
+# Numbers outside the range that is possible for any gear. Each check has one range for all kinds.
+
+# Defines a check of numbers. `least`, `greatest`: limits of usual numbers; `unit`: their unit, as
+# text. `values(gear, state)`: numbers, named by location as in finding(). `quantity`: name of the
+# number in messages. Other arguments: as in define_finding() and finding().
+define_range <- function(name, of, message, quantity, least, greatest, unit, values, advice,
+                         field = NULL, rank = 1L) {
+  define_finding(name, of, message, function(gear, state) {
+    found <- values(gear, state)
+    odd <- found[is.finite(found) & (found < least | found > greatest)]
+    lapply(names(odd), function(location) {
+      value <- odd[[location]]
+      label <- trimws(paste(figures(value), unit))
+      band <- band_text(if (is.finite(least)) least else NA, greatest)
+      finding(location, value, label,
+        template("{quantity} is {value}; usual is {band}.", quantity = quantity, value = label,
+          band = if (is.infinite(greatest)) template("at least {n}", n = least) else band),
+        advice, field = field)
+    })
+  }, rank = rank)
+}
+
+# Returns a number for each part of a list, named by location. `of(part)`: the number or NA.
+numbers_of_parts <- function(parts, kind, of) {
+  found <- vapply(parts, of, 0)
+  setNames(found, paste(kind, names(parts), recycle0 = TRUE))
+}
+
+density_of <- function(mass, volume) {
+  if (isTRUE(mass > 0) && isTRUE(volume > 0)) mass / volume else NA_real_
+}
+
+# Ropes and bodies of shipped and published gears have 205 to 11,300 kg/m3.
+define_range("density", "plan",
+  "The density of a rope or body (its mass over its volume) is below 30 kg/m3 or above 13,000 kg/m3.
+  Foam has 100 kg/m3 or more, lead 11,340 kg/m3.",
+  "density", 30, 13000, "kg/m3",
+  function(gear, state) {
+    si <- gear_si(gear)
+    c(
+      numbers_of_parts(si$ropes, "rope", function(rope) {
+        density_of(rope$mass_per_length, rope$volume_per_length)
+      }),
+      numbers_of_parts(si$pieces, "piece", function(piece) density_of(piece$mass, piece$volume))
+    )
+  },
+  "Check the mass, the dimensions and their units.", "mass_per_length"
+)
+
+define_range("mesh count", "plan",
+  "A panel is less than half a mesh deep, or has less than half a mesh along an edge.",
+  "mesh count", 0.5, Inf, "",
+  function(gear, state) {
+    numbers_of_parts(gear_si(gear)$panels, "panel", function(panel) {
+      along <- c(panel$upper, panel$lower)
+      # A triangle has no mesh along one edge.
+      min(panel$deep, along[along > 0])
+    })
+  },
+  "Check the mesh counts of the panel.", "meshes"
+)
+
+# The longest sections of shipped and published nets have 96 m.
+define_range("panel depth", "plan",
+  "A panel is deeper than 300 m, stretched. The longest sections of nets have about 100 m.",
+  "stretched depth", -Inf, 300, "m",
+  function(gear, state) {
+    numbers_of_parts(gear_si(gear)$panels, "panel", function(panel) panel$deep * panel$mesh_size)
+  },
+  "Check the mesh counts of the panel.", "meshes"
+)
+
+# Ropes along netting of shipped and published gears are at least as thick as the twine.
+define_range("rope thinner than twine", "plan",
+  "A rope along netting is less than half as thick as the twine.",
+  "rope diameter over twine diameter", 0.5, Inf, "",
+  function(gear, state) {
+    si <- gear_si(gear)
+    numbers_of_parts(si$ropes, "rope", function(rope) {
+      panels <- intersect(sub("[.].*", "", unlist(rope$along)), names(si$panels))
+      if (!length(panels)) return(NA_real_)
+      rope$diameter / max(vapply(si$panels[panels], `[[`, 0, "twine_diameter"))
+    })
+  },
+  "Check the diameter of the rope and of the twine, and their units.", "diameter"
+)
+
+# The shortest ropes of shipped and published gears have 25 diameters.
+define_range("short rope", "plan",
+  "The length of a rope is less than five diameters.",
+  "length over diameter", 5, Inf, "",
+  function(gear, state) {
+    numbers_of_parts(gear_si(gear)$ropes, "rope", function(rope) rope$length / rope$diameter)
+  },
+  "Check the length and the diameter of the rope, and their units.", "length"
+)
+
+# A sphere has 0.83, boards have 0.03 to 0.2.
+define_range("body size", "plan",
+  "The volume of a body is too large for its area: its ratio of volume^(2/3) to area is above 5. A
+  sphere has 0.83.",
+  "volume^(2/3) over area", -Inf, 5, "",
+  function(gear, state) {
+    numbers_of_parts(gear_si(gear)$pieces, "piece", function(piece) {
+      if (isTRUE(piece$area > 0)) piece$volume^(2 / 3) / piece$area else NA_real_
+    })
+  },
+  "Check the mass, the dimensions and their units.", "diameter"
+)
+
+# Bodies of shipped and published gears have up to 15 (boards).
+define_range("body drag", "plan",
+  "The drag area of a body is too large for its volume: its ratio to volume^(2/3) is above 60. A
+  sphere has 0.57, boards have up to 15.",
+  "drag area over volume^(2/3)", -Inf, 60, "",
+  function(gear, state) {
+    numbers_of_parts(gear_si(gear)$pieces, "piece", function(piece) {
+      if (isTRUE(piece$volume > 0)) piece$drag_area / piece$volume^(2 / 3) else NA_real_
+    })
+  },
+  "Check the mass, the dimensions and their units.", "drag_area"
+)
+
+# A solid round bar has 1. Chains with their outer width have 0.04, discs on a thin rope 3.2.
+define_range("rope volume", "plan",
+  "The volume of a rope is less than 2 % or more than five times that of a round bar of its
+  diameter.",
+  "volume over that of a round bar", 0.02, 5, "",
+  function(gear, state) {
+    numbers_of_parts(gear_si(gear)$ropes, "rope", function(rope) {
+      if (!isTRUE(rope$volume_per_length > 0)) return(NA_real_)
+      rope$volume_per_length / (pi / 4 * rope$diameter^2)
+    })
+  },
+  "Check the diameter, the mass and their units.", "diameter"
+)
+
+# Published coefficients across a rope are 0.9 to 2 (strumming cables), along it 0 to 0.1.
+coefficient_ranges <- list(normal = c(0.3, 3), tangential = c(-Inf, 0.5))
+for (along in names(coefficient_ranges)) local({
+  name <- along
+  ends <- coefficient_ranges[[name]]
+  define_range(paste(name, "drag coefficient of ropes"), "plan",
+    switch(name,
+      normal = "The drag coefficient across a rope is below 0.3 or above 3. Published values are 0.9
+        to 2.",
+      tangential = "The drag coefficient along a rope is above 0.5. Published values are 0 to 0.1."),
+    "drag coefficient", ends[1L], ends[2L], "",
+    function(gear, state) {
+      numbers_of_parts(gear_si(gear)$ropes, "rope", function(rope) {
+        if (isTRUE(rope$coefficients[[name]] != 0)) rope$coefficients[[name]] else NA_real_
+      })
+    },
+    "Check the coefficient and its reference area.", paste0("coefficients.", name), rank = 2L)
+})
+
+# Roles of bodies that float (-1) or sink (1).
+sinking_roles <- c(float = -1, weight = 1, sinker = 1, anchor = 1, ring = 1, disc = 1, hammer = 1)
+
+define_range("weight that floats", "plan",
+  "A weight floats, or a float sinks.",
+  "weight in water over mass", 0, Inf, "",
+  function(gear, state) {
+    si <- gear_si(gear)
+    numbers_of_parts(si$pieces, "piece", function(piece) {
+      way <- unname(sinking_roles[first_of(piece$role, "")])
+      if (!isTRUE(piece$mass > 0)) return(NA_real_)
+      way * (1 - si$water$density * piece$volume / piece$mass)
+    })
+  },
+  "Check the mass, the volume or the buoyancy, and their units."
+)
+
+# Streamlined floats and boards have 0.2 or more, based on their frontal area.
+define_range("drag coefficient", "plan",
+  "The drag coefficient of a body is below 0.1. Streamlined bodies have 0.2 or more.",
+  "drag coefficient", 0.1, Inf, "",
+  function(gear, state) {
+    numbers_of_parts(gear_si(gear)$pieces, "piece", function(piece) {
+      has_both <- isTRUE(piece$area > 0) && isTRUE(piece$drag_area > 0)
+      if (has_both) piece$drag_area / piece$area else NA_real_
+    })
+  },
+  "Check the coefficient and its reference area.", "drag_coefficient", rank = 2L
+)
+
+# Gathered bosoms of footropes have the smallest ratios. A rope can be longer than its netting.
+define_range("hanging ratio", "plan",
+  "The hanging ratio of a rope (its length over the stretched length of its netting) is below 0.2 or
+  above 1.15.",
+  "hanging ratio", 0.2, 1.15, "",
+  function(gear, state) {
+    si <- gear_si(gear)
+    numbers_of_parts(si$ropes, "rope", function(rope) {
+      if (is.null(rope$along)) return(NA_real_)
+      netting <- vapply(rope$along, function(edge) chain_length(list(edge), si$panels), 0)
+      ratio <- if (is.null(rope$shares)) {
+        rope$length / sum(netting)
+      } else {
+        (rope$length * rope$shares / netting)[netting > 0]
+      }
+      ratio[which.max(abs(log(ratio)))]
+    })
+  },
+  "Check the length of the rope and the mesh count along it.", rank = 2L
+)
+
+# Adjacent panels of shipped and published nets have ratios up to 2.9.
+define_range("twines at a seam", "plan",
+  "A seam joins netting whose twines differ in diameter by a factor of more than 6. Shipped and
+  published nets have factors up to 2.9.",
+  "ratio of twine diameters", -Inf, 6, "",
+  function(gear, state) {
+    si <- gear_si(gear)
+    numbers_of_parts(si$seams, "seam", function(seam) {
+      panels <- unique(sub("[.].*", "", unlist(seam$edges)))
+      twine <- vapply(si$panels[intersect(panels, names(si$panels))], `[[`, 0, "twine_diameter")
+      if (length(twine)) max(twine) / min(twine) else NA_real_
+    })
+  },
+  "Check the twine diameters on both sides of the seam."
+)
+
+# Ropes of shipped and published gears are stretched by up to 2.4 %. Polyamide breaks at 20 % or
+# more, steel wire at 3 %.
+define_range("stretched rope", "state",
+  "A rope is stretched by more than 10 % of its length. Most ropes break before that.",
+  "stretch", -Inf, 10, "%",
+  function(gear, state) {
+    ropes <- state$si$ropes
+    numbers_of_parts(setNames(nm = names(ropes)), "rope", function(name) {
+      100 * max(state$bar_tension[rope_bars(state$mesh, name)]) / ropes[[name]]$axial_stiffness
+    })
+  },
+  "Use a thicker or a stronger rope, or find the cause of the high load.", "diameter"
+)
+
+# The shortest distance between the ends of a free rope of shipped and published gears is 57 % of
+# its length (tickler chains), except for purse lines, which run through rings.
+define_range("slack rope", "state",
+  "The ends of a free rope are closer together than 20 % of its length. This check omits ropes that
+  run through rings, and moments of a tow.",
+  "distance between the ends over the length", 20, Inf, "%",
+  function(gear, state) {
+    if (!is.null(state$time)) return(numeric())
+    free <- Filter(function(rope) is.null(rope$along) && !rope$strut && !length(rope$through),
+      state$si$ropes)
+    numbers_of_parts(setNames(nm = names(free)), "rope", function(name) {
+      node <- state$mesh$ropes[[name]]$node
+      way <- state$position[, node[length(node)]] - state$position[, node[1L]]
+      100 * sqrt(sum(way^2)) / free[[name]]$length
+    })
+  },
+  "Shorten the rope, or check the unit of its length.", "length", rank = 2L
+)
+
+# The deepest trawl fisheries work at about 2,000 m. Trawl floats are rated to 1,800 m or less.
+define_range("depth", "state",
+  "The gear is deeper than 3,000 m. The deepest fisheries work at about 2,000 m.",
+  "depth", -Inf, 3000, "m",
+  function(gear, state) {
+    deepest <- which.min(state$position[3, ])
+    setNames(-state$position[3, deepest], describe_node(state$mesh, deepest))
+  },
+  "Check the depth and the lengths of the ropes, and their units."
+)
