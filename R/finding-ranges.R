@@ -144,7 +144,8 @@ for (along in names(coefficient_ranges)) local({
     switch(name,
       normal = "The drag coefficient across a rope is below 0.3 or above 3. Published values are 0.9
         to 2.",
-      tangential = "The drag coefficient along a rope is above 0.5. Published values are 0 to 0.1."),
+      tangential = "The drag coefficient along a rope is above 0.5. Published values are 0 to
+        0.1."),
     "drag coefficient", ends[1L], ends[2L], "",
     function(gear, state) {
       numbers_of_parts(gear_si(gear)$ropes, "rope", function(rope) {
