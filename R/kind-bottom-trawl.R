@@ -19,8 +19,7 @@ rigged_net <- function(fields, plan, rig) {
   net <- bottom_trawl_net(fields, plan)
   # A jib has a point at its tip even without a middle bridle.
   if (!is.null(fields$bridles$middle) || !is.null(fields$wings$jib)) {
-    net$points <- append(net$points, middle_points(net, fields),
-      match("codline", names(net$points)) - 1L)
+    net$points <- c(net$points, middle_points(net, fields))
   }
   out <- shared_fields(plan, fields)
   out$points <- c(rig$points, net$points)

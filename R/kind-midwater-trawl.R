@@ -6,9 +6,6 @@ expand_midwater_trawl <- function(fields, plan) {
   net <- trawl_net(grid, fields, plan)
   rig <- trawl_rig(fields, plan, net)
   out <- shared_fields(plan, fields)
-  # The order of points sets the numbers of nodes. Slack netting converges faster with this order.
-  ends <- c("upper_port", "upper_starboard", "lower_starboard", "lower_port")
-  if (!grid$gathered) net$points <- net$points[c("codline", ends)]
   out$points <- c(rig$points, net$points)
   out$ropes <- c(rig$ropes, net$ropes)
   out$panels <- net$panels

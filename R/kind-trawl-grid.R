@@ -173,7 +173,8 @@ mouth_chains <- function(grid) {
   ))
 }
 
-# Returns the wing ends as points at the ends of headline and footrope.
+# Returns the wing ends as points at the ends of headline and footrope, clockwise. The order sets the
+# numbers of nodes: slack netting converges faster with this order.
 wing_end_points <- function(grid) {
   end <- function(panel, side) {
     cell <- column_cells(grid, panel)[[1L]]
@@ -184,7 +185,7 @@ wing_end_points <- function(grid) {
   }
   list(
     upper_port = end("back", "left"), upper_starboard = end("back", "right"),
-    lower_port = end("belly", "right"), lower_starboard = end("belly", "left")
+    lower_starboard = end("belly", "left"), lower_port = end("belly", "right")
   )
 }
 

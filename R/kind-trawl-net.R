@@ -97,7 +97,7 @@ trawl_net <- function(grid, fields, plan) {
     wings <- if (fronts[[line]] %in% names(grid$columns)) panel_front(grid, fronts[[line]])$wings
     plan[[line]] <- hung_line(fields, plan, line, length(chain), wings)
   }
-  if (!grid$gathered) net$points <- c(wing_end_points(grid), net$points)
+  if (!grid$gathered) net$points <- c(net$points, wing_end_points(grid))
   chains <- line_chains(grid, plan, mouth)
   ropes <- lapply(names(chains), function(name) {
     line_ropes(name, chains[[name]], grid, fields, plan)
