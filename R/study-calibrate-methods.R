@@ -246,7 +246,7 @@ print.codend_calibration <- function(x, n = 10, ...) {
   check_rows(n)
   cat("Calibration of \"", x$gear$plan$name, "\" to ", nrow(x$task$data), " rows",
     if (length(x$conditions)) paste0(" by ", paste(x$conditions, collapse = ", ")), "\n", sep = "")
-  fields <- x$fields
+  fields <- printed_rows(x$fields)
   cat_rows(list(
     paste0("  ", field_labels(fields$field)), sure_digits(fields$value, fields$error),
     ifelse(is.na(fields$error), "", paste("+-", sensitivity_digits(signif(fields$error, 2)))),

@@ -268,7 +268,7 @@ print.codend_study_summary <- function(x, n = most_rows, ...) {
     x$warned, " with a warning\n", sep = "")
   shown <- x$measures$measure
   if (is.finite(n)) shown <- some_measures(structure(list(), main = x$main), shown)
-  table <- x$measures[match(shown, x$measures$measure), ]
+  table <- printed_rows(x$measures[match(shown, x$measures$measure), ])
   columns <- c("least", "median", "largest", "error")
   cat_columns(c(list(c("", label_of(table$measure, table$unit))),
     Map(c, columns, lapply(table[columns], figures)), list(c("", table$unit))), left = c(1L, 6L))

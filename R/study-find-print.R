@@ -2,6 +2,8 @@
 #' @export
 print.codend_found <- function(x, n = 5, ...) {
   check_rows(n)
+  given <- x
+  x[c("fields", "targets")] <- lapply(x[c("fields", "targets")], printed_rows)
   cat(if (all(x$targets$reached)) "Found" else "Nearest", " for \"", x$gear$plan$name, "\"\n",
     sep = "")
   fields <- utils::head(x$fields, n)
@@ -18,7 +20,7 @@ print.codend_found <- function(x, n = 5, ...) {
   if (!all(x$targets$reached)) cat(strwrap(not_reached_text(x), 78, 2, 2), sep = "\n")
   cat("  ", x$n_solves, " gears settled with ",
     mesh_size_text(x$state$mesh$nodes, main_error(measures(x$state))), "\n", sep = "")
-  invisible(x)
+  invisible(given)
 }
 
 end_text <- function(fields) {

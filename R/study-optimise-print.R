@@ -19,7 +19,7 @@ print.codend_optimum <- function(x, n = 10, ...) {
     sure_digits(objective$value, objective$error),
     spread_text(objective$error), " now (",
     with_plain_numbers(sprintf("%+.1f %%", -100 * objective$saving)), ")\n", sep = "")
-  fields <- x$fields
+  fields <- printed_rows(x$fields)
   cat_rows(list(
     paste0("  ", field_labels(fields$field)), sensitivity_digits(fields$begun),
     rep("to", nrow(fields)), sensitivity_digits(fields$value), fields$unit,

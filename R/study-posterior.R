@@ -108,7 +108,7 @@ chain_figures <- function(draws, unit) {
 #' @export
 print.codend_posterior <- function(x, n = most_rows, ...) {
   check_rows(n)
-  chain <- attr(x, "chain")
+  chain <- printed_rows(attr(x, "chain"))
   cat(nrow(x), " draws, ", format(round(100 * attr(x, "accepted"))), " % of proposals accepted\n",
     sep = "")
   rows <- utils::head(chain, n)

@@ -37,7 +37,7 @@ cat_by_measure <- function(x, key, fixed, cells, n, kind, units = TRUE) {
 print.codend_variations <- function(x, n = most_rows, ...) {
   check_rows(n)
   given <- x
-  x <- table_in_units(x, units_option())
+  x <- in_printed_units(x)
   everything <- is.infinite(n)
   known <- variations_measures(x)
   fields <- variations_fields(x)
@@ -95,6 +95,8 @@ cat_counted_problems <- function(problems, n = 5L) {
 #' @param n Number of rows to print. Default 20. `Inf` prints all rows and all measures.
 #' @export
 print.codend_effects <- function(x, n = most_rows, ...) {
+  given <- x
+  x <- in_printed_units(x)
   cat_wrapped("Effects of fields of \"", attr(x, "gear_name"),
     "\": means over the designs with a value of the field", indent = 0L)
   x <- x[order(-largest_by(x$field, x$spread / pmax(abs(x$value), 1e-300))), ]
@@ -105,11 +107,13 @@ print.codend_effects <- function(x, n = most_rows, ...) {
       headed("designs", "", format(x$designs[rows]))
     )
   }, function(rows) certain_figures(x$value[rows]), n, "value")
-  invisible(x)
+  invisible(given)
 }
 
 #' @export
 print.codend_pair_effects <- function(x, n = most_rows, ...) {
+  given <- x
+  x <- in_printed_units(x)
   cat_wrapped("Effects of pairs of fields of \"", attr(x, "gear_name"),
     "\" beyond the effects of each field (root mean square)", indent = 0L)
   key <- paste(x$field, x$other, sep = "\r")
@@ -120,7 +124,7 @@ print.codend_pair_effects <- function(x, n = most_rows, ...) {
       headed("with", "", field_titles(x, x$other[rows]))
     )
   }, function(rows) certain_figures(x$spread[rows]), n, "pair")
-  invisible(x)
+  invisible(given)
 }
 
 #' @export

@@ -15,6 +15,8 @@ print.codend_sensitivities <- function(x, n = most_rows, ...) {
     print(as.data.frame(x), ...)
     return(invisible(x))
   }
+  given <- x
+  x <- in_printed_units(x)
   cat_wrapped("Sensitivities of \"", attr(x, "gear_name"),
     "\", % of the measure per % of the field", indent = 0L)
   shown <- printed_columns(x, n)
@@ -36,7 +38,7 @@ print.codend_sensitivities <- function(x, n = most_rows, ...) {
   } else {
     cat("  No field changes these measures by ", smallest_elasticity, " % per % or more.\n",
       sep = "")
-    return(invisible(x))
+    return(invisible(given))
   }
   for (kind in names(small)) {
     if (length(small[[kind]])) {
@@ -44,7 +46,7 @@ print.codend_sensitivities <- function(x, n = most_rows, ...) {
         paste(small[[kind]], collapse = ", "))
     }
   }
-  invisible(x)
+  invisible(given)
 }
 
 elasticity_text <- function(rows) {

@@ -85,7 +85,7 @@ sensitivities <- function(state, of = NULL, fields = NULL, secants = TRUE) {
     data.frame(
       measure = of, field = each("name", ""), value = value, unit = unit,
         derivative = change / value,
-      derivative_unit = paste(work$units[of], "per", ifelse(nzchar(unit), unit, "1")),
+      derivative_unit = derivative_units(work$units[of], unit),
       elasticity = change / ifelse(values == 0, NA_real_, values),
       secant_below = all("below") / value, secant_above = all("above") / value,
       smooth = all("smooth")

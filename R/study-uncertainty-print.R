@@ -4,6 +4,7 @@ least_displayed_percent <- 10
 # Returns a line per measure: "5.51 m, 90 %: 4.5 to 6.6 (plan 60 %, coefficients 30 %)".
 #' @export
 format.codend_uncertainty <- function(x, ...) {
+  x <- in_printed_units(x)
   table <- x$measures
   parts <- main_sources(table)
   align_columns(list(
@@ -37,6 +38,9 @@ main_sources <- function(table) {
 #' @export
 print.codend_uncertainty <- function(x, measures = NULL, n = NULL, ...) {
   if (!is.null(n)) check_rows(n)
+  given <- x
+  x <- in_printed_units(x)
+  if (!is.null(measures)) measures <- names_in_units(measures, units_option())
   known <- x$measures$measure
   main <- some_measures(structure(list(), main = x$main), known)
   listed <- union(measures, if (is.null(n)) main else utils::head(known, n))
@@ -58,7 +62,7 @@ print.codend_uncertainty <- function(x, measures = NULL, n = NULL, ...) {
   if (any(!x$measures$smooth) && x$method == "linear") {
     cat("Some measures are not smooth; use method = \"samples\" for their intervals.\n")
   }
-  invisible(x)
+  invisible(given)
 }
 
 # Returns the measures with a list of sources: the requested ones, or the first height, spread and
@@ -67,7 +71,7 @@ main_rows <- function(x, measures) {
   if (!is.null(measures)) return(intersect(x$measures$measure, measures))
   names <- x$measures$measure
   pick <- function(pattern) grep(pattern, names, value = TRUE)[1L]
-  found <- c(pick("mouth_height|headline_height|depth_m"), pick("spread_m"), pick("total_drag"))
+  found <- c(pick("mouth_height|headline_height|depth_"), pick("spread_"), pick("total_drag"))
   unique(found[!is.na(found)])
 }
 

@@ -6,9 +6,10 @@
 #' twines keep their unit. `options(codend.units = c(speed = "knot", force = "tonnef"))` sets units
 #' for printed results. It does not change stored values and names.
 #'
-#' @param x Measures ([measures()]), variations ([vary()]), or a table of a state or a trajectory
-#'   ([as.data.frame()][as.data.frame.codend_state]). A state stands for its measures, a trajectory
-#'   for its table of measures.
+#' @param x Measures ([measures()]), variations ([vary()]), effects, sensitivities, uncertainty, or
+#'   a table of a state or a trajectory ([as.data.frame()][as.data.frame.codend_state]). A state
+#'   stands for its measures, a trajectory for its table of measures. Calibrations, posteriors,
+#'   optima and found values stand for their tables of fields ([tidy()][codend_tidy]).
 #' @param ... Units by quantity, such as `speed = "knot"`. Quantities: `length`, `area`, `volume`,
 #'   `mass`, `force`, `speed`, `power`, `angle`, `time` and other quantities of plans. Units: those
 #'   that plans accept.
@@ -28,8 +29,8 @@ in_units <- function(x, ...) {
 
 #' @export
 in_units.default <- function(x, ...) {
-  abort_argument("{.arg x} must be measures, variations, or a table of a state or a trajectory, not
-    {.cls {class(x)}}.")
+  abort_argument("{.arg x} must be measures, a state, a trajectory, a result of a study, or a table,
+    not {.cls {class(x)}}.")
 }
 
 #' @export
@@ -44,53 +45,67 @@ in_units.codend_state <- function(x, ...) in_units(measures(x), ...)
 #' @export
 in_units.codend_trajectory <- function(x, ...) in_units(as.data.frame(x, what = "measures"), ...)
 
+# Returns a result in the units of options(codend.units), for prints.
+in_printed_units <- function(x) {
+  preferred <- units_option()
+  if (length(preferred)) do.call(in_units, c(list(x), preferred)) else x
+}
+
 # Columns of long tables in the unit of their row.
 columns_in_unit <- c(
   "value", "error", "lower", "upper", "begun", "start", "end", "least", "median", "largest",
-  "greatest"
+  "greatest", "target", "mean", "sd", "q5", "q50", "q95", "spread", "contribution", "remaining_sd"
 )
 
-# Converts rows by their column `unit`, and columns by the suffix of their name.
+# Columns of long tables with names that may end in a unit.
+columns_of_names <- c("measure", "measurement", "field", "other")
+
+# Converts rows by their column `unit`, columns by the suffix of their name, and attributes.
 table_in_units <- function(table, preferred) {
   if (!length(preferred)) return(table)
   from <- units_of_names(names(table))
   from[!vapply(table, is.numeric, NA)] <- ""
   table <- columns_in_units(table, from, displayed_units(from, preferred))
+  for (name in intersect(c("fields", "main"), names(attributes(table)))) {
+    attr(table, name) <- names_in_units(attr(table, name), preferred)
+  }
+  for (name in intersect(c("unit", "measure_unit"), names(attributes(table)))) {
+    unit <- attr(table, name)
+    attr(table, name) <- setNames(displayed_units(unit, preferred),
+      names_in_units(names(unit), preferred))
+  }
   if ("unit" %in% names(table)) rows_in_units(table, preferred) else table
 }
 
-rows_in_units <- function(table, preferred) {
-  from <- table$unit
-  table$unit <- displayed_units(from, preferred)
-  ratio <- unit_ratio(from, table$unit)
-  for (name in intersect(columns_in_unit, names(table))) table[[name]] <- table[[name]] * ratio
-  if ("measure" %in% names(table)) {
-    table$measure <- with_other_unit(table$measure, from, table$unit)
+# `from`: unit of the values of each row.
+rows_in_units <- function(table, preferred, from = table$unit) {
+  to <- displayed_units(from, preferred)
+  ratio <- unit_ratio(from, to)
+  if ("unit" %in% names(table)) table$unit <- to
+  for (name in intersect(c(columns_in_unit, names(group_words)), names(table))) {
+    if (is.numeric(table[[name]])) table[[name]] <- table[[name]] * ratio
+  }
+  for (name in intersect(columns_of_names, names(table))) {
+    table[[name]] <- names_in_units(table[[name]], preferred)
   }
   table
 }
 
-# Attributes of variations that name columns follow the columns.
+# Converts the suffixes of names.
+names_in_units <- function(names, preferred) {
+  from <- units_of_names(names)
+  with_other_unit(names, from, displayed_units(from, preferred))
+}
+
 columns_in_units <- function(table, from, to) {
   old <- names(table)
-  new <- with_other_unit(old, from, to)
   ratio <- unit_ratio(from, to)
   for (k in which(from != to)) table[[k]] <- table[[k]] * ratio[k]
-  names(table) <- new
-  renamed <- function(names) ifelse(names %in% old, new[match(names, old)], names)
+  names(table) <- with_other_unit(old, from, to)
   if (is.data.frame(attr(table, "errors"))) {
     errors <- attr(table, "errors")
     k <- match(names(errors), old)
     attr(table, "errors") <- columns_in_units(errors, from[k], to[k])
-  }
-  for (name in c("fields", "main")) {
-    if (!is.null(attr(table, name))) attr(table, name) <- renamed(attr(table, name))
-  }
-  unit <- attr(table, "unit")
-  if (!is.null(unit)) {
-    changed <- which(from != to)
-    unit[old[changed]] <- to[changed]
-    attr(table, "unit") <- setNames(unit, renamed(names(unit)))
   }
   table
 }
