@@ -23,7 +23,10 @@ edit_fields <- function(source, old, plan, deepest) {
   places <- plan_places(source)
   if (!isTRUE(attr(places, "whole"))) unplaced()
   changes <- plan_changes(old, plan, deepest)
-  edits <- lapply(changes, function(change) change_edit(source, places, change))
+  edits <- c(
+    lapply(changes, function(change) change_edit(source, places, change)),
+    lapply(replaced_sections(old, changes), remark_edit, source = source, places = places)
+  )
   # Edit from the end, so that earlier positions remain valid.
   for (edit in edits[order(-vapply(edits, `[[`, 0, "from"))]) {
     source <- paste0(substr(source, 1L, edit$from - 1), edit$text,
@@ -48,6 +51,24 @@ plan_changes <- function(old, new, deepest = Inf, path = "", depth = 1) {
     })
   }
   out
+}
+
+# Returns the paths of sections of which most fields are lists or maps that changed. Remarks on such
+# a section describe its former content.
+replaced_sections <- function(old, changes) {
+  parents <- vapply(Filter(function(change) is.list(change$was), changes), `[[`, "", "parent")
+  Filter(function(path) {
+    nzchar(path) && sum(parents == path) > length(at_path(old, path_steps(path))) / 2
+  }, unique(parents))
+}
+
+# Removes the remark on the line of a section's name.
+remark_edit <- function(path, source, places) {
+  from <- places$key[match(path, places$path)]
+  line <- sub("\n.*", "", substring(source, from))
+  remark <- regexpr("(?<=:) +#.*$", line, perl = TRUE)
+  end <- from + nchar(line) - 1
+  list(from = if (remark > 0) from + remark - 1 else end + 1, to = end, text = "")
 }
 
 # Returns list(from, to, text): the characters that a change replaces; to < from inserts.

@@ -66,6 +66,19 @@ test_that("write_gear() keeps remarks and layout of unchanged lines", {
   expect_true("  hanging_ratio: 0.9                    # [published]" %in% lines)
 })
 
+test_that("write_gear() drops the remark of a section that a schedule replaces", {
+  remark <- "shoot, tow, turn to starboard, haul"
+  gear <- read_gear("midwater_trawl")
+  written <- function(gear) format(gear, remarks = TRUE)
+  expect_match(written(update(gear, tow.every = "20 s")), remark)
+  turn <- tow_schedule(course = data.frame(time = c(60, 240), value = c("0 deg", "90 deg")))
+  turned <- written(update(gear, tow = turn))
+  expect_no_match(turned, remark)
+  expect_match(turned, "\ntow:\n")
+  # other remarks remain
+  expect_match(turned, "as in the paper: Morison-type drag")
+})
+
 test_that("write_gear() of any changed shipped plan reads back identically", {
   # every field is removed once, and every number changed, also if the gear becomes impossible
   for (name in c("towed_cable", "gillnet", "t90_codend", "model_cage", "purse_seine")) {
