@@ -81,6 +81,20 @@ test_that("find_value() finds the nearest whole number of floats", {
   expect_lte(found$n_solves, 6)
 })
 
+test_that("find_value() updates derivatives by whole numbers on the way", {
+  # With the derivative at 60 floats, the search would end at 26 floats.
+  found <- find_value(update(buoyed_line(), pieces.floats.number = 60),
+    pieces.floats.number = c(5, 60), target = list("pull^3" = 1260^3))
+  expect_identical(found$fields$value, 21)
+  expect_true(found$targets$reached)
+  # the new derivatives explain the last step and agree with the former ones across it
+  before <- list(place = c(1, 2), miss = c(0.5, -1), slopes = matrix(c(1, 0, 3, -2), 2L))
+  after <- list(place = c(1.5, 1), miss = c(2, 4))
+  slopes <- secant_slopes(before, after)
+  expect_equal(drop(slopes %*% c(0.5, -1)), c(1.5, 5))
+  expect_equal(slopes %*% c(1, 0.5), before$slopes %*% c(1, 0.5))
+})
+
 test_that("find_value() follows the derivative to the nearest of two solutions", {
   # The headline falls with speed, then the boards lift off the seabed and it rises.
   trawl <- read_gear("poly_noreastern_trawl")
