@@ -5,10 +5,10 @@
 #' a trajectory.
 #'
 #' @section Start of the motion:
-#' - A gear, or the name of a plan: it settles first in the conditions of time 0. The section `tow`
-#'   of its plan fills gaps in `schedule`; it has fields of the same names.
-#' - A state without `until`: the section `tow` of its plan applies, if its first values match the
-#'   state.
+#' - A gear, or the name of a plan: it settles first in the conditions of time 0. Without
+#'   `schedule`, the section `tow` of its plan applies; it has fields of the same names.
+#' - A state without `schedule` and `until`: the section `tow` of its plan applies, if its first
+#'   values match the state.
 #' - A state with `until`: all conditions stay constant except those in `schedule`. Only `scheme`
 #'   and `accuracy` come from the plan.
 #' - A trajectory: it continues with its own schedule.
@@ -108,9 +108,10 @@
 #'
 #' @param state A state from [settle()]; a gear, or the name or file of a plan; or a trajectory to
 #'   continue.
-#' @param schedule Changes over time, from [tow_schedule()]. The section `tow` of the plan fills its
-#'   gaps.
-#' @param until End time, s, or a string such as `"10 min"`. `NULL` (default): as in the plan.
+#' @param schedule Changes over time, from [tow_schedule()], instead of those in the section `tow`
+#'   of the plan. `NULL` (default): the plan's schedule.
+#' @param until End time, s, or a string such as `"10 min"`. `NULL` (default): the last time of
+#'   `schedule`. Without such a time: as in the plan.
 #' @param every Time between saved states, s or string, at most `until`. `NULL` (default): as in the
 #'   plan, or `until / 200`.
 #' @param scheme Name of the time scheme, see the section on schemes. `NULL` (default): as in the
@@ -152,9 +153,9 @@ tow <- function(state, schedule = NULL, until = NULL, every = NULL, scheme = NUL
   planned <- if (going_on) {
     c(state["every"], scheme = state$method$scheme, accuracy = continued_accuracy(state$method))
   } else if (inherits(state, "codend_state")) {
-    tow_section(state$gear)[if (is.null(until)) TRUE else c("scheme", "accuracy")]
+    unscheduled_section(state$gear, schedule)[if (is.null(until)) TRUE else c("scheme", "accuracy")]
   } else {
-    tow_section(check_is_gear(state))
+    unscheduled_section(check_is_gear(state), schedule)
   }
   asked <- function(name, value) if (is.null(value)) planned[[name]] else value
   given <- unclass(with_planned(schedule, planned))
@@ -164,7 +165,7 @@ tow <- function(state, schedule = NULL, until = NULL, every = NULL, scheme = NUL
   )
   warn_of_scheme(method)
   # a tow may be shorter than the interval in the plan
-  shortened <- !is.null(until) && is.null(every)
+  shortened <- is.null(every)
   until <- asked("until", until)
   every <- asked("every", every)
   duration <- until

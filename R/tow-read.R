@@ -13,6 +13,18 @@ tow_section <- function(gear) {
   section
 }
 
+# Returns the section `tow` for a tow by a schedule. The schedule replaces the inputs that the plan
+# gives, and sets the end time. Hauling that follows from other fields of the plan remains.
+unscheduled_section <- function(gear, schedule) {
+  section <- tow_section(gear)
+  if (!any(lengths(schedule))) return(section)
+  replaced <- intersect(names(gear$plan[["tow"]]), names(formals(tow_schedule)))
+  section <- section[setdiff(names(section), replaced)]
+  last <- last_time(with_planned(schedule, section))
+  if (last > 0) section$until <- last
+  section
+}
+
 # Converts a list of rows to a data frame; missing fields become 0. Other values stay.
 rows_table <- function(rows) {
   if (!is.list(rows) || !is.null(names(rows))) return(rows)

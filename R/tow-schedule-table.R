@@ -8,8 +8,8 @@
 #' @section Schedules in plans:
 #' `update(gear, tow = schedule)` stores a schedule in the section `tow` of a plan, instead of the
 #' inputs there. `until`, `every`, `scheme` and `accuracy` of the section stay. [write_gear()]
-#' writes the plan. `planned_schedule()` returns the identical schedule, and [tow()] uses it by
-#' default. For a seine, it adds the hauling that follows from the plan. A plan cannot hold
+#' writes the plan. `planned_schedule()` returns the identical schedule, and [tow()] uses it if it
+#' gets no schedule. For a seine, it adds the hauling that follows from the plan. A plan cannot hold
 #' functions.
 #'
 #' @param x,object A schedule.
@@ -110,10 +110,15 @@ as.data.frame.codend_schedule <- function(x, row.names = NULL, optional = FALSE,
 # Returns the last time of a schedule (s).
 schedule_end <- function(schedule, changes, until) {
   if (!is.null(until)) return(quantity_number(until, "time", "until", positive = TRUE))
+  last <- last_time(schedule, changes)
+  if (last > 0) last else 60
+}
+
+# Returns the last time of all tables of a schedule and of breaking ropes (s); 0 if there is none.
+last_time <- function(schedule, changes = schedule_changes(schedule)) {
   tables <- Filter(is.data.frame, lapply(changes, `[[`, "value"))
   times <- lapply(tables, function(table) quantities_si(table$time, "time", "time"))
-  last <- max(0, unlist(times), break_times(schedule))
-  if (last > 0) last else 60
+  max(0, unlist(times), break_times(schedule))
 }
 
 # Returns the scheduled times of breaking (s), named by rope.

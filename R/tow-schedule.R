@@ -1,7 +1,9 @@
 #' Schedule of a tow
 #'
 #' Defines the inputs of [tow()] that change over time, such as speed, course, warps, current and
-#' catch. The section `tow` of the gear's plan fills the gaps. All other inputs stay constant.
+#' catch. All other inputs stay constant. The schedule replaces the one in the section `tow` of the
+#' gear's plan; `update(planned_schedule(gear), speed = )` changes only some of its inputs. Hauling
+#' of a seine, which follows from the plan, remains.
 #'
 #' @section Values over time:
 #' A changing value is a constant, a table or a function:

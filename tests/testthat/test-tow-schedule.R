@@ -116,12 +116,31 @@ test_that("autoplot() draws a panel per input of a schedule", {
   expect_wrong(ggplot2::autoplot(tow_schedule()), "no input over time")
 })
 
-test_that("tow_schedule() takes omitted fields from the plan", {
-  planned <- list(speed = 2, catch = 0.5, until = 60)
-  found <- with_planned(tow_schedule(speed = 3), planned)
-  expect_identical(found$speed, 3)
-  expect_identical(found$catch, 0.5)
-  expect_null(found$warp_out)
+test_that("unscheduled_section() replaces the plan's schedule and keeps the hauling of a seine", {
+  trawl <- read_gear("midwater_trawl")
+  faster <- tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
+  expect_identical(unscheduled_section(trawl, tow_schedule()), tow_section(trawl))
+  expect_identical(unscheduled_section(trawl, faster), list(until = 30, every = "10 s"))
+  expect_identical(unscheduled_section(trawl, tow_schedule(catch = 0.5)),
+    list(until = "40 min", every = "10 s"))
+  seine <- update(read_gear("purse_seine"), tow.speed = "3 knot")
+  hauled <- tow_section(seine)
+  found <- unscheduled_section(seine, tow_schedule(heave = list(amplitude = 1, period = 8)))
+  expect_identical(found$warp_out, hauled$warp_out)
+  expect_null(found$speed)
+  expect_equal(found$until, max(hauled$warp_out$purse_wire$time))
+})
+
+test_that("tow() with a speed keeps the warps of the plan", {
+  slower <- tow_schedule(speed = data.frame(time = c(0, 20), value = c("4 knot", "3 knot")))
+  found <- tow("midwater_trawl", slower, nodes = 200)
+  expect_identical(max(found$time), 20)
+  expect_equal(range(found$conditions$speed), c(3, 4) * 1852 / 3600)
+  # the plan's own tow starts with 50 m of warp, and its net at the surface
+  settled <- measures(settle(update(read_gear("midwater_trawl"), towing.speed = "4 knot"),
+    nodes = 200))
+  expect_equal(measures(state_at(found, 0))[["headline_depth_m"]], settled[["headline_depth_m"]],
+    tolerance = 1e-3)
 })
 
 test_that("tow() rejects schedules of a wrong kind", {
