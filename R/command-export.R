@@ -2,8 +2,8 @@ run_export <- function(given, options) {
   plan <- given[1L]
   files <- given[-1L]
   kept <- grepl("[.]nc$", plan)
-  if (kept && length(unlist(options[c("set", "nodes", "netting")]))) {
-    abort_usage("--set, --nodes and --netting cannot change the result file ", plan,
+  if (kept && length(unlist(options[c("set", "nodes", "netting", "accuracy")]))) {
+    abort_usage("--set, --nodes, --netting and --accuracy cannot change the result file ", plan,
       "; give a PLAN.")
   }
   for (file in files) check_place(file, NULL, vapply(export_formats, `[[`, "", "extension"))

@@ -5,7 +5,7 @@ run_find <- function(plan, options) {
   target <- named_parts(options$target, "--target", ".+", "MEASURE = VALUE", plan_value)
   gear <- read_changed(plan, options)
   found <- do.call(find_value, c(list(gear), change, list(target = target),
-    mesh_arguments(options)))
+    settle_arguments(options)))
   if (!identical(options$json, "-")) print(found)
   if (!is.null(options$json)) write_json(found_record(plan, found), options$json)
   write_found(found$gear, options$out)

@@ -1,6 +1,7 @@
 run_optimise <- function(plan, options) {
   if (is.null(options$minimise)) abort_usage("--minimise is missing; it must be a formula.")
   if (is.null(options$and)) check_plan_out(options$out) else check_place(options$out)
+  check_place(options$file, "--file")
   keep <- if (!is.null(options$keep)) option_formula(options$keep, "--keep")
   objective <- option_formula(options$minimise, "--minimise")
   other <- if (!is.null(options$and)) option_formula(options$and, "--and")
@@ -9,10 +10,10 @@ run_optimise <- function(plan, options) {
   if (!is.null(other)) {
     aims <- setNames(list(objective, other), c(options$minimise, options$and))
     arguments <- list(gear, aims, keep, change, points = first_of(options$points, 7))
-    return(give_csv(do.call(trade_off, c(arguments, mesh_arguments(options))), options$out))
+    return(give_csv(do.call(trade_off, c(arguments, settle_arguments(options))), options$out))
   }
   arguments <- list(gear, objective, keep, change, starts = options$starts)
-  found <- do.call(optimise_gear, c(arguments, mesh_arguments(options)))
+  found <- do.call(optimise_gear, c(arguments, settle_arguments(options)))
   print(found)
   write_found(found$gear, options$out)
 }

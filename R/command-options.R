@@ -4,11 +4,13 @@
 # Reads a plan and applies --set.
 read_changed <- function(plan, options) with_fields(read_gear(plan), options$set)
 
-# Returns the options for settle() and tow().
-mesh_arguments <- function(options) options[intersect(c("nodes", "netting"), names(options))]
+# Returns the options for functions that settle gears.
+settle_arguments <- function(options) {
+  options[intersect(c("nodes", "netting", "accuracy", "file"), names(options))]
+}
 
 settle_changed <- function(plan, options) {
-  do.call(settle, c(list(read_changed(plan, options)), mesh_arguments(options)))
+  do.call(settle, c(list(read_changed(plan, options)), settle_arguments(options)))
 }
 
 # Throws a usage error if a file is not writable or does not end in `ends`. "-" is standard output.

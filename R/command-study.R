@@ -14,7 +14,7 @@ run_study_command <- function(given, options) {
   switch(action,
     new = {
       do.call(write_study, c(
-        list(given[3L], study_designs(options), store), mesh_arguments(options)
+        list(given[3L], study_designs(options), store), settle_arguments(options)
       ))
       print(study_status(store))
     },

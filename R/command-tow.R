@@ -1,8 +1,8 @@
 run_tow <- function(plan, options) {
   gear <- read_changed(plan, options)
-  given <- Filter(Negate(is.null), options[c("until", "every", "accuracy")])
+  given <- Filter(Negate(is.null), options[c("until", "every")])
   file <- record_file(options$out)
-  trajectory <- do.call(tow, c(list(gear, file = file), given, mesh_arguments(options)))
+  trajectory <- do.call(tow, c(list(gear, file = file), given, settle_arguments(options)))
   print(trajectory)
   print(summary(trajectory))
   if (!is.null(options$out)) {

@@ -32,7 +32,8 @@ tow_speed <- function(gear, power = NULL, nodes = NULL, netting = NULL, accuracy
   state <- NULL
   # Excess of the gear's required pull over the requested pull, as a fraction of the available pull.
   excess <- function(speed) {
-    at <- with_fields(gear, list(towing.speed = speed))
+    text <- format_like(speed, "speed", gear$plan$towing$speed)
+    at <- with_fields(gear, list(towing.speed = text))
     state <<- if (is.null(state)) {
       settle(at, nodes, netting, accuracy = accuracy)
     } else {

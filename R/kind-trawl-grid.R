@@ -173,8 +173,8 @@ mouth_chains <- function(grid) {
   ))
 }
 
-# Returns the wing ends as points at the ends of headline and footrope, clockwise. The order sets the
-# numbers of nodes: slack netting converges faster with this order.
+# Returns the wing ends as points at the ends of headline and footrope, clockwise. The order sets
+# the numbers of nodes: slack netting converges faster with this order.
 wing_end_points <- function(grid) {
   end <- function(panel, side) {
     cell <- column_cells(grid, panel)[[1L]]

@@ -181,6 +181,18 @@ errors.codend_variations <- function(x) {
   some
 }
 
+# Merges the columns of the results, as cbind() and data.frame() combine them.
+#' @export
+merge.codend_variations <- function(x, y, ...) {
+  merge(as.data.frame(x, optional = TRUE), as.data.frame(y, optional = TRUE), ...)
+}
+
+#' @export
+merge.codend_posterior <- merge.codend_variations
+
+#' @export
+merge.codend_trade_off <- merge.codend_variations
+
 #' @rdname codend_tidy
 #' @export
 glance.codend_variations <- function(x, ...) {

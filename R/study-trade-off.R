@@ -29,7 +29,7 @@
 #' )
 #' found
 trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = NULL,
-                      netting = NULL, accuracy = NULL, max_solves = 100) {
+                      netting = NULL, accuracy = NULL, max_solves = 100, file = NULL) {
   check_given("gear", "minimise", "change")
   named <- is.list(minimise) && length(minimise) == 2L && !is.null(names(minimise)) &&
     all(nzchar(names(minimise))) && !anyDuplicated(names(minimise))
@@ -41,8 +41,9 @@ trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = N
   if (points < 3) abort_argument("{.arg points} is {.val {points}}; it must be 3 or more.")
   check_count("max_solves", max_solves)
   tasks <- lapply(minimise, function(objective) {
-    new_task(gear, objective, keep, change, nodes, netting, accuracy)
+    new_task(gear, objective, keep, change, nodes, netting, accuracy, file)
   })
+  tasks[[2L]]$points$shared$record <- tasks[[1L]]$points$shared$record
   ends <- lapply(1:2, function(k) {
     run <- find_optimum(tasks[[k]], tasks[[k]]$first, max_solves)
     alone <- finish_optimum(tasks[[k]], list(run))
@@ -78,7 +79,8 @@ end_share <- 1e-3
 
 # Optimises a task with another objective limited to `limit`, from the optimum `near`.
 optimum_within <- function(task, objective, limit, near, most) {
-  task <- with_limit(task, objective, limit)
+  # The last digits of a settled gear depend on its start, but a resumed search repeats all limits.
+  task <- with_limit(task, objective, signif(limit, 6L))
   base <- list(values = near$fields$value, gear = near$gear, state = near$state)
   place <- points_scaled(task$points, near$fields$value)
   finish_optimum(task, list(find_optimum(task, place, most, from = base)))
@@ -118,11 +120,14 @@ print.codend_trade_off <- function(x, n = most_rows, ...) {
     ifelse(table$optimal, "", "not shown to be optimal"))
   fields <- setdiff(names(table), c(names(objectives), "kept", "optimal"))
   units <- vapply(attr(x, "optima")[[1L]]$fields$unit, plain_unit, "", USE.NAMES = FALSE)
+  printed <- printed_unit(units)
+  table[fields] <- Map(`*`, table[fields], unit_ratio(units, printed))
   done <- cat_headed(c(
     lapply(names(objectives), function(name) headed(name, "", certain_figures(table[[name]]))),
     if (any(nzchar(note))) list(headed("", NULL, note)),
-    Map(function(name, unit) headed(label_of(name, unit), unit, certain_figures(table[[name]])),
-      fields, units)
+    Map(function(name, unit, shown) {
+      headed(label_of(name, unit), shown, certain_figures(table[[name]]))
+    }, fields, units, printed)
   ), 2L + any(nzchar(note)), is.infinite(n))
   cat_more(c(gear = nrow(x) - nrow(table), field = length(fields) - done))
   invisible(x)

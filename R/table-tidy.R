@@ -12,9 +12,9 @@
 #'   ([calibrate()]), posterior ([sample_posterior()]), optimum ([optimise_gear()]), found values
 #'   ([find_value()]) or trade-off ([trade_off()]).
 #' @param row.names,optional As in [as.data.frame()]. `optional` is `TRUE` in calls by
-#'   [data.frame()] and [cbind()].
+#'   [data.frame()], [cbind()] and [merge()].
 #' @param wide `TRUE` returns a column for each measure or field: the columns of `x` itself. This
-#'   is the default in calls by [data.frame()] and [cbind()].
+#'   is the default in calls by [data.frame()], [cbind()] and [merge()].
 #' @param level Probability of the interval between `lower` and `upper`. Default 0.95.
 #' @param newdata Rows to predict, as in [predict()][calibration_methods]. `NULL` uses the data of
 #'   the calibration.

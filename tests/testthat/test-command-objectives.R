@@ -60,14 +60,22 @@ test_that("calibrate command fits hauls of a CSV file and predicts others", {
 
 test_that("optimise command writes a trade-off, sensitivities command derivatives, as CSV", {
   skip_if_not_installed("nloptr")
-  curve <- tempfile(fileext = ".csv")
-  status <- suppressMessages(run_command(c(
-    "optimise", "--minimise", "total_drag_kN", "--and=-body_depth_m", "--points", "3",
-    "--change", "ropes.cable.length = 600 m .. 1200 m", "--nodes", "50", "--out", curve,
-    "towed_cable"
-  )))
-  expect_identical(status, 0L)
-  curve <- utils::read.csv(curve, check.names = FALSE)
+  record <- tempfile()
+  curves <- lapply(1:2, function(k) {
+    curve <- tempfile(fileext = ".csv")
+    status <- suppressMessages(run_command(c(
+      "optimise", "--minimise", "total_drag_kN", "--and=-body_depth_m", "--points", "3",
+      "--change", "ropes.cable.length = 600 m .. 1200 m", "--nodes", "50", "--file", record,
+      "--out", curve, "towed_cable"
+    )))
+    expect_identical(status, 0L)
+    list(curve = utils::read.csv(curve, check.names = FALSE), record = readLines(record))
+  })
+  # the repeated command reads the recorded gears
+  expect_identical(curves[[2L]]$record, curves[[1L]]$record)
+  expect_equal(curves[[2L]]$curve, curves[[1L]]$curve, tolerance = 1e-6)
+  expect_gt(length(curves[[1L]]$record), 5L)
+  curve <- curves[[1L]]$curve
   expect_identical(nrow(curve), 3L)
   expect_true(all(diff(curve$total_drag_kN) > 0) && all(diff(curve[["-body_depth_m"]]) < 0))
   said <- capture.output(status <- run_command(c("sensitivities", "--of", "total_drag_kN", "--to",

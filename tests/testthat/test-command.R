@@ -77,6 +77,7 @@ wrong_plans <- c(
   "check no_such_plan" = "no_such_plan", "check wrong.yaml" = "`ropes.cable.length` is -5 m",
   "settle towed_cable --set 'towing.sped=5 knot'" = "towing.sped",
   "report towed_cabel --out a.html" = "towed_cable",
+  "settle towed_cable --accuracy -1" = "`accuracy` is",
   "sensitivities --of depth --nodes 50 towed_cable" = "`of` is \"depth\"",
   # only formulas are evaluated
   "optimise --minimise 'quit()' --change 'towing.speed = 1 .. 3' towed_cable" = "`quit`"

@@ -40,6 +40,7 @@ test_that("tow_speed() returns the speed at which drag equals pull", {
     # the speed is solved to 1e-4; the required pull grows faster than speed squared
     expect_equal(found[["engine_power_kW"]], if (is.null(power)) 1000 else 400, tolerance = 2e-3)
   }
+  expect_match(tow_speed(gear, "40 %", nodes = 100)$gear$plan$towing$speed, "^[0-9.]+ knot$")
   expect_wrong(tow_speed("towed_cable"), "vessel")
   expect_wrong(tow_speed(gear, "2 MW"), "at most")
 })

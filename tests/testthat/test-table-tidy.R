@@ -136,6 +136,11 @@ test_that("as.data.frame() of variations returns a row per design and measure", 
     data.frame(designs = 2L, settled = 2L))
   # base functions keep the wide shape
   expect_identical(dim(cbind(found, crew = 1:2)), dim(found) + 0:1)
+  crew <- data.frame(towing.speed_knot = c(4, 3), crew = c("b", "a"))
+  both <- merge(found, crew)
+  expect_identical(both$crew, c("a", "b"))
+  expect_identical(both$total_drag_kN, found$total_drag_kN)
+  expect_identical(dim(merge(found, found)), dim(found))
   expect_identical(transform(found, twice = 2 * total_drag_kN)$twice, 2 * found$total_drag_kN)
 })
 
