@@ -7,9 +7,9 @@
 #' for printed results. It does not change stored values and names.
 #'
 #' @param x Measures ([measures()]), variations ([vary()]), effects, sensitivities, uncertainty, or
-#'   a table of a state or a trajectory ([as.data.frame()][as.data.frame.codend_state]). A state
-#'   stands for its measures, a trajectory for its table of measures. Calibrations, posteriors,
-#'   optima and found values stand for their tables of fields ([tidy()][codend_tidy]).
+#'   a table of a state or a trajectory ([as.data.frame()][as.data.frame.codend_state]). For a state
+#'   or a trajectory, the function converts the measures. For a calibration, posterior, optimum or
+#'   found value, it converts the table of fields ([tidy()][codend_tidy]).
 #' @param ... Units by quantity, such as `speed = "knot"`. Quantities: `length`, `area`, `volume`,
 #'   `mass`, `force`, `speed`, `power`, `angle`, `time` and other quantities of plans. Units: those
 #'   that plans accept.
