@@ -28,8 +28,9 @@ flat_panels <- function(si, joints) {
 }
 
 # Draws a window in the size of its hole: a panel between two others, if all three are joined to the
-# same panel ahead and to the same panel behind.
+# same panel ahead and to the same panel behind. `hole`: TRUE for these three.
 fill_holes <- function(flat, joints) {
+  flat$hole <- FALSE
   whole <- joints$to - joints$from == 1 & joints$other_to - joints$other_from == 1
   met <- function(name, edge, other_edge, sides = FALSE) {
     found <- joints$panel == name & joints$edge == edge & joints$other_edge == other_edge
@@ -48,6 +49,7 @@ fill_holes <- function(flat, joints) {
     ahead <- ends(names, "upper", "lower")
     behind <- ends(names, "lower", "upper")
     if (is.null(ahead) || is.null(behind)) next
+    flat$hole[flat$name %in% names] <- TRUE
     left <- flat[match(names[2L], flat$name), ]
     flat$upper[k] <- flat$lower[match(ahead$other, flat$name)] *
       abs(ahead$other_to - ahead$other_from)

@@ -17,8 +17,7 @@ steepest_scale <- 20
 net_columns <- function(figure, true_size = FALSE) {
   layout <- figure$layout
   flat <- layout$panels
-  wall <- any(vapply(unique(flat$column), function(c) any(shares_row(flat[flat$column == c, ])),
-    NA))
+  wall <- any(vapply(unique(flat$column), function(c) is_wall(flat[flat$column == c, ]), NA))
   flat <- if (true_size || wall) cbind(flat, broken = FALSE) else shorten_longest(flat)
   said <- layout$columns$heading
   first <- match(c("back", "belly"), sub(" .*", "", said))
@@ -77,7 +76,7 @@ shorten_longest <- function(panels) {
 # from the middle.
 flat_column <- function(panels, column, figure) {
   si <- figure$si
-  wall <- any(shares_row(panels))
+  wall <- is_wall(panels)
   tapers <- any(abs(panels$upper - panels$lower) > 1e-9 * panels$upper)
   half <- column$symmetric && !wall && tapers
   middle <- max(panels$x + panels$upper, panels$x + panels$shift + panels$lower) / 2
@@ -116,6 +115,9 @@ turned_half <- function(column) {
   column$turned <- TRUE
   column
 }
+
+# TRUE if panels are side by side, except for a window in its row.
+is_wall <- function(panels) any(shares_row(panels[!panels$hole, ]))
 
 shares_row <- function(panels) {
   vapply(seq_len(nrow(panels)), function(k) {

@@ -118,12 +118,16 @@ line_chains <- function(grid, plan, mouth) {
   })
   if (!is.null(plan$belly_lines)) {
     for (pair in neighbours(grid$columns)) {
-      rows <- pair$columns[[2L]]
-      whole <- grid$columns[[pair$after]]
+      # Sections on the port side follow the mirror image of the edge on the starboard side.
+      port <- pair$panel == "belly" || endsWith(pair$panel, "_port")
+      mirrored <- port && !is.null(plan$belly_lines$sections)
+      panel <- if (mirrored) pair$panel else pair$after
+      rows <- pair$columns[[panel]]
+      whole <- grid$columns[[panel]]
       until <- first_of(rear_row(whole, plan$belly_lines$until), whole[length(whole)])
       rows <- rows[match(rows, whole) <= match(until, whole)]
       if (!length(rows)) next
-      along <- outer_edges(cells_of(grid, pair$after, rows), "left", "joined")
+      along <- outer_edges(cells_of(grid, panel, rows), if (mirrored) "right" else "left", "joined")
       chains[[paste("belly_line", pair$panel, pair$after, sep = "_")]] <-
         list(line = "belly_lines", along = along)
     }

@@ -66,6 +66,15 @@ random_net <- function(seed) {
     deep <- round((long + first_of(square, 0) * mesh) / mesh)
     side <- c(list(side_wing = piece(mesh, narrow[[1]]$meshes$front, deep, "AN")), narrow)
     if (panels == 4) net$side <- side
+    # Some sides end ahead of the last row, half of them pointed.
+    last <- whole(1, length(rows))
+    if (last < length(rows) && runif(1) < 0.5) {
+      side <- side[seq_len(1L + last)]
+      meshes <- side[[1L + last]]$meshes
+      pointed <- runif(1) < 0.5 && meshes$front <= 2 * meshes$deep
+      if (pointed) side[[1L + last]]$meshes$rear <- 0
+    }
+    if (panels == 4) net$side <- side
     if (panels == 6) net[c("upper_side", "lower_side")] <- list(side)
   }
   line <- list(hanging_ratio = runif(1, 0.75, 0.95), diameter = "18 mm", material = "PE")
@@ -75,6 +84,11 @@ random_net <- function(seed) {
   base$ground_gear$length <- NULL
   if (panels < 6) base$ground_gear$hanging_ratio <- line$hanging_ratio
   base$net <- net
+  if (panels < 6 && runif(1) < 0.3) {
+    line <- line[names(line) != "hanging_ratio"]
+    line$sections <- list(list(length = "2 m"), list(length = "3 m"))
+    base$side_lines <- line
+  }
   as_gear(unclass(base))
 }
 

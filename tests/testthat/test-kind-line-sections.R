@@ -97,7 +97,11 @@ test_that("side lines and belly lines in sections run from end to end", {
   expect_identical(belly$belly_line_back_belly$along[[1]]$panel, "belly_lower_wing_1_left")
   expect_identical(belly$belly_line_2_back_belly$along[[
     length(belly$belly_line_2_back_belly$along)]]$panel, "belly_codend")
-  expect_no_error(settle(trawl, nodes = 300))
+  # both sides are mirror images, in the drawing too
+  expect_true(all(flat_layout(gear_si(trawl))$columns$symmetric))
+  found <- measures(settle(trawl, nodes = 300))
+  expect_equal(found[["warp_tension_port_kN"]], found[["warp_tension_starboard_kN"]],
+    tolerance = 1e-6)
 })
 
 test_that("middle bridles lead to joints of the side line, or to equal distances along it", {

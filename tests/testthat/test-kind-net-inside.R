@@ -22,6 +22,10 @@ test_that("a window replaces its meshes and is joined along all its edges", {
   flat <- flat_layout(gear_si(trawl))
   expect_true(all(flat$columns$symmetric))
   expect_length(unique(flat$panels$column[grepl("body_2_window", flat$panels$name)]), 1)
+  drawn <- flat$panels[grepl("body_2_window", flat$panels$name), ]
+  expect_equal(drawn$depth, rep(20 * 0.1, 3))
+  # 40 meshes of 100 mm, in width at a hanging ratio of 0.5
+  expect_equal(drawn$upper[drawn$name == "back_body_2_window"], 2)
   cover <- list(mesh_size = "120 mm", twine = window$twine,
     meshes = list(upper = 40, lower = 40, deep = 40))
   expect_refused(update(trawl, net.upper.body_2.covers = list(chafer = cover)),

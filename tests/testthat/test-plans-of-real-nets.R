@@ -51,3 +51,22 @@ test_that("lantern fish trawl has the published netting and drag", {
   # the institute's estimate from a formula
   expect_lt(max(abs(tonnes / c(4.9, 7.3) - 1)), 0.2)
 })
+
+test_that("plans of real nets have their published particulars", {
+  sheets <- utils::read.csv(system.file("extdata", "published_nets.csv", package = "codend"),
+    comment.char = "#")
+  expect_gte(length(unique(sheets$plan)), 5)
+  for (name in unique(sheets$plan)) {
+    all <- summary(read_gear(if (name == "poly_noreastern") "poly_noreastern_trawl" else {
+      real_net(name)
+    }))
+    mine <- sheets[sheets$plan == name, ]
+    for (k in which(mine$part %in% c("netting", all$parts$part))) {
+      table <- if (mine$part[k] == "netting") all$netting else all$parts
+      own <- mine$part[k] == "netting" | table$part == mine$part[k]
+      # the twine area of the lantern fish trawl is 10 % smaller
+      expect_equal(sum(table[[mine$column[k]]][own]), mine$published[k], tolerance = 0.1,
+        label = paste(name, mine$part[k]))
+    }
+  }
+})
