@@ -79,13 +79,20 @@ label_of_fields <- function(say, label, path) {
   if (attr(say, "language") == "en") label else label_of_path(say, path)
 }
 
-# Translates English measures such as "door spread" or "hook 3 depth".
+# Translates English measures such as "door spread" or "hook 3 depth", also after the name of a gear
+# in a rig: "port door spread".
 label_of_measure <- function(say, words) {
-  vapply(words, function(word) {
-    number <- regmatches(word, regexpr("[0-9]+", word))
-    said <- say(paste0("measure.", gsub(" ", "_", sub("[0-9]+", "#", word))), otherwise = word)
-    if (length(number)) sub("#", number, said, fixed = TRUE) else said
-  }, "", USE.NAMES = FALSE)
+  vapply(words, function(word) first_of(translated_measure(say, word), word), "", USE.NAMES = FALSE)
+}
+
+# Returns the translation of one measure, NULL without one.
+translated_measure <- function(say, word) {
+  number <- regmatches(word, regexpr("[0-9]+", word))
+  said <- say(paste0("measure.", gsub(" ", "_", sub("[0-9]+", "#", word))), otherwise = "")
+  if (nzchar(said)) return(if (length(number)) sub("#", number, said, fixed = TRUE) else said)
+  if (!grepl(" ", word, fixed = TRUE)) return(NULL)
+  of_gear <- translated_measure(say, sub("^[^ ]+ ", "", word))
+  if (!is.null(of_gear)) paste0(sub(" .*", "", word), ": ", of_gear)
 }
 
 label_of_unit <- function(say, unit) {

@@ -111,6 +111,53 @@ gear <- function(name, ..., kind = "assembly") {
   as_gear(tree)
 }
 
+#' Join gears to a rig
+#'
+#' Makes one gear from several whole gears, such as a twin trawl from two trawls. The gears keep
+#' their fields and uncertainties. Their names and the names of their parts and measures get the
+#' name of the gear as a prefix, such as `port_headline_height`. The field `gears` of a plan does
+#' the same.
+#'
+#' @param name Character: name of the rig.
+#' @param gears A named list of gears ([read_gear()], [gear()]). An item may also be a list of
+#'   fields, such as `list(like = "port")` for a gear that is like another.
+#' @param joined A list by gear of its joined points: a named list or vector of locations by point,
+#'   such as `list(port = c(board_port = "door"))`. A joined point is no longer held by itself.
+#' @param ... Further components and fields of the rig, as in [gear()]. Water, seabed, towing and
+#'   drag models that are not given are those of the first gear.
+#' @return A checked gear of class `codend_gear`. An unknown point or location is an error of class
+#'   `codend_error_plan`.
+#' @seealso [gear()] for the components, [assembly()] for the parts of the rig;
+#'   `vignette("bottom-trawl", "codend")`.
+#' @export
+#' @examples
+#' trawl <- read_gear("beam_trawl")
+#' join_gears("Two beam trawls", list(port = trawl, starboard = list(like = "port",
+#'   moved = c(0, 20, 0))))
+join_gears <- function(name, gears, joined = list(), ...) {
+  check_given("name", "gears")
+  if (!is.list(gears) || is.null(names(gears)) || inherits(gears, "codend_gear")) {
+    abort_argument("{.arg gears} must be a named list of gears, not {.cls {class(gears)}}.")
+  }
+  whole <- list()
+  for (part in names(gears)) {
+    if (!inherits(gears[[part]], "codend_gear")) next
+    plan <- join_uncertain(gears[[part]]$plan)
+    if (!length(whole)) {
+      whole <- plan[intersect(names(plan), setdiff(whole_plan_fields, names(list(...))))]
+    }
+    gears[[part]] <- plan[setdiff(names(plan), whole_plan_fields)]
+  }
+  unknown <- setdiff(names(joined), names(gears))
+  if (length(unknown)) {
+    abort_argument("{.arg joined} has {.val {unknown[1]}}; it must be one of the gears
+      {.val {names(gears)}}.")
+  }
+  for (part in names(joined)) gears[[part]]$joined <- as.list(joined[[part]])
+  whole[c("codend", "name", "notes", "sources", "uncertain", "tow", "shooting", "laid")] <- NULL
+  do.call(gear, c(list(name), whole, list(gears = gears), list(...)))
+}
+
 #' @rdname gear
 #' @export
 gear_point <- constructor("point", "points")

@@ -40,6 +40,6 @@ assembly <- function(gear) {
   check_given("gear")
   check_is_gear(gear)
   checked <- gear_checked(gear)
-  if (checked$fields$kind == "assembly") return(gear)
+  if (is.null(checked$tree)) return(gear)
   as_gear(checked$tree)
 }

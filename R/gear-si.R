@@ -12,6 +12,7 @@
 # `derived`: counts from cutting rates and take-up ratios, by path.
 # `counted`: result of `complete_counts()`.
 # `expanded`, `tree`: the assembly as expanded and in plain form (NULL for an assembly).
+# `gears`: the gears that a rig consists of, from `expand_rig()` (NULL for a single gear).
 # `assembly`: checked fields of the assembly.
 # `si`: SI numbers of `si_of()`.
 check_whole <- function(plan, last = NULL, joined = TRUE) {
@@ -26,13 +27,17 @@ check_whole <- function(plan, last = NULL, joined = TRUE) {
 check_parts <- function(plan, fields, last, joined) {
   whole <- counts_again(fields, plan, last)
   now <- list(plan = plan, fields = fields, derived = whole$derived, counted = whole)
-  if (now$fields$kind == "assembly") {
+  if (!is_short_form(fields)) {
     now$assembly <- whole$fields
   } else {
-    now$expanded <- expanded_again(plan, fields, last)
+    now[c("expanded", "gears")] <- expanded_again(plan, fields, last)
     if (is.null(now$expanded)) {
-      now$expanded <- with_plain_numbers(
-        expander_of(now$fields$kind)(whole$fields, whole$plan)
+      now[c("expanded", "gears")] <- with_plain_numbers(
+        if (length(fields$gears)) {
+          expand_rig(whole$fields, whole$plan, last$gears)
+        } else {
+          list(expander_of(fields$kind)(whole$fields, whole$plan), NULL)
+        }
       )
     }
     now$tree <- plain_groups(now$expanded, last$expanded, last$tree)
@@ -63,7 +68,11 @@ counts_again <- function(fields, plan, last) {
 # Groups that are copied unchanged from a short form to its assembly and affect no other group.
 handed_on <- c("name", "towing", "vessel")
 
-# Returns the last assembly with this plan's copied groups; NULL if another group has changed.
+# TRUE if a plan expands into an assembly. `fields`: its checked fields.
+is_short_form <- function(fields) fields$kind != "assembly" || length(fields$gears) > 0L
+
+# Returns the last assembly with this plan's copied groups, and its gears; NULL if another group has
+# changed.
 expanded_again <- function(plan, fields, last) {
   rest <- setdiff(names(plan), handed_on)
   same <- !is.null(last$expanded) && identical(names(plan), names(last$plan)) &&
@@ -74,7 +83,7 @@ expanded_again <- function(plan, fields, last) {
   if (!same || !all(changed %in% names(last$expanded))) return(NULL)
   expanded <- last$expanded
   expanded[changed] <- plan[changed]
-  expanded
+  list(expanded, last$gears)
 }
 
 # Returns the fields of an assembly with the model choices of its `method` in place of its own.

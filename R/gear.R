@@ -5,6 +5,7 @@
 # `source`: text of the plan file, whose remarks are kept when writing.
 # `changed`: paths (as steps) that may not be in plain form; NULL: all.
 as_gear <- function(tree, file = NULL, like = NULL, source = like$source, changed = NULL) {
+  tree <- with_included_plans(tree, file)
   plan <- if (is.null(changed)) plain_tree(tree) else plain_again(tree, changed)
   if (!is.null(like)) plan <- without_gone(plan, like$plan)
   maps <- is.null(changed) ||
@@ -78,14 +79,6 @@ gear_of_bytes <- function(bytes, name, file = NULL, tables = FALSE) {
     if (tables) tree <- with_net_file(tree, file)
     as_gear(tree, file = file, source = text)
   }, text)
-}
-
-# Returns the paths of the shipped plans, named by file name.
-shipped_plans <- function() {
-  files <- list.files(
-    system.file("gears", package = "codend"), pattern = "[.]yaml$", full.names = TRUE
-  )
-  stats::setNames(files, sub("[.]yaml$", "", basename(files)))
 }
 
 #' List the plans that ship with the package

@@ -84,8 +84,9 @@ check_plan <- function(tree, last = NULL, fields = NULL) {
   if (!is_text(kind) || !kind %in% plan_kinds) {
     abort_field("kind", kind, paste("one of", word_list(plan_kinds)))
   }
+  for (name in names(tree$gears)) gear_like(tree$gears, name)
   if (!identical(fields$kind, kind)) last <- NULL
-  check_map(tree, kind_node(kind), "", last, fields)
+  check_map(tree, plan_node(tree), "", last, fields)
 }
 
 check_field <- function(value, node, path) {
@@ -96,8 +97,14 @@ check_field <- function(value, node, path) {
     string = check_text(value, node, path),
     number = , integer = check_number(value, node, path),
     boolean = check_boolean(value, node, path),
-    any = check_field(value, choose_node(value, node, path), path)
+    any = check_field(value, with_partial(choose_node(value, node, path), node$partial), path)
   )
+}
+
+# Returns a node that requires no fields in its maps if `partial` is TRUE.
+with_partial <- function(node, partial) {
+  if (isTRUE(partial)) node$partial <- TRUE
+  node
 }
 
 check_quantity <- function(value, node, path) {
@@ -205,6 +212,7 @@ check_map <- function(value, node, path, last = NULL, fields = NULL) {
         next
       }
     }
+    property <- with_partial(property, node$partial)
     # Single brackets: `[[<-` with NULL would delete the element and shift the others.
     same <- name %in% names(last) && identical(value[[i]], last[[name]])
     checked[i] <- if (same) {
@@ -215,6 +223,7 @@ check_map <- function(value, node, path, last = NULL, fields = NULL) {
       list(check_field(value[[i]], property, join(path, name)))
     }
   }
+  if (isTRUE(node$partial)) return(checked)
   for (name in node$required) {
     if (!name %in% given) {
       abort_field(join(path, name), NULL, describe(node$properties[[name]]), "is missing")

@@ -1,5 +1,67 @@
+# Fields that only the whole plan has. A gear in it takes them from there.
+whole_plan_fields <- c(
+  "codend", "name", "notes", "sources", "uncertain", "water", "seabed", "towing", "vessel", "tow",
+  "shooting", "laid", "method", "netting", "coefficients", "netting_drag", "slack_twine",
+  "shielding", "multipliers"
+)
+
+# Fields of a gear that its kind does not have.
+part_fields_of_gears <- c("plan", "like", "joined", "moved", "number", "apart")
+
+# Returns the node of a plan's kind. Each gear in the plan has the node of its own kind.
 plan_node <- function(plan) {
-  kind_node(first_of(plan$kind, plan_kinds[1L]))
+  kind <- plan$kind
+  node <- kind_node(if (is_text(kind) && kind %in% plan_kinds) kind else plan_kinds[1L])
+  gears <- plan$gears
+  if (!is_map(gears) || is.null(node$properties$gears)) return(node)
+  of_part <- node$properties$gears$additionalProperties
+  named <- names(gears)[may_name(names(gears), node$properties$gears$propertyNames)]
+  node$properties$gears$properties <- lapply(stats::setNames(nm = named), function(name) {
+    gear_part_node(gears, name, of_part)
+  })
+  node
+}
+
+# Returns the node of one gear in a plan. A gear that is like another requires no fields.
+gear_part_node <- function(gears, name, node) {
+  whole <- tryCatch(gear_like(gears, name), codend_error_plan = function(e) list())
+  if (is_text(whole$kind) && !whole$kind %in% plan_kinds) whole["kind"] <- NULL
+  of_kind <- plan_node(whole)
+  own <- setdiff(names(of_kind$properties), c(whole_plan_fields, "kind"))
+  node$properties <- c(node$properties, of_kind$properties[own])
+  node$properties$kind$enum <- plan_kinds
+  partial <- is_map(gears[[name]]) && "like" %in% names(gears[[name]])
+  if (partial) return(with_partial(node, TRUE))
+  node$required <- setdiff(of_kind$required, c(whole_plan_fields, "kind"))
+  node[c("groups", "dependentRequired")] <- of_kind[c("groups", "dependentRequired")]
+  node
+}
+
+# Returns the fields of a gear with the fields of the gears that it is like.
+gear_like <- function(gears, name, seen = NULL) {
+  own <- gears[[name]]
+  if (!is_map(own)) return(list())
+  like <- own$like
+  if (is.null(like)) return(own)
+  path <- paste0("gears.", name, ".like")
+  others <- setdiff(names(gears), name)
+  if (!is_text(like) || !like %in% others) {
+    abort_field(path, like, paste("another gear of this plan:", word_list(others)),
+      hint = if (is_text(like)) nearest(like, others))
+  }
+  if (like %in% seen) abort_field(path, like, "a gear that is not itself like this one")
+  merged_fields(gear_like(gears, like, c(seen, name)), own[names(own) != "like"])
+}
+
+# Returns a map with the fields of another map in place of its own, also within inner maps.
+merged_fields <- function(map, other) {
+  for (name in names(other)) {
+    inner <- is_map(map[[name]]) && is_map(other[[name]])
+    map[name] <- list(
+      if (inner) merged_fields(map[[name]], other[[name]]) else other[[name]]
+    )
+  }
+  map
 }
 
 # Returns the steps of a path. A final dot gives an empty last step, which no plan contains.
@@ -17,7 +79,8 @@ child_node <- function(node, step) {
     node <- first_of(Filter(function(choice) choice$shape == shape, node$choices)[1][[1]], list())
   }
   if (identical(node$shape, "array")) return(if (number) node$items)
-  first_of(node$properties[[step]], node$additionalProperties)
+  child <- first_of(node$properties[[step]], node$additionalProperties)
+  if (is.null(child)) NULL else with_partial(child, node$partial)
 }
 
 path_node <- function(plan, path) {
@@ -72,7 +135,9 @@ set_at <- function(tree, steps, value, node, path) {
     abort_unknown(path, step, seq_along(tree))
   }
   if (is.null(inner)) abort_unknown(path, step, names(node$properties))
-  if (!last && is.null(tree[[key]]) && is.null(node$properties[[step]])) {
+  # A gear that is like another may lack maps that the other gear has.
+  known <- !is.null(tree[[key]]) || !is.null(node$properties[[step]]) || isTRUE(node$partial)
+  if (!last && !known) {
     abort_unknown(path, step, names(tree))
   }
   tree[[key]] <- if (last) value else {

@@ -7,6 +7,14 @@ plan_values_limit <- 5e4
 # A plan with a hundred panels has two thousand.
 plan_marks_limit <- 5e3
 
+# Returns the paths of the shipped plans, named by file name.
+shipped_plans <- function() {
+  files <- list.files(
+    system.file("gears", package = "codend"), pattern = "[.]yaml$", full.names = TRUE
+  )
+  stats::setNames(files, sub("[.]yaml$", "", basename(files)))
+}
+
 read_plan <- function(file) plan_of_bytes(plan_bytes(file), file)
 
 # Returns the tree of a plan. `bytes`: raw YAML; `file`: name in messages.

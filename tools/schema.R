@@ -285,8 +285,8 @@ whole_map <- function(node) {
   node$properties <- NULL
   c(
     node["title"[!is.null(node$title)]], node["description"[!is.null(node$description)]],
-    list(type = "object"), node[setdiff(names(node), c("title", "description"))],
-    list(properties = properties, additionalProperties = FALSE)
+    list(type = "object"), node[setdiff(names(node), c("title", "description", "open"))],
+    list(properties = properties, additionalProperties = isTRUE(node$open))
   )
 }
 

@@ -30,11 +30,17 @@ window.codendSay = (function () {
   say.field = function (name) { return term('field', name); };
   say.path = function (path) { return path.split('.').map(say.field).join(' '); };
   say.unit = function (unit) { return has('unit.' + unit) ? say('unit.' + unit) : unit; };
+  // Also after the name of a gear in a rig: "port door spread". Empty without a translation.
+  function measured(words) {
+    var number = words.match(/\d+/), space = words.indexOf(' ');
+    var key = 'measure.' + words.replace(/\d+/, '#').replace(/ /g, '_');
+    if (has(key)) return say(key).replace('#', number);
+    var of_gear = space < 0 ? '' : measured(words.slice(space + 1));
+    return of_gear && words.slice(0, space) + ': ' + of_gear;
+  }
   say.measure = function (words) {
-    var parts = words.match(/^(.*?)( \(.*\))?$/), number = parts[1].match(/\d+/);
-    var key = parts[1].replace(/\d+/, '#').replace(/ /g, '_');
-    var said = has('measure.' + key) ? say('measure.' + key).replace('#', number) : parts[1];
-    return said + (parts[2] || '');
+    var parts = words.match(/^(.*?)( \(.*\))?$/);
+    return (measured(parts[1]) || parts[1]) + (parts[2] || '');
   };
   say.bare = function (text) {
     return text.toLowerCase().normalize('NFD').replace(/[\u0300-\u036f]/g, '').replace(/\u00f8/g, 'o')

@@ -78,7 +78,11 @@ families <- function() {
     lapply(gears()$name, read_gear), lapply(names(new_plan_kinds()), function(kind) new_plan(kind))
   )
   measures <- c(
-    names(standard_measures), unlist(lapply(gears, function(gear) names(gear_si(gear)$measures)))
+    names(standard_measures), unlist(lapply(gears, function(gear) {
+      # Measures of gears in a rig have the gear's name before them.
+      of_rig <- paste(c("^none", names(gear_checked(gear)$gears)), collapse = "|^")
+      sub(paste0("(", of_rig, ")_"), "", names(gear_si(gear)$measures))
+    }))
   )
   list(
     language = c("name", "checked_by"), room = names(form_sections), field = unique(c(fields,
@@ -120,6 +124,13 @@ test_that("every language translates the most visible strings", {
   expect_identical(unlist(usual_fields), strings_of_language("en")[paste0("usual.",
     names(usual_fields))],
     ignore_attr = TRUE)
+})
+
+test_that("label_of_measure() translates measures of gears in a rig", {
+  say <- make_translator("fr")
+  words <- c("port headline height", "stern trawl door spread", "odd")
+  expect_identical(label_of_measure(say, words),
+    c("port: hauteur de la corde de dos", "stern: trawl: \u00e9cartement des panneaux", "odd"))
 })
 
 test_that("translations keep the placeholders of the English strings", {

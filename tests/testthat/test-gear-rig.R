@@ -1,0 +1,152 @@
+# A net towed by its own two points, in the conditions of the twin trawl.
+lone_net <- function() {
+  twin <- read_gear("twin_trawl")$plan
+  as_gear(c(twin[c("codend", "name", "towing", "seabed", "coefficients", "netting_drag")],
+    twin$gears$port[names(twin$gears$port) != "joined"]))
+}
+
+test_that("each net of a twin trawl has the parts of the net alone", {
+  alone <- assembly(lone_net())$plan
+  twin <- assembly(read_gear("twin_trawl"))$plan
+  for (net in c("port", "starboard")) {
+    of_net <- twin$panels[startsWith(names(twin$panels), paste0(net, "_"))]
+    expect_identical(unname(of_net), unname(alone$panels))
+    expect_identical(names(of_net), paste0(net, "_", names(alone$panels)))
+  }
+  expect_length(twin$ropes, 2 * length(alone$ropes) + 3)
+  expect_identical(twin$ropes$port_sweep_port$from, "port_board_port")
+  expect_identical(twin$points$port_board_port, list(at = "door_port"))
+  expect_identical(twin$measures$starboard_headline_height,
+    list(clearance = "starboard_headline.middle"))
+})
+
+test_that("one mesh size moves both nets, and a field of one net only that net", {
+  mesh_sizes <- function(gear) {
+    panels <- gear_si(gear)$panels
+    vapply(panels[c("port_back_codend", "starboard_back_codend")], `[[`, 0, "mesh_size",
+      USE.NAMES = FALSE)
+  }
+  twin <- read_gear("twin_trawl")
+  both <- update(twin, gears.port.sections.codend.mesh_size = "90 mm")
+  expect_equal(mesh_sizes(both), c(0.09, 0.09))
+  one <- update(twin, gears.starboard.sections.codend.mesh_size = "90 mm")
+  expect_equal(mesh_sizes(one), c(0.08, 0.09))
+  # A change that follows another finds the same gear as a new check.
+  expect_identical(gear_si(update(both, towing.speed = "3 knot")),
+    gear_si(as_gear(update(both, towing.speed = "3 knot")$plan)))
+})
+
+test_that("twin trawl is symmetric and its warps pull its drag", {
+  state <- settle("twin_trawl")
+  found <- measures(state)
+  twins <- c("headline_height_m", "wing_end_spread_m", "mouth_area_m2", "net_mouth_height_m")
+  expect_equal(unname(plain_measures(found[paste0("port_", twins)])),
+    unname(plain_measures(found[paste0("starboard_", twins)])), tolerance = 1e-6)
+  table <- as.data.frame(state, what = "tensions")
+  table <- table[table$role %in% "warp", ]
+  first <- table[!duplicated(table$part), ]
+  # The winches are at x = 0, so the middle of the first bar is half of the bar aft.
+  pull <- first$tension_kN * 2 * first$x_m / first$length_m
+  expect_equal(pull[1], pull[3], tolerance = 1e-6)
+  expect_equal(sum(pull), found[["total_drag_kN"]], tolerance = 0.002)
+})
+
+test_that("nets that do not touch have the measures of the net alone", {
+  alone <- settle(lone_net(), nodes = 1500)
+  pair <- join_gears("Two nets", list(port = lone_net(), starboard = list(like = "port",
+    moved = c(0, "100 m", 0))))
+  together <- measures(settle(pair, nodes = 3000))
+  one <- measures(alone)
+  of_nets <- c("wing_end_spread_m", "headline_height_m", "mouth_area_m2", "sweep_tension_kN")
+  for (net in c("port_", "starboard_")) {
+    off <- abs(as.double(together[paste0(net, of_nets)]) - as.double(one[of_nets]))
+    expect_true(all(off <= errors(alone)[of_nets] + errors(together)[paste0(net, of_nets)]))
+  }
+  expect_equal(together[["total_drag_kN"]], 2 * one[["total_drag_kN"]], tolerance = 0.01)
+})
+
+test_that("copies of a gear stand apart and join locations by their number", {
+  buoyed <- list(
+    points = list(top = list(position = c(0, 0, 0), held = "fixed"), foot = list()),
+    ropes = list(line = list(from = "top", to = "foot", length = "20 m", diameter = "10 mm",
+      material = "PP")),
+    pieces = list(weight = list(at = "foot", mass = "10 kg", density = "7850 kg/m3")),
+    number = 3, apart = c(0, 5, 0)
+  )
+  si <- gear_si(gear("Three lines", gears = list(line = buoyed)))
+  expect_identical(names(si$points), paste0("line_", rep(1:3, each = 2), c("_top", "_foot")))
+  expect_equal(si$points$line_3_top$position, c(0, 10, 0))
+  buoyed$joined <- list(top = "float_#")
+  floats <- lapply(1:3, function(k) gear_point(position = c(0, k, 0), held = "fixed"))
+  joined <- gear_si(do.call(gear, c(list("Joined lines", gears = list(line = buoyed)),
+    stats::setNames(floats, paste0("float_", 1:3)))))
+  expect_identical(joined$points$line_2_top$at, "float_2")
+})
+
+test_that("wrong joints, names and fields of a rig are errors at the written field", {
+  twin <- read_gear("twin_trawl")
+  wrong <- function(path, message, ...) {
+    error <- expect_error(update(twin, ...), message, class = "codend_error_plan")
+    expect_identical(error$path, path)
+  }
+  wrong("gears.port.joined.bord_port", "no point of this gear.*did you mean `board_port`",
+    gears.port.joined = list(bord_port = "door_port"))
+  wrong("gears.starboard.joined.board_port", "no point `clmp`.*did you mean `clump`",
+    gears.starboard.joined.board_port = "clmp")
+  wrong("gears.starboard.like", "another gear of this plan: port",
+    gears.starboard.like = "prot")
+  wrong("gears.starboard.like", "not itself like this one", gears.port.like = "starboard")
+  wrong("gears.port.sweeps.length", "5 kg", gears.port.sweeps.length = "5 kg")
+  # The net's own check reports the gear that defines the field.
+  wrong("gears.port.wings.lower.meshes.deep", "lower wings as deep",
+    gears.port.wings.lower.meshes.deep = 60)
+  wrong("gears.starboard.wings.lower.meshes.deep", "lower wings as deep",
+    gears.starboard.wings.lower.meshes.deep = 60)
+  wrong("points.port_codline", "same name as a part of a gear", points.port_codline = list())
+  wrong("gears.port.kind", "one of", gears.port.kind = "trawl")
+  wrong("towing.speed", "a speed", towing.speed = "3 kg")
+})
+
+test_that("included plans are files in the same folder and are written with their fields", {
+  folder <- withr::local_tempdir()
+  lines <- c("codend: 1", "name: Pair", "towing: {speed: 4 knot}", "seabed: {depth: 30 m}",
+    "gears:", "  port: {plan: own.yaml}", "  starboard: {like: port, moved: [0, 20 m, 0]}")
+  writeLines(lines, file.path(folder, "pair.yaml"))
+  expect_error(read_gear(file.path(folder, "pair.yaml")), "shipped plan or a file in the folder",
+    class = "codend_error_plan")
+  write_gear(update(read_gear("beam_trawl"), beam.length = "4.5 m"), file.path(folder, "own.yaml"))
+  pair <- read_gear(file.path(folder, "pair.yaml"))
+  expect_equal(gear_si(pair)$ropes$starboard_beam$length, 4.5)
+  # Uncertainties of the included plan refer to its field in the rig.
+  expect_true(any(startsWith(names(pair$plan$uncertain), "gears.port.")))
+  write_gear(pair, file.path(folder, "written.yaml"))
+  file.remove(file.path(folder, "own.yaml"))
+  expect_identical(read_gear(file.path(folder, "written.yaml"))$plan, pair$plan)
+  # A plan cannot make codend open a file elsewhere, or itself.
+  writeLines(sub("own.yaml", "../secret.yaml", lines), file.path(folder, "pair.yaml"))
+  writeLines("password", file.path(folder, "..", "secret.yaml"))
+  withr::defer(unlink(file.path(folder, "..", "secret.yaml")))
+  expect_error(read_gear(file.path(folder, "pair.yaml")), "a file in the folder")
+  writeLines(sub("own.yaml", "pair.yaml", lines), file.path(folder, "pair.yaml"))
+  expect_error(read_gear(file.path(folder, "pair.yaml")), "does not include itself")
+})
+
+test_that("join_gears() makes the rig of the plan with its uncertainties", {
+  trawl <- read_gear("beam_trawl")
+  pair <- join_gears("Pair", list(port = trawl, starboard = list(like = "port",
+    moved = c(0, 20, 0))))
+  expect_identical(sort(names(pair$plan$uncertain), method = "radix"),
+    sort(c(grep("^(towing|seabed)", names(trawl$plan$uncertain), value = TRUE),
+      paste0("gears.port.", grep("^(towing|seabed)", names(trawl$plan$uncertain), value = TRUE,
+        invert = TRUE))), method = "radix"))
+  twin <- read_gear("twin_trawl")$plan
+  by_hand <- do.call(join_gears, c(list("Twin",
+    list(port = lone_net(), starboard = list(like = "port")),
+    joined = list(port = c(board_port = "door_port", board_starboard = "clump"),
+      starboard = c(board_port = "clump", board_starboard = "door_starboard"))),
+    twin[c("points", "ropes", "pieces", "measures")]))
+  same <- c("points", "ropes", "panels", "seams", "pieces", "measures", "towing", "water")
+  expect_identical(gear_si(by_hand)[same], gear_si(read_gear("twin_trawl"))[same])
+  expect_error(join_gears("Twin", list(a = trawl), joined = list(b = c(x = "y"))), "joined",
+    class = "codend_error_argument")
+})
