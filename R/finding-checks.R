@@ -41,6 +41,12 @@ fill_places <- function(text, values) {
 # bridle_upper_port" it is the part's description ("bridles.upper"), with the part's field if given.
 finding_field <- function(plan, location, field) {
   has <- function(path) !is.null(tryCatch(plan_field(plan, path), error = function(e) NULL))
+  for (gear in names(plan$gears)) {
+    own <- sub(paste0("^([a-z]+ )?", gear, "(_[0-9]+)?[_ ]"), "\\1", location)
+    if (own == location) next
+    inner <- finding_field(gear_like(plan$gears, gear), own, field)
+    return(if (!is.na(inner)) gear_field_path(plan$gears, gear, inner) else inner)
+  }
   # A field that the plan may contain can be absent.
   known <- names(plan_node(plan)$properties)
   if (!is.null(field) && (field %in% known || has(field))) return(field)

@@ -75,7 +75,7 @@ define_finding("speed", "plan",
     knots <- template("{n} knot", n = figures(in_knots))
     out <- list()
     # Other kinds have a band with its own warning.
-    if (si$towing$speed > greatest_speed && is.null(band_of("towing speed", gear))) {
+    if (si$towing$speed > greatest_speed && is.null(band_of("towing speed", si_by_net(si)[[1L]]))) {
       out <- list(finding("towing.speed", in_knots, knots,
         template("the gear is towed at {speed}.", speed = knots),
         "Check the unit: a number without a unit is in m/s."))
@@ -141,6 +141,26 @@ define_finding("number of panels", "plan",
       template("the field is missing; codend assumes {n} panels for this trawl.", n = taken),
       "Add the number of panels of the net."))
   }
+)
+
+define_finding("warp end", "plan",
+  "A warp of a rig of several nets ends without a door, clump or weight.",
+  function(gear, state) {
+    si <- gear_si(gear)
+    if (length(si$nets) < 2L || is.null(si$ground)) return(list())
+    of_nets <- vapply(names(si$ropes), function(name) {
+      any(startsWith(name, paste0(names(si$nets), "_")))
+    }, NA)
+    warps <- setdiff(ropes_of_role(si, "warp"), names(si$ropes)[of_nets])
+    loaded <- unlist(c(lapply(si$pieces, `[[`, "at"), lapply(si$otter_boards, `[[`, "points")))
+    lapply(warps, function(name) {
+      if (any(c(si$ropes[[name]]$from, si$ropes[[name]]$to) %in% loaded)) return(NULL)
+      finding(paste("rope", name), 0, "0 kg",
+        "its end has no door, clump or weight.",
+        "Add a piece or an otter board at this point.", field = "to")
+    })
+  },
+  rank = 1L
 )
 
 # Kinds whose field `panels` is the number of panels around a section.

@@ -9,34 +9,39 @@ read_bands <- function() {
 
 known_bands <- remembered(read_bands)
 
-band_of <- function(quantity, gear) {
+# si: SI numbers of one net (`si_by_net()`).
+band_of <- function(quantity, si) {
   bands <- known_bands()
-  row <- which(bands$quantity == quantity & bands$kind == first_of(gear$plan$kind, "assembly"))
+  kind <- if (length(si$nets) == 1L) si$nets[[1L]]$kind else "assembly"
+  row <- which(bands$quantity == quantity & bands$kind == kind)
   if (length(row)) bands[row, ]
 }
 
-# Defines the check of a proportion. `value(gear, state)`: the number in the band's unit, or NULL if
-# undefined. `location`, `field`: as in `finding()`, or functions of the gear. `low`, `high`: advice
-# for values below and above the band.
+# Defines the check of a proportion of each net. `value(si, state)`: the number in the band's unit,
+# or NULL if undefined; `si`: SI numbers of the net. `location`: as in `finding()`, or a function of
+# the gear; `field`: as in `finding()`. `low`, `high`: advice for values below and above the band.
 define_band <- function(quantity, of, message, value, location, low, high, field = NULL,
   rank = 2L) {
   define_finding(quantity, of, paste(message, "Range: `bands.csv`."),
     function(gear, state) {
-      band <- band_of(quantity, gear)
-      if (is.null(band)) return(list())
-      found <- value(gear, state)
-      if (!length(found) || !is.finite(found)) return(list())
-      below <- !is.na(band$least) && found < band$least
-      above <- !is.na(band$greatest) && found > band$greatest
-      if (!below && !above) return(list())
-      with_unit <- trimws(paste("{n}", band$unit))
-      label <- template(with_unit, n = figures(found))
-      if (is.function(location)) location <- location(gear)
-      list(finding(location, found, label,
-        template("{quantity} is {value}; usual is {band}.", quantity = quantity,
-          value = label,
-          band = template(with_unit, n = band_text(band$usual_least, band$usual_greatest))),
-        if (below) low else high, field = field))
+      nets <- si_by_net(if (of == "state") state$si else gear_si(gear))
+      Map(function(si, net) {
+        band <- band_of(quantity, si)
+        if (is.null(band)) return(NULL)
+        found <- value(si, state)
+        if (!length(found) || !is.finite(found)) return(NULL)
+        below <- !is.na(band$least) && found < band$least
+        above <- !is.na(band$greatest) && found > band$greatest
+        if (!below && !above) return(NULL)
+        with_unit <- trimws(paste("{n}", band$unit))
+        label <- template(with_unit, n = figures(found))
+        if (is.function(location)) location <- location(gear)
+        finding(location_in_net(location, net, gear$plan), found, label,
+          template("{quantity} is {value}; usual is {band}.", quantity = quantity,
+            value = label,
+            band = template(with_unit, n = band_text(band$usual_least, band$usual_greatest))),
+          if (below) low else high, field = field)
+      }, nets, first_of(names(nets), ""))
     },
     rank = rank
   )
@@ -48,8 +53,18 @@ band_text <- function(least, greatest) {
   template("{least} to {most}", least = number(least), most = number(greatest))
 }
 
-measure_of <- function(state, name) {
-  measure <- state$si$measures[[name]]
+# Returns the location of a finding with the name of its net in a rig ("" for a single net).
+location_in_net <- function(location, net, plan) {
+  if (!nzchar(net)) return(location)
+  if (grepl("^rope ", location)) return(sub("^rope ", paste0("rope ", net, "_"), location))
+  of <- intersect(c(net, sub("_[0-9]+$", "", net)), names(plan$gears))
+  own <- if (length(of)) gear_field_path(plan$gears, of[1L], location) else location
+  if (is.null(plan_field(plan, own))) location else own
+}
+
+# Returns a measure of a net (`si`) in a state.
+measure_of <- function(si, state, name) {
+  measure <- si$measures[[name]]
   if (!is.null(measure)) measure_values(state, list(measure))
 }
 
@@ -59,22 +74,21 @@ headline_of <- function(si) {
 }
 
 # Returns mouth height divided by headline length. A closed mouth has a different warning.
-height_over_headline <- function(gear, state) {
-  whole <- headline_of(state$si)
-  height <- measure_of(state, "net_mouth_height")
+height_over_headline <- function(si, state) {
+  whole <- headline_of(si)
+  height <- measure_of(si, state, "net_mouth_height")
   if (!is.null(whole) && !is.null(height) && height > 0) height / whole
 }
 
 define_band("towing speed", "plan", "The towing speed is unusual for this kind of gear.",
-  function(gear, state) gear_si(gear)$towing$speed / plan_units$speed[["knot"]],
+  function(si, state) si$towing$speed / plan_units$speed[["knot"]],
   location = "towing.speed", low = "Check the speed and its unit.",
   high = "Check the speed and its unit: a number without a unit is in m/s.", rank = 1L
 )
 
 define_band("footrope over headline", "plan",
   "The footrope with its extensions is too short or too long for the headline.",
-  function(gear, state) {
-    si <- gear_si(gear)
+  function(si, state) {
     lower <- si$ropes[ropes_of_role(si, c("footrope", "footrope_extension"))]
     whole <- headline_of(si)
     if (length(lower) && !is.null(whole)) sum(vapply(lower, `[[`, 0, "length")) / whole
@@ -86,8 +100,7 @@ define_band("footrope over headline", "plan",
 
 define_band("warp over depth", "plan",
   "The warp of a bottom trawl is too short or too long for the depth of the sea bed.",
-  function(gear, state) {
-    si <- gear_si(gear)
+  function(si, state) {
     warp <- ropes_of_role(si, "warp")
     depth <- if (!is.null(si$ground)) height_above_ground(si$ground, cbind(numeric(3)))
     # In shallow water a minimum warp length applies instead.
@@ -98,8 +111,7 @@ define_band("warp over depth", "plan",
 
 define_band("ground gear weight", "plan",
   "The weight of the ground gear per metre in water is unusually low or high.",
-  function(gear, state) {
-    si <- gear_si(gear)
+  function(si, state) {
     name <- ropes_of_role(si, "ground_gear")
     if (!length(name)) return(NULL)
     rope <- si$ropes[[name[1L]]]
@@ -115,8 +127,7 @@ define_band("ground gear weight", "plan",
 
 define_band("board weight over area", "plan",
   "The otter boards are too light or too heavy for their area.",
-  function(gear, state) {
-    si <- gear_si(gear)
+  function(si, state) {
     boards <- Filter(function(piece) identical(piece$role, "otter_board"), si$pieces)
     if (length(boards)) boards[[1L]]$mass / boards[[1L]]$area
   },
@@ -143,12 +154,12 @@ define_band("mouth height over headline", "state",
 define_band("spread over headline", "state",
   "The upper wing spread of a trawl is too small or too large for its headline. A net with straight
   wings cannot open upward.",
-  function(gear, state) {
-    line <- ropes_of_role(state$si, "headline")
+  function(si, state) {
+    line <- ropes_of_role(si, "headline")
     if (!has_towing(state) || length(line) != 1L) return(NULL)
     node <- state$mesh$ropes[[line]]$node
     ends <- state$position[1:2, c(node[1L], node[length(node)])]
-    sqrt(sum((ends[, 2L] - ends[, 1L])^2)) / state$si$ropes[[line]]$length
+    sqrt(sum((ends[, 2L] - ends[, 1L])^2)) / si$ropes[[line]]$length
   },
   location = "rope headline", field = "otter_boards",
   low = "Increase the area or lift of the boards, pay out more warp, or shorten the headline.",
@@ -157,7 +168,7 @@ define_band("spread over headline", "state",
 
 define_band("bridle angle", "state",
   "The angle of sweeps or bridles to the course is unusually small or large.",
-  function(gear, state) in_unit(first_of(measure_of(state, "bridle_angle"), NA_real_), "deg"),
+  function(si, state) in_unit(first_of(measure_of(si, state, "bridle_angle"), NA_real_), "deg"),
   location = function(gear) if (is.null(gear$plan$sweeps)) "bridles" else "sweeps.length",
   low = "Shorten sweeps and bridles, or increase the door spread.",
   high = "Lengthen sweeps and bridles, or reduce the door spread."
@@ -165,7 +176,7 @@ define_band("bridle angle", "state",
 
 define_band("ground friction over drag", "state",
   "Friction on the sea bed is an unusually large fraction of the drag.",
-  function(gear, state) {
+  function(si, state) {
     if (!is.null(state$si$ground)) 100 * measure_value(state, "ground_friction")
   },
   location = "ground_gear", low = "", high = "Check the weight in water of the gear on the sea bed."
@@ -173,7 +184,7 @@ define_band("ground friction over drag", "state",
 
 define_band("boards' drag over drag", "state",
   "The otter boards have an unusually small or large fraction of the drag.",
-  function(gear, state) {
+  function(si, state) {
     totals <- drag_totals(drag_table(state))
     drag <- stats::setNames(totals$drag_kN, totals$group)
     if ("otter boards" %in% names(drag)) 100 * drag[["otter boards"]] / drag[["total"]]
@@ -185,7 +196,7 @@ define_band("boards' drag over drag", "state",
 
 define_band("hammers' weight over drag", "state",
   "The weight of the hammers of a midwater trawl is an unusually large fraction of its drag.",
-  function(gear, state) {
+  function(si, state) {
     of_hammers <- state$mesh$parts$role %in% "hammer"
     drag <- measure_value(state, "total_drag")
     if (any(of_hammers) && drag > 0) 100 * sum(part_weight(state)[of_hammers]) / drag
@@ -195,10 +206,10 @@ define_band("hammers' weight over drag", "state",
 
 define_band("net height over hung height", "state",
   "A gillnet lies down: its height is much less than its hung height.",
-  function(gear, state) {
-    wall <- gear_si(gear)$panels[["wall"]]
-    hung <- gillnet_hung_height(gear_si(gear), wall)
-    height <- measure_of(state, "net_height")
+  function(si, state) {
+    wall <- si$panels[["wall"]]
+    hung <- gillnet_hung_height(si, wall)
+    height <- measure_of(si, state, "net_height")
     if (!is.null(height) && is.finite(hung) && hung > 0) height / hung
   },
   location = "float_line", low = "Add buoyancy along the float line, or check the current.",
@@ -215,7 +226,7 @@ gillnet_hung_height <- function(si, wall) {
 }
 
 define_band("volume left", "state", "A cage loses much of its volume in the current.",
-  function(gear, state) measure_of(state, "volume_left"),
+  function(si, state) measure_of(si, state, "volume_left"),
   location = "water.current.speed",
   low = "Add weight along the foot of the net, or check the current.",
   high = "Check the dimensions of the net.", rank = 1L

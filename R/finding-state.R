@@ -7,33 +7,55 @@ define_finding("net off the bed", "state",
   "Half of the footrope or ground gear hangs more than 0.5 m, or a quarter of the headline height,
   above the sea bed. This check omits midwater trawls.",
   function(gear, state) {
-    si <- state$si
-    if (is.null(si$ground) || identical(gear$plan$kind, "midwater_trawl")) return(list())
-    # Returns for each rope the height (m) that half of its underside exceeds.
-    height_of <- function(roles) {
-      vapply(ropes_of_role(si, roles), function(name) {
-        node <- state$mesh$ropes[[name]]$node
-        height <- height_above_ground(si$ground, state$position[, node])
-        stats::median(height) - si$ropes[[name]]$diameter / 2
-      }, 0)
-    }
-    low <- height_of(c("ground_gear", "footrope"))
-    if (!length(low)) return(list())
-    least <- min(low)
-    above <- max(height_of("headline"), -Inf)
-    allowed <- greatest_footrope_height
-    if (above > 0) allowed <- min(allowed, greatest_footrope_share * above)
-    if (least <= allowed) return(list())
-    label <- paste(figures(least), "m")
-    list(finding(paste("rope", names(low)[which.min(low)]), least, label,
-      if (above > 0) {
-        template("one half is {height} or more above the sea bed; the headline is at {line} m.",
-          height = label, line = figures(above))
-      } else {
-        template("one half is {height} or more above the sea bed.", height = label)
-      },
-      "Pay out more warp, tow more slowly, or add weight to the footrope or the boards.",
-      field = "warps.length"))
+    if (is.null(state$si$ground)) return(list())
+    lapply(si_by_net(state$si), function(si) {
+      if (length(si$nets) && si$nets[[1L]]$kind == "midwater_trawl") return(NULL)
+      net_off_bed(si, state)
+    })
+  },
+  rank = 1L
+)
+
+# Returns the finding of one net (`si`) off the sea bed, or NULL.
+net_off_bed <- function(si, state) {
+  # Returns for each rope the height (m) that half of its underside exceeds.
+  height_of <- function(roles) {
+    vapply(ropes_of_role(si, roles), function(name) {
+      node <- state$mesh$ropes[[name]]$node
+      height <- height_above_ground(si$ground, state$position[, node])
+      stats::median(height) - si$ropes[[name]]$diameter / 2
+    }, 0)
+  }
+  low <- height_of(c("ground_gear", "footrope"))
+  if (!length(low)) return(NULL)
+  least <- min(low)
+  above <- max(height_of("headline"), -Inf)
+  allowed <- greatest_footrope_height
+  if (above > 0) allowed <- min(allowed, greatest_footrope_share * above)
+  if (least <= allowed) return(NULL)
+  label <- paste(figures(least), "m")
+  finding(paste("rope", names(low)[which.min(low)]), least, label,
+    if (above > 0) {
+      template("one half is {height} or more above the sea bed; the headline is at {line} m.",
+        height = label, line = figures(above))
+    } else {
+      template("one half is {height} or more above the sea bed.", height = label)
+    },
+    "Pay out more warp, tow more slowly, or add weight to the footrope or the boards.",
+    field = "warps.length")
+}
+
+define_finding("mouth blockage", "state",
+  "The twine covers more than the whole area of the net mouths across the flow: a net is nearly
+  closed, or a mouth is not in `nets`.",
+  function(gear, state) {
+    share <- measure_value(state, "mouth_blockage")
+    if (!is.finite(share) || share <= 1) return(list())
+    label <- paste(figures(100 * share), "%")
+    list(finding("netting", 100 * share, label,
+      template("its twine across the flow covers {share} of the area of the net mouths.",
+        share = label),
+      "Check the spread and the height of the net mouths, and the ropes in `nets`."))
   },
   rank = 1L
 )
@@ -116,9 +138,12 @@ define_finding("bridles", "state",
   or less than 27 % of an equal part (9 % for three bridles). This check omits beam trawls: their
   middle bridle only keeps the beam straight.",
   function(gear, state) {
-    if (identical(gear$plan$kind, "beam_trawl")) return(list())
     si <- state$si
-    names <- ropes_of_role(si, c("bridle", "hand_rope"))
+    names <- unlist(lapply(unname(si_by_net(si)), function(net) {
+      if (length(net$nets) && net$nets[[1L]]$kind == "beam_trawl") return(NULL)
+      ropes_of_role(net, c("bridle", "hand_rope"))
+    }))
+    names <- as.character(unique(names))
     start <- vapply(names, function(name) bridle_start(si, si$ropes[[name]]$from), "")
     unlist(lapply(split(names, start), function(together) {
       if (length(together) < 2L) return(list())

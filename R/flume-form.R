@@ -22,7 +22,8 @@ form_sections <- list(
     "otter_boards", "backstrops", "towing_points", "beam", "shoes", "upper_beam", "lower_beam"
   ),
   Rig = c(
-    "warps", "warp", "sweeps", "bridles", "hand_ropes", "moorings", "end_lines", "end_ropes",
+    "gears", "warps", "warp", "sweeps", "bridles", "hand_ropes", "moorings", "end_lines",
+    "end_ropes",
     "lift_line", "anchor_line", "anchor_depth", "rings", "purse_wire", "davit_height", "points",
     "vessel", "vessels"
   ),
@@ -30,7 +31,7 @@ form_sections <- list(
     "hauling", "laid"),
   `Name and method` = c(
     "name", "materials", "method", "netting", "coefficients", "netting_drag", "slack_twine",
-    "shielding", "multipliers", "measures"
+    "shielding", "multipliers", "nets", "measures"
   )
 )
 

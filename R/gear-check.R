@@ -48,7 +48,10 @@ check_points <- function(si) {
   held <- held_points(si)
   if (length(held) == 0) {
     abort_plan(
-      "Plan field `points` has no held point: give a point `position` and `held`.",
+      paste(
+        "Plan field `points` has no held point: give moorings or anchors, or a point with",
+        "`position` and `held`."
+      ),
       "points"
     )
   }

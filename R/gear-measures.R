@@ -7,6 +7,36 @@ si_measure <- function(measure, path, known) {
   c(list(kind = kind$kind, column = with_unit(name, kind$unit)), asked)
 }
 
+# Returns list(kind, mouth, wing_ends) of a net: the ropes around its mouth, and pairs of locations.
+si_net <- function(net, path, known) {
+  list(
+    kind = first_of(net$kind, "assembly"),
+    mouth = unlist(requires_ropes(net$mouth, paste0(path, ".mouth"), known)),
+    wing_ends = if (!is.null(net$wing_ends)) {
+      requires_pairs(net$wing_ends, paste0(path, ".wing_ends"), known)$pairs
+    }
+  )
+}
+
+# Returns the SI numbers of each net, by name: the parts of other nets are left out. Measures have
+# their names without the name of the net. A gear of one net or none has one element.
+si_by_net <- function(si) {
+  names <- names(si$nets)
+  if (length(names) < 2L) return(list(si))
+  of_net <- function(parts, name) startsWith(parts, paste0(name, "_"))
+  lapply(stats::setNames(nm = names), function(name) {
+    others <- setdiff(names, name)
+    for (group in c("ropes", "panels", "pieces", "otter_boards", "measures")) {
+      parts <- as.character(names(si[[group]]))
+      foreign <- Reduce(`|`, lapply(others, function(other) of_net(parts, other)))
+      si[[group]] <- si[[group]][!foreign | of_net(parts, name)]
+    }
+    names(si$measures) <- sub(paste0("^", name, "_"), "", as.character(names(si$measures)))
+    si$nets <- si$nets[name]
+    si
+  })
+}
+
 # ---- requests of measures ------------------------------------------------------------------------
 
 requires_place <- function(asked, path, known) list(place = find_place(asked, path, known))

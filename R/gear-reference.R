@@ -49,7 +49,8 @@ share_places <- function(si) {
   pick <- function(group, fields) lapply(si[[group]], `[`, fields)
   texts <- unlist(c(
     pick("points", "at"), pick("ropes", c("from", "to", "through")),
-    pick("seams", c("gathered_at", "held_between")), pick("pieces", "at"), si$measures
+    pick("seams", c("gathered_at", "held_between")), pick("pieces", "at"), si$measures,
+    pick("nets", "wing_ends")
   ), use.names = FALSE)
   grep("^[^.]+\\[[0-9.]+\\]$", unique(as.character(texts)), value = TRUE)
 }

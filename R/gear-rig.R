@@ -5,7 +5,7 @@ part_references <- list(
   points = "at", ropes = c("from", "to", "through", "along"),
   panels = character(), seams = c("edges", "gathered_at", "held_between"),
   pieces = c("at", "along"), otter_boards = "attachments", kites = "attachments",
-  measures = NULL
+  nets = c("mouth", "wing_ends"), measures = NULL
 )
 
 # Expands a rig. `fields`, `plan`: its checked fields and the plan as given; `last`: the gears of
@@ -82,8 +82,8 @@ plan_of_part <- function(copy, plan) {
     if (length(materials)) list(materials = materials))
 }
 
-# Returns the path at which a field of a gear is written. The field is in the gear itself or in a gear
-# that it is like.
+# Returns the path at which a field of a gear is written. The field is in the gear itself or in a
+# gear that it is like.
 gear_field_path <- function(gears, name, path) {
   steps <- path_steps(dotted_path(path))
   for (k in rev(seq_along(steps))) {
@@ -122,7 +122,10 @@ part_tree <- function(checked, copy, own_drag) {
   prefix <- paste0(copy$name, "_")
   for (group in intersect(names(part_references), names(tree))) {
     parts <- tree[[group]]
-    names(parts) <- paste0(prefix, names(parts))
+    # A gear with one net has the name of the gear.
+    names(parts) <- if (group == "nets" && length(parts) == 1L) copy$name else {
+      paste0(prefix, names(parts))
+    }
     tree[[group]] <- lapply(parts, function(part) {
       for (field in intersect(first_of(part_references[[group]], names(part)), names(part))) {
         part[[field]] <- prefixed_reference(part[[field]], prefix)

@@ -36,7 +36,7 @@ check_parts <- function(plan, fields, last, joined) {
         if (length(fields$gears)) {
           expand_rig(whole$fields, whole$plan, last$gears)
         } else {
-          list(expander_of(fields$kind)(whole$fields, whole$plan), NULL)
+          list(with_roles(expander_of(fields$kind)(whole$fields, whole$plan), fields$kind), NULL)
         }
       )
     }
@@ -67,6 +67,15 @@ counts_again <- function(fields, plan, last) {
 
 # Groups that are copied unchanged from a short form to its assembly and affect no other group.
 handed_on <- c("name", "towing", "vessel")
+
+# Returns an expanded short form with the roles of its parts, from the measures of its kind.
+with_roles <- function(expanded, kind) {
+  measures <- expanded$measures
+  expanded$nets <- list(net = c(list(kind = kind), Filter(length, list(
+    mouth = measures$mouth_area$area, wing_ends = measures$wing_end_spread$spread
+  ))))
+  expanded
+}
 
 # TRUE if a plan expands into an assembly. `fields`: its checked fields.
 is_short_form <- function(fields) fields$kind != "assembly" || length(fields$gears) > 0L
@@ -123,11 +132,11 @@ by_method <- function(fields) {
 # `last_fields`, `last`: fields of another gear and the result of this function for them, or NULL.
 #
 # Returns list(name, kind = "assembly", water, towing, netting, slack_twine, points, ropes, panels,
-# seams, pieces, otter_boards, ground, shooting, laid, vessel, measures, share_places). Positions
-# remain strings for `parse_place()`. A chain is a list of list(panel, edge, from, to, reversed);
-# `from` and `to` are fractions of the edge. An optional field without a default is NULL (position,
-# at, near, from, to, along, shares, held_between, segments, columns, rows, opening_stiffness,
-# catch). A single number or string is NA instead.
+# seams, pieces, otter_boards, ground, shooting, laid, vessel, nets, measures, share_places).
+# Positions remain strings for `parse_place()`. A chain is a list of list(panel, edge, from, to,
+# reversed); `from` and `to` are fractions of the edge. An optional field without a default is NULL
+# (position, at, near, from, to, along, shares, held_between, segments, columns, rows,
+# opening_stiffness, catch). A single number or string is NA instead.
 si_of <- function(fields, last_fields = NULL, last = NULL) {
   law <- drag_model(fields$coefficients)
   si <- list(
@@ -190,6 +199,7 @@ si_of <- function(fields, last_fields = NULL, last = NULL) {
     fields$measures, "measures", si_measure, known,
     kept = kept("measures", same_known && same_bodies)
   )
+  si$nets <- map_named(fields$nets, "nets", si_net, known)
   si$share_places <- share_places(si)
   si
 }

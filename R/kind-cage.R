@@ -48,10 +48,9 @@ check_cage <- function(fields, given) {
     if (is.null(collar$material) && is.null(collar$mass_per_length)) {
       abort_field("collar.mass_per_length", NULL, "given with a floating collar", "is missing")
     }
-    if (is.null(fields$moorings)) {
-      abort_field("moorings", NULL, "given with a floating collar", "is missing")
-    }
+    # A cage in a rig is moored by the plan around it.
     moorings <- fields$moorings
+    if (is.null(moorings)) return(check_cage_weight(fields))
     if (moorings$number > fields$panels) {
       wrong("moorings.number", moorings$number,
         paste("at most the", fields$panels, "corners of the wall panels"))
@@ -63,8 +62,12 @@ check_cage <- function(fields, given) {
       ))
     }
   }
+  check_cage_weight(fields)
+}
+
+check_cage_weight <- function(fields) {
   if (is.null(fields[["bottom"]]) && !is.null(fields$centre_weight)) {
-    wrong("centre_weight", "given", "omitted in a cage without bottom netting")
+    abort_field("centre_weight", "given", "omitted in a cage without bottom netting")
   }
 }
 

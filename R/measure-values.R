@@ -13,15 +13,14 @@ measure_value <- function(state, kind) measure_values(state, list(list(kind = ki
 # Returns a request in the engine's format: see `Questions` in src/engine/measure/measures.hpp.
 questions_of <- function(si, mesh, asked) {
   places <- place_names(si)
-  mouth <- si$measures$mouth_area
-  wings <- si$measures$wing_end_spread
   place_of <- function(texts) match(as.character(unlist(texts)), places)
   list(
     place_count = length(places), rope_count = length(si$ropes), panel_count = length(si$panels),
     part_count = nrow(mesh$parts), plate_count = length(si$otter_boards),
     speed = si$towing$speed,
-    mouth = if (identical(mouth$kind, "area")) match(mouth$ropes, names(si$ropes)) else integer(),
-    wings = if (identical(wings$kind, "spread")) place_of(wings$pairs) else integer(),
+    nets = lapply(unname(si$nets), function(net) {
+      list(mouth = match(net$mouth, names(si$ropes)), wings = place_of(net$wing_ends))
+    }),
     propulsion = if (!is.null(si$vessel)) vessel_propulsion(si$vessel),
     measures = lapply(unname(asked), function(one) {
       of_rope <- !is.null(one$rope)

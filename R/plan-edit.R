@@ -6,13 +6,20 @@ edited_text <- function(source, plan) {
   plan <- join_uncertain(plan)
   anew <- paste0(c(yaml_lines(plan, 0), ""), collapse = "\n")
   if (is.null(source)) return(anew)
-  old <- tryCatch(plan_of_bytes(charToRaw(enc2utf8(source)), "plan"), error = function(e) NULL)
+  # A text that includes files is written with their fields; names of shipped plans remain.
+  old <- tryCatch(
+    with_included_plans(plan_of_bytes(charToRaw(enc2utf8(source)), "plan"), NULL),
+    error = function(e) NULL
+  )
   if (is.null(old)) return(anew)
   if (identical(old, plan)) return(source)
   for (deepest in c(Inf, 1)) {
     text <- tryCatch(edit_fields(source, old, plan, deepest), codend_unplaced = function(e) NULL)
     if (is.null(text)) next
-    read <- tryCatch(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), error = function(e) NULL)
+    read <- tryCatch(
+      with_included_plans(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), NULL),
+      error = function(e) NULL
+    )
     if (identical(read, plan)) return(text)
   }
   anew

@@ -53,9 +53,14 @@ gear_like <- function(gears, name, seen = NULL) {
   merged_fields(gear_like(gears, like, c(seen, name)), own[names(own) != "like"])
 }
 
-# Returns a map with the fields of another map in place of its own, also within inner maps.
+# Returns a map with the fields of another map in place of its own, also within inner maps. An empty
+# field removes the map's own.
 merged_fields <- function(map, other) {
   for (name in names(other)) {
+    if (is.null(other[[name]])) {
+      map[[name]] <- NULL
+      next
+    }
     inner <- is_map(map[[name]]) && is_map(other[[name]])
     map[name] <- list(
       if (inner) merged_fields(map[[name]], other[[name]]) else other[[name]]

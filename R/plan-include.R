@@ -1,12 +1,13 @@
 # Plans that a plan includes as its gears.
 
-# Returns a tree in which the fields of plans stand for the names of these plans (`gears.*.plan`).
+# Returns a tree with the fields of each plan instead of its name (`gears.*.plan`).
 # `file`: path of the plan's own file, or NULL if only shipped plans are allowed. `within`: files
 # that include this one.
 with_included_plans <- function(tree, file, within = NULL) {
-  if (!is_map(tree[["gears"]])) return(tree)
+  if (!is_map(tree) || !is_map(tree[["gears"]])) return(tree)
   for (name in names(tree$gears)) {
-    given <- tree$gears[[name]]
+    given <- with_included_plans(tree$gears[[name]], file, within)
+    tree$gears[[name]] <- given
     if (!is_map(given) || is.null(given[["plan"]])) next
     path <- paste0("gears.", name, ".plan")
     from <- included_file(given$plan, file, path)

@@ -210,7 +210,9 @@ picture_faults <- function(gears) {
 
 gears <- gears()$name
 found <- lapply(gears, function(name) {
-  state <- gallery_state(name, nodes = 300)
+  # Each net of a rig has as many nodes as a single net.
+  nets <- length(codend$gear_si(read_gear(name))$nets)
+  state <- gallery_state(name, nodes = 300 * max(1, nets))
   scene <- read_scene(state)
   seams <- seams_of_scene(scene, state$si)
   list(

@@ -42,8 +42,7 @@ Gear random_gear(Random& random) {
 Questions all_of(const Gear& gear) {
   Questions out;
   out.speed = 1.5;
-  out.mouth = {0, 1};
-  out.wings = {2, 5};
+  out.nets = {{{0, 1}, {2, 5}}};
   out.has_propulsion = true;
   out.propulsion = {{0, 1, 3}, {9e4, 7e4, 1e4}, 3e5, {0.1, 1}, {7e-8, 6e-8}, 840, 0.5};
   for (std::size_t k = 0; k < names_of(MeasureKind{}).size(); ++k) {

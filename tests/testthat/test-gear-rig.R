@@ -51,6 +51,36 @@ test_that("twin trawl is symmetric and its warps pull its drag", {
   expect_equal(sum(pull), found[["total_drag_kN"]], tolerance = 0.002)
 })
 
+test_that("measures() adds swept area and filtered volume of both nets", {
+  state <- settled("twin_trawl")
+  found <- measures(state)
+  both <- function(name) sum(found[paste0(c("port_", "starboard_"), name)])
+  speed <- 2.6 * 1.852  # km/h
+  # Wing ends are level in the water: their lines are across the tow within 2 %.
+  expect_equal(found[["swept_area_km2_per_h"]], speed * both("wing_end_spread_m") / 1000,
+    tolerance = 0.01)
+  expect_equal(found[["filtered_volume_m3_per_h"]], 1000 * speed * both("mouth_area_m2"),
+    tolerance = 0.01)
+  # The assembly keeps the roles.
+  expect_equal(measure_value(settle(assembly(state$gear), nodes = 1500), "swept_area"),
+    measure_value(state, "swept_area"), tolerance = 1e-6)
+})
+
+test_that("findings() reports a lost clump, a net off its band and a missing mouth", {
+  twin <- read_gear("twin_trawl")
+  lost <- findings(update(twin, pieces.clump = NULL))
+  expect_identical(lost[c("check", "location")],
+    data.frame(check = "warp end", location = "rope warp_middle"), ignore_attr = TRUE)
+  # The finding of both nets is about the field that they share.
+  short <- findings(update(twin, gears.port.footrope.length = "12 m"))
+  short <- short[short$check == "footrope over headline", ]
+  expect_identical(short$field, "gears.port.footrope.length")
+  expect_identical(short$n_similar, 1L)
+  one_mouth <- update(assembly(twin), nets.starboard.mouth = NULL)
+  blocked <- findings(settle(one_mouth, nodes = 1500))
+  expect_true("mouth blockage" %in% blocked$check)
+})
+
 test_that("nets that do not touch have the measures of the net alone", {
   alone <- settle(lone_net(), nodes = 1500)
   pair <- join_gears("Two nets", list(port = lone_net(), starboard = list(like = "port",
@@ -65,7 +95,7 @@ test_that("nets that do not touch have the measures of the net alone", {
   expect_equal(together[["total_drag_kN"]], 2 * one[["total_drag_kN"]], tolerance = 0.01)
 })
 
-test_that("copies of a gear stand apart and join locations by their number", {
+test_that("a gear with `number` makes copies, each joined to its own location", {
   buoyed <- list(
     points = list(top = list(position = c(0, 0, 0), held = "fixed"), foot = list()),
     ropes = list(line = list(from = "top", to = "foot", length = "20 m", diameter = "10 mm",

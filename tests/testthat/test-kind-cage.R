@@ -97,7 +97,7 @@ test_that("cage plans are rejected with the wrong field", {
   wrong(cage, "panels", shape = "square", panels = 18)
   wrong(cage, "collar.diameter", collar = list(held = TRUE, diameter = "1 m"))
   wrong(cage, "moorings", collar = list(held = TRUE))
-  wrong(cage, "moorings", moorings = NULL)
+  wrong(cage, "points", moorings = NULL)
   wrong(cage, "collar.bending_stiffness",
     collar = list(diameter = "300 mm", mass_per_length = 50, axial_stiffness = "50 MN"))
   wrong(cage, "moorings.length", moorings.length = "60 m")

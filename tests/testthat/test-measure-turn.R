@@ -20,6 +20,8 @@ towed_frame <- function() {
       drag_area = 0.01),
     wing_end_spread = measure(spread = c("high_port", "high_starboard")),
     mouth_area = measure(area = c("head", "right", "foot", "left")),
+    nets = list(frame = list(mouth = c("head", "right", "foot", "left"),
+      wing_ends = c("high_port", "high_starboard"))),
     cable_divergence = measure(angle = list(cable_port.start = "divergence"))
   )
 }

@@ -6,7 +6,7 @@ test_that("two accelerating ropes sweep the distance times their spread", {
     port = gear_point(position = c(0, -5, 0), held = "moved"), end_port = gear_point(),
     starboard = gear_point(position = c(0, 5, 0), held = "moved"), end_starboard = gear_point(),
     line_port = line("port", "end_port"), line_starboard = line("starboard", "end_starboard"),
-    wing_end_spread = measure(spread = c("end_port", "end_starboard")))
+    nets = list(pair = list(wing_ends = c("end_port", "end_starboard"))))
   faster <- data.frame(time = c(0, 60), value = c("2 knot", "4 knot"))
   pair <- tow(pair, until = 60, every = 20, schedule = tow_schedule(speed = faster))
   found <- as.data.frame(pair, what = "swept")

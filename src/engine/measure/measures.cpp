@@ -121,9 +121,8 @@ class Measuring {
       case MeasureKind::swept_area:
         return swept_area();
       case MeasureKind::mouth_blockage:
-        if (asked_.mouth.empty() || frame_.panel_count == 0) return T(none);
-        return twine_shadow(frame_.meshes, meshes(), across_, {0.0, 0.0, 1.0}) /
-               size_of(mouth_area(asked_.mouth));
+        if (frame_.panel_count == 0) return T(none);
+        return twine_shadow(frame_.meshes, meshes(), across_, {0.0, 0.0, 1.0}) / mouth_areas();
       case MeasureKind::engine_power:
         return pulled ? power() : T(none);
       case MeasureKind::pull_used:
@@ -279,11 +278,33 @@ class Measuring {
     return abs(twice) / T(2.0);
   }
 
-  // Horizontal volume flow (m3/s) through the moving ropes around a towed gear's mouth.
+  // Sum of a quantity over the nets with known parts of a role; none without such a net.
+  template <class Quantity>
+  T sum_of_nets(std::vector<int> NetRoles::*role, Quantity quantity) const {
+    T sum(none);
+    for (const NetRoles& net : asked_.nets) {
+      const std::vector<int>& of = net.*role;
+      if (of.empty()) continue;
+      const T own = quantity(of);
+      sum = std::isnan(value_of(sum)) ? own : sum + own;
+    }
+    return sum;
+  }
+  T mouth_areas() const {
+    return sum_of_nets(&NetRoles::mouth,
+                       [&](const std::vector<int>& ropes) { return size_of(mouth_area(ropes)); });
+  }
+
+  // Horizontal volume flow (m3/s) through the mouths of a towed gear.
   T filtered_volume() const {
+    if (asked_.speed == 0) return T(none);
+    return sum_of_nets(&NetRoles::mouth,
+                       [&](const std::vector<int>& ropes) { return filtered_by(ropes); });
+  }
+  // The same through the moving ropes around one mouth.
+  T filtered_by(const std::vector<int>& ropes) const {
     using std::abs;
-    if (asked_.speed == 0 || asked_.mouth.empty()) return T(none);
-    const std::vector<int> nodes = outline(asked_.mouth);
+    const std::vector<int> nodes = outline(ropes);
     T z{};
     for (const int node : nodes) z += three(shape_.position, node).z;
     const T depth = -(z / T(static_cast<double>(nodes.size())));
@@ -300,15 +321,19 @@ class Measuring {
       past_x -= three(shape_.velocity, node).x * share;
       past_y -= three(shape_.velocity, node).y * share;
     }
-    const std::array<T, 2> area = mouth_area(asked_.mouth);
+    const std::array<T, 2> area = mouth_area(ropes);
     return abs(area[0] * past_x + area[1] * past_y);
   }
 
-  // Mean area per time (m2/s) swept by the lines between pairs of locations.
+  // Area per time (m2/s) swept by the nets of a towed gear.
   T swept_area() const {
+    if (asked_.speed == 0) return T(none);
+    return sum_of_nets(&NetRoles::wings,
+                       [&](const std::vector<int>& places) { return swept_by(places); });
+  }
+  // Mean area per time (m2/s) swept by the lines between pairs of locations of one net.
+  T swept_by(const std::vector<int>& places) const {
     using std::abs;
-    if (asked_.speed == 0 || asked_.wings.empty()) return T(none);
-    const std::vector<int>& places = asked_.wings;
     T sum{};
     for (std::size_t k = 0; k + 1 < places.size(); k += 2) {
       const Three<T> across = place(places[k + 1]) - place(places[k]);

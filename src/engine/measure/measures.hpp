@@ -71,12 +71,23 @@ struct Propulsion {
   }
 };
 
+// Roles of parts in one net of a gear; empty: unknown.
+struct NetRoles {
+  std::vector<int> mouth;  // ropes around its mouth
+  std::vector<int> wings;  // pairs of locations that sweep the ground
+
+  template <class Visit>
+  void fields(Visit& visit) {
+    visit.list("mouth", mouth, {1, Among::ropes});
+    visit.list("wings", wings, {1, Among::places});
+  }
+};
+
 // All measures requested of a gear.
 struct Questions {
   int place_count = 0, rope_count = 0, panel_count = 0, part_count = 0, plate_count = 0;
-  double speed = 0.0;      // of the gear over the ground, towards -x, m/s
-  std::vector<int> mouth;  // ropes around its mouth; empty: unknown
-  std::vector<int> wings;  // pairs of locations that sweep the ground; empty: unknown
+  double speed = 0.0;  // of the gear over the ground, towards -x, m/s
+  std::vector<NetRoles> nets;
   bool has_propulsion = false;
   Propulsion propulsion;
   std::vector<AskedMeasure> measures;
@@ -94,8 +105,7 @@ struct Questions {
     visit.count(Among::parts, static_cast<std::size_t>(part_count));
     visit.count(Among::elements, static_cast<std::size_t>(plate_count));
     visit("speed", speed);
-    visit.list("mouth", mouth, {1, Among::ropes});
-    visit.list("wings", wings, {1, Among::places});
+    visit.items("nets", nets);
     visit.optional("propulsion", propulsion, has_propulsion);
     visit.items("measures", measures);
   }
