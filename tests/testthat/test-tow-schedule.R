@@ -123,6 +123,8 @@ test_that("unscheduled_section() replaces the plan's schedule and keeps the haul
   expect_identical(unscheduled_section(trawl, faster), list(until = 30, every = "10 s"))
   expect_identical(unscheduled_section(trawl, tow_schedule(catch = 0.5)),
     list(until = "40 min", every = "10 s"))
+  breaking <- tow_schedule(breaking = list(list(rope = "warp_port", time = "20 min")))
+  expect_identical(unscheduled_section(trawl, breaking)$until, 1200)
   seine <- update(read_gear("purse_seine"), tow.speed = "3 knot")
   hauled <- tow_section(seine)
   found <- unscheduled_section(seine, tow_schedule(heave = list(amplitude = 1, period = 8)))
