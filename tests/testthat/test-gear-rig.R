@@ -180,3 +180,28 @@ test_that("join_gears() makes the rig of the plan with its uncertainties", {
   expect_error(join_gears("Twin", list(a = trawl), joined = list(b = c(x = "y"))), "joined",
     class = "codend_error_argument")
 })
+
+test_that("rigs in the folder of examples settle with symmetric results", {
+  rig <- function(name) {
+    file <- system.file("examples", paste0(name, ".yaml"), package = "codend", mustWork = TRUE)
+    expect_lte(length(readLines(file)), 75L)
+    measures(settle(read_gear(file), nodes = 2000))
+  }
+  expect_mirrored <- function(found, one, other) {
+    expect_equal(found[[one]], found[[other]], tolerance = 1e-6)
+  }
+  triple <- rig("triple_rig")
+  expect_mirrored(triple, "port_wing_end_spread_m", "starboard_wing_end_spread_m")
+  quad <- rig("quad_rig")
+  expect_mirrored(quad, "one_wing_end_spread_m", "four_wing_end_spread_m")
+  expect_mirrored(quad, "two_wing_end_spread_m", "three_wing_end_spread_m")
+  farm <- rig("cage_farm")
+  expect_mirrored(farm, "cage_1_net_net_drag_kN", "cage_2_net_net_drag_kN")
+  # The rear cages are in the wake of the front cages.
+  expect_lt(farm[["cage_3_net_net_drag_kN"]], 0.9 * farm[["cage_1_net_net_drag_kN"]])
+  pair <- rig("double_beam_trawl")
+  alone <- measures(settle("beam_trawl", nodes = 1000))
+  expect_equal(pair[["total_drag_kN"]], 2 * alone[["total_drag_kN"]], tolerance = 0.01)
+  expect_equal(pair[["swept_area_km2_per_h"]], 2 * alone[["swept_area_km2_per_h"]],
+    tolerance = 0.01)
+})
