@@ -139,6 +139,9 @@ join_gears <- function(name, gears, joined = list(), ...) {
   if (!is.list(gears) || is.null(names(gears)) || inherits(gears, "codend_gear")) {
     abort_argument("{.arg gears} must be a named list of gears, not {.cls {class(gears)}}.")
   }
+  if (!is.list(joined)) {
+    abort_argument("{.arg joined} must be a list by gear, not {.cls {class(joined)}}.")
+  }
   whole <- list()
   for (part in names(gears)) {
     if (!inherits(gears[[part]], "codend_gear")) next
