@@ -38,6 +38,8 @@ class Settling {
       } else if (closing_in_ && (steps_ == control_.settled.steps || iteration_.lost() ||
                                  !std::isfinite(report_.residual))) {
         if (!go_back()) return;
+      } else if (!closing_in_ && !careful_ && steps_ >= control_.pseudo_time.direct_steps) {
+        restart_with_care();
       }
       if (control_.watch && !control_.watch({report_.iterations, report_.residual})) return;
       follow_wake();
@@ -66,6 +68,16 @@ class Settling {
     iteration_.begin();
     closing_in_ = false;
     return true;
+  }
+
+  // Returns to the last settled shape, or the start, and limits rotations from there on.
+  void restart_with_care() {
+    std::copy(settled_.begin(), settled_.end(), x_);
+    iteration_.measure();
+    iteration_.begin();
+    if (control_.start == Start::near) iteration_.begin_near();
+    iteration_.take_care();
+    careful_ = true;
   }
 
   // A settled start that needs no step keeps its stored wake.
@@ -116,6 +128,7 @@ class Settling {
     if (report_.perturbations == control_.perturbation.most) return;
     iteration_.perturb(growing, report_.perturbations % 2 == 1);
     closing_in_ = false;
+    steps_ = 0;
     ++report_.perturbations;
     report_.converged = false;
     iteration_.measure();
@@ -140,6 +153,7 @@ class Settling {
   const bool from_settled_;
   // Iterating from the last settled shape under changed loads or wakes.
   bool closing_in_;
+  bool careful_ = false;  // rotations are limited
   std::vector<double> settled_;
   std::vector<double> unstable_;  // the last unstable equilibrium of a wall
   SettleIteration iteration_;

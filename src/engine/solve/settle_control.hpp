@@ -41,6 +41,11 @@ struct PseudoTimeControl {
   // times this one. Otherwise it grows up to 1. A singular matrix shortens h by the same factor.
   int free_steps = 10;
   double shorter = 0.7;
+  // Fallback: without convergence after `direct_steps` steps, the solution restarts with this limit
+  // of the target rotation. It then follows the motion of slack netting, whose drag turns within a
+  // few degrees, to its equilibrium.
+  int direct_steps = 300;
+  double careful_rotation = 0.1;
 };
 
 // Stabilisation of netting parallel to the flow. Its tension is nearly zero, so that steps would
@@ -85,11 +90,14 @@ struct LinearControl {
   double tolerance = 1e-4, limit = 0.1;
 };
 
-// Limits of iterations from a settled shape under changed loads: the number of steps, and the
-// rotation of any step after the first.
+// Limits of iterations from a settled shape under changed loads: the number of steps, the rotation
+// of any step after the first, and the number of steps in which the smallest rotation must fall by
+// `contraction`. Slack netting that wanders does not contract.
 struct SettledControl {
   int steps = 30;
   double rotation = 1.0;
+  int contracting_steps = 4;
+  double contraction = 0.5;
 };
 
 // Wakes. They are updated on every settled shape until no point's flow speed changes by more than

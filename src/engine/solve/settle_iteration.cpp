@@ -159,7 +159,10 @@ void SettleIteration::perturb(const GrowingMotion& motion, bool backwards) {
 }
 
 bool SettleIteration::lost() const {
-  return closing_in_ && settled_steps_ > 1 && pseudo_time_.rotation() > control_.settled.rotation;
+  const SettledControl& limits = control_.settled;
+  return closing_in_ && settled_steps_ > 1 &&
+         (pseudo_time_.rotation() > limits.rotation ||
+          settled_steps_ - contracted_step_ >= limits.contracting_steps);
 }
 
 void SettleIteration::step() {
@@ -275,7 +278,15 @@ void SettleIteration::move() {
   // converged steps need no reduction
   if (judged) pseudo_time_.judge(rotation, found ? 0.0 : correction);
   pseudo_time_.advance(rotation);
-  if (closing_in_) ++settled_steps_;
+  if (closing_in_) count_settled_step();
+}
+
+void SettleIteration::count_settled_step() {
+  ++settled_steps_;
+  const double rotation = pseudo_time_.rotation();
+  if (settled_steps_ > 1 && rotation > control_.settled.contraction * contracted_rotation_) return;
+  contracted_rotation_ = rotation;
+  contracted_step_ = settled_steps_;
 }
 
 // Moves by a fraction of dx_, with these changes of lines.

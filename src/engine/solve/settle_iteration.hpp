@@ -30,6 +30,8 @@ class SettleIteration {
   void begin_near();
   // Starts from the present measured positions as settled under other loads, with equal strains.
   void begin_settled();
+  // Limits the rotations of all later steps (PseudoTimeControl).
+  void take_care() { pseudo_time_.take_care(); }
   // Continues from a settled shape, measured, under changed loads. Tries the constitutive law
   // first, then the path from this shape's tensions.
   void resume();
@@ -42,7 +44,7 @@ class SettleIteration {
   bool far_on_path() const;
   // Reports the residual of every part, as measured.
   void judge_parts();
-  // True if steps from a settled shape diverge.
+  // True if steps from a settled shape diverge or do not contract.
   bool lost() const;
   // Takes one Newton step. After a singular matrix it only increases the damping of the next step.
   void step();
@@ -59,6 +61,7 @@ class SettleIteration {
   void follow(double parameter);
   void choose_law();
   void leave_law();
+  void count_settled_step();
   void try_law();
   double reduction();
   double least_parameter() const;
@@ -95,7 +98,9 @@ class SettleIteration {
   std::vector<double> from_x_;       // start of the last compared or corrected step
   std::vector<double> drag_across_;  // of lines, computed at the first step
   DualTension held_;                 // tensions of the matrix
-  int settled_steps_ = 0;            // steps with the settled tensions
+  // Steps with the settled tensions, and the last one that reduced the smallest rotation enough.
+  int settled_steps_ = 0, contracted_step_ = 0;
+  double contracted_rotation_ = 0.0;
   // State of the trials of the law.
   bool on_law_ = false;
   int law_steps_ = 0, steps_to_law_ = 0;
