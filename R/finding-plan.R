@@ -156,7 +156,7 @@ define_finding("warp end", "plan",
     lapply(warps, function(name) {
       if (any(c(si$ropes[[name]]$from, si$ropes[[name]]$to) %in% loaded)) return(NULL)
       finding(paste("rope", name), 0, "0 kg",
-        "its end has no door, clump or weight.",
+        template("its end has no door, clump or weight."),
         "Add a piece or an otter board at this point.", field = "to")
     })
   },

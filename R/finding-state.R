@@ -41,7 +41,7 @@ net_off_bed <- function(si, state) {
     } else {
       template("one half is {height} or more above the sea bed.", height = label)
     },
-    "Pay out more warp, tow more slowly, or add weight to the footrope or the boards.",
+    template("Pay out more warp, tow more slowly, or add weight to the footrope or the boards."),
     field = "warps.length")
 }
 

@@ -140,26 +140,31 @@ whole_of <- function(value) if (value == 0) 1 else abs(value)
 
 changed_number <- function(value, share) if (value == 0) share else value * (1 + share)
 
+# Returns the distribution that a plan states for a number (see number_distribution()); NULL if the
+# path is not a number.
+stated_distribution <- function(plan, path) {
+  field <- plan_field(plan, path)
+  shape <- field$node$shape
+  chosen <- !is.null(field$node$enum) || !is.null(field$node$const)
+  if (chosen || !isTRUE(shape %in% c("quantity", "number", "integer"))) return(NULL)
+  dimension <- first_of(field$node[["x-dimension"]], "number")
+  value <- if (is.character(field$value)) quantity_si(field$value, dimension) else field$value
+  number_distribution(plan$uncertain[[path]], value, dimension)
+}
+
 # Returns the distributions of uncertain numbers in a plan: a data frame with a row per path and the
 # columns share, off and uniform (see number_distribution()). Invalid entries throw an error.
 uncertain_numbers <- function(plan) {
   said <- plan$uncertain
   found <- vapply(names(said), function(path) {
     here <- paste0("uncertain.", path)
-    field <- plan_field(plan, path)
-    shape <- field$node$shape
-    chosen <- !is.null(field$node$enum) || !is.null(field$node$const)
-    if (chosen || !isTRUE(shape %in% c("quantity", "number", "integer"))) {
-      abort_field(here, said[[path]], "given for a number of the plan")
-    }
-    dimension <- first_of(field$node[["x-dimension"]], "number")
-    value <- if (is.character(field$value)) quantity_si(field$value, dimension) else field$value
-    distribution <- number_distribution(said[[path]], value, dimension)
-    if (!is.finite(value) || !all(is.finite(distribution)) || distribution[1L] < 0) {
+    distribution <- stated_distribution(plan, path)
+    if (is.null(distribution)) abort_field(here, said[[path]], "given for a number of the plan")
+    if (!all(is.finite(distribution)) || distribution[1L] < 0) {
       abort_field(here, said[[path]], paste0(
         "a standard uncertainty such as 10 % or one in the unit of the field, or a range from a ",
-        "smaller to a larger number that contains the value ", format(field$value),
-        ", such as 4 m to 5 m"
+        "smaller to a larger number that contains the value ",
+        format(at_path(plan, path_steps(path))), ", such as 4 m to 5 m"
       ))
     }
     distribution
@@ -167,12 +172,19 @@ uncertain_numbers <- function(plan) {
   as.data.frame(t(matrix(found, 3L, dimnames = list(c("share", "off", "uniform"), names(said)))))
 }
 
-# Returns a plan without uncertainties of numbers that a change has removed.
+# Returns a plan without uncertainties of numbers that a change has removed, and without ranges that
+# do not contain a changed number.
 without_gone <- function(plan, before) {
-  said <- names(plan$uncertain)
-  gone <- vapply(said, function(path) {
+  said <- plan$uncertain
+  gone <- vapply(names(said), function(path) {
     steps <- path_steps(path)
-    is.null(at_path(plan, steps)) && !is.null(at_path(before, steps))
+    now <- at_path(plan, steps)
+    then <- at_path(before, steps)
+    if (is.null(now)) return(!is.null(then))
+    kept <- identical(said[[path]], before$uncertain[[path]])
+    if (!kept || is.list(now) || identical(now, then)) return(FALSE)
+    # An invalid number gets its own error later.
+    anyNA(tryCatch(stated_distribution(plan, path), codend_error_plan = function(e) 0))
   }, NA)
   if (any(gone)) plan$uncertain <- plan$uncertain[!gone]
   if (any(gone) && !length(plan$uncertain)) plan$uncertain <- NULL

@@ -50,6 +50,14 @@ test_that("uncertainty of a part is removed with the part", {
   expect_identical(names(bare$plan$uncertain), c("towing.speed", "multipliers.piece_drag"))
 })
 
+test_that("changed value keeps its uncertainty and a range that contains it", {
+  known <- uncertain_warp("{value: 100 m, range: [97 m, 103 m]}")
+  expect_identical(update(known, ropes.warp.length = "102 m")$plan$uncertain, known$plan$uncertain)
+  expect_null(update(known, ropes.warp.length = "120 m")$plan$uncertain)
+  known <- uncertain_warp("{value: 100 m, uncertainty: 3 m}")
+  expect_identical(update(known, ropes.warp.length = "120 m")$plan$uncertain, known$plan$uncertain)
+})
+
 test_that("relative uncertainty of a value changed to 0 is 0", {
   gear <- update(read_gear("poly_noreastern_trawl"), bridles.upper.setback = "0 mm")
   expect_identical(uncertain_numbers(gear$plan)["bridles.upper.setback", "share"], 0)
