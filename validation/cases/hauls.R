@@ -51,7 +51,7 @@ case_eastern_hauls <- function() {
 warp_classes <- c(0, 150, 200, 250, 300, 400, 500, 700, 1000)
 hauls_by_warp <- function(ship, sweep, gear = "GOV") {
   hauls <- utils::read.csv(
-    system.file("extdata", "datras_survey_hauls_geometry.csv", package = "codend"),
+    system.file("extdata", "datras_survey_hauls_geometry.csv.gz", package = "codend"),
     comment.char = "#"
   )
   hauls <- hauls[hauls$Ship == ship & hauls$SweepLngt %in% sweep & hauls$Gear == gear, ]
