@@ -141,7 +141,7 @@ whole_of <- function(value) if (value == 0) 1 else abs(value)
 changed_number <- function(value, share) if (value == 0) share else value * (1 + share)
 
 # Returns the distribution that a plan states for a number (see number_distribution()); NULL if the
-# path is not a number.
+# path does not have a valid number.
 stated_distribution <- function(plan, path) {
   field <- plan_field(plan, path)
   shape <- field$node$shape
@@ -149,7 +149,7 @@ stated_distribution <- function(plan, path) {
   if (chosen || !isTRUE(shape %in% c("quantity", "number", "integer"))) return(NULL)
   dimension <- first_of(field$node[["x-dimension"]], "number")
   value <- if (is.character(field$value)) quantity_si(field$value, dimension) else field$value
-  number_distribution(plan$uncertain[[path]], value, dimension)
+  if (isTRUE(is.finite(value))) number_distribution(plan$uncertain[[path]], value, dimension)
 }
 
 # Returns the distributions of uncertain numbers in a plan: a data frame with a row per path and the
@@ -184,7 +184,7 @@ without_gone <- function(plan, before) {
     kept <- identical(said[[path]], before$uncertain[[path]])
     if (!kept || is.list(now) || identical(now, then)) return(FALSE)
     # An invalid number gets its own error later.
-    anyNA(tryCatch(stated_distribution(plan, path), codend_error_plan = function(e) 0))
+    anyNA(tryCatch(stated_distribution(plan, path), codend_error_plan = function(e) NULL))
   }, NA)
   if (any(gone)) plan$uncertain <- plan$uncertain[!gone]
   if (any(gone) && !length(plan$uncertain)) plan$uncertain <- NULL
