@@ -26,8 +26,9 @@ numbers_of_parts <- function(parts, kind, of) {
   setNames(found, paste(kind, names(parts), recycle0 = TRUE))
 }
 
-density_of <- function(mass, volume) {
-  if (isTRUE(mass > 0) && isTRUE(volume > 0)) mass / volume else NA_real_
+# Returns a ratio of two positive numbers, else NA.
+positive_ratio <- function(above, below) {
+  if (isTRUE(above > 0) && isTRUE(below > 0)) above / below else NA_real_
 }
 
 # Ropes and bodies of shipped and published gears have 205 to 11,300 kg/m3.
@@ -39,9 +40,9 @@ define_range("density", "plan",
     si <- gear_si(gear)
     c(
       numbers_of_parts(si$ropes, "rope", function(rope) {
-        density_of(rope$mass_per_length, rope$volume_per_length)
+        positive_ratio(rope$mass_per_length, rope$volume_per_length)
       }),
-      numbers_of_parts(si$pieces, "piece", function(piece) density_of(piece$mass, piece$volume))
+      numbers_of_parts(si$pieces, "piece", function(piece) positive_ratio(piece$mass, piece$volume))
     )
   },
   "Check the mass, the dimensions and their units.", "mass_per_length"
@@ -102,7 +103,7 @@ define_range("body size", "plan",
   "volume^(2/3) over area", -Inf, 5, "",
   function(gear, state) {
     numbers_of_parts(gear_si(gear)$pieces, "piece", function(piece) {
-      if (isTRUE(piece$area > 0)) piece$volume^(2 / 3) / piece$area else NA_real_
+      positive_ratio(piece$volume^(2 / 3), piece$area)
     })
   },
   "Check the mass, the dimensions and their units.", "diameter"
@@ -115,7 +116,7 @@ define_range("body drag", "plan",
   "drag area over volume^(2/3)", -Inf, 60, "",
   function(gear, state) {
     numbers_of_parts(gear_si(gear)$pieces, "piece", function(piece) {
-      if (isTRUE(piece$volume > 0)) piece$drag_area / piece$volume^(2 / 3) else NA_real_
+      positive_ratio(piece$drag_area, piece$volume^(2 / 3))
     })
   },
   "Check the mass, the dimensions and their units.", "drag_area"
@@ -128,8 +129,7 @@ define_range("rope volume", "plan",
   "volume over that of a round bar", 0.02, 5, "",
   function(gear, state) {
     numbers_of_parts(gear_si(gear)$ropes, "rope", function(rope) {
-      if (!isTRUE(rope$volume_per_length > 0)) return(NA_real_)
-      rope$volume_per_length / (pi / 4 * rope$diameter^2)
+      positive_ratio(rope$volume_per_length, pi / 4 * rope$diameter^2)
     })
   },
   "Check the diameter, the mass and their units.", "diameter"
@@ -178,8 +178,7 @@ define_range("drag coefficient", "plan",
   "drag coefficient", 0.1, Inf, "",
   function(gear, state) {
     numbers_of_parts(gear_si(gear)$pieces, "piece", function(piece) {
-      has_both <- isTRUE(piece$area > 0) && isTRUE(piece$drag_area > 0)
-      if (has_both) piece$drag_area / piece$area else NA_real_
+      positive_ratio(piece$drag_area, piece$area)
     })
   },
   "Check the coefficient and its reference area.", "drag_coefficient", rank = 2L
