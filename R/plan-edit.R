@@ -6,21 +6,21 @@ edited_text <- function(source, plan) {
   plan <- join_uncertain(plan)
   anew <- paste0(c(yaml_lines(plan, 0), ""), collapse = "\n")
   if (is.null(source)) return(anew)
-  # A text that includes files is written with their fields; names of shipped plans remain.
-  old <- tryCatch(
-    with_included_plans(plan_of_bytes(charToRaw(enc2utf8(source)), "plan"), NULL),
-    error = function(e) NULL
-  )
+  # Returns the tree of a text, NULL if it is not a plan. A text that includes files is written with
+  # their fields; names of shipped plans remain.
+  tree_of <- function(text) {
+    tryCatch(
+      with_included_plans(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), NULL),
+      error = function(e) NULL
+    )
+  }
+  old <- tree_of(source)
   if (is.null(old)) return(anew)
   if (identical(old, plan)) return(source)
   for (deepest in c(Inf, 1)) {
     text <- tryCatch(edit_fields(source, old, plan, deepest), codend_unplaced = function(e) NULL)
     if (is.null(text)) next
-    read <- tryCatch(
-      with_included_plans(plan_of_bytes(charToRaw(enc2utf8(text)), "plan"), NULL),
-      error = function(e) NULL
-    )
-    if (identical(read, plan)) return(text)
+    if (identical(tree_of(text), plan)) return(text)
   }
   anew
 }
