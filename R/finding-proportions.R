@@ -33,23 +33,31 @@ define_band <- function(quantity, of, message, value, location, low, high, field
         below <- !is.na(band$least) && found < band$least
         above <- !is.na(band$greatest) && found > band$greatest
         if (!below && !above) return(NULL)
-        with_unit <- trimws(paste("{n}", band$unit))
-        label <- template(with_unit, n = figures(found))
         if (is.function(location)) location <- location(gear)
-        finding(location_in_net(location, net, gear$plan), found, label,
-          template("{quantity} is {value}; usual is {band}.", quantity = quantity,
-            value = label,
-            band = template(with_unit, n = band_text(band$usual_least, band$usual_greatest))),
-          if (below) low else high, field = field)
+        unusual_number(quantity, found, band$unit, band$usual_least, band$usual_greatest,
+          location_in_net(location, net, gear$plan), if (below) low else high, field)
       }, nets, first_of(names(nets), ""))
     },
     rank = rank
   )
 }
 
+# Returns the finding of a number outside its usual range. `unit`: as text; `least`, `greatest`: of
+# the usual range. Other arguments: as in define_band() and finding().
+unusual_number <- function(quantity, value, unit, least, greatest, location, advice, field) {
+  with_unit <- trimws(paste("{n}", unit))
+  label <- template(with_unit, n = figures(value))
+  finding(location, value, label,
+    template("{quantity} is {value}; usual is {band}.", quantity = quantity, value = label,
+      band = template(with_unit, n = band_text(least, greatest))),
+    advice, field = field)
+}
+
+# An end of a usual range without limit is NA or infinite.
 band_text <- function(least, greatest) {
   number <- function(x) format(x, trim = TRUE)
-  if (is.na(least)) return(template("at most {n}", n = number(greatest)))
+  if (!is.finite(least)) return(template("at most {n}", n = number(greatest)))
+  if (is.infinite(greatest)) return(template("at least {n}", n = number(least)))
   template("{least} to {most}", least = number(least), most = number(greatest))
 }
 

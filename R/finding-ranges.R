@@ -9,13 +9,7 @@ define_range <- function(name, of, message, quantity, least, greatest, unit, val
     found <- values(gear, state)
     odd <- found[is.finite(found) & (found < least | found > greatest)]
     lapply(names(odd), function(location) {
-      value <- odd[[location]]
-      label <- trimws(paste(figures(value), unit))
-      band <- band_text(if (is.finite(least)) least else NA, greatest)
-      finding(location, value, label,
-        template("{quantity} is {value}; usual is {band}.", quantity = quantity, value = label,
-          band = if (is.infinite(greatest)) template("at least {n}", n = least) else band),
-        advice, field = field)
+      unusual_number(quantity, odd[[location]], unit, least, greatest, location, advice, field)
     })
   }, rank = rank)
 }
