@@ -151,11 +151,7 @@ netting_to_flow <- function(state, cells) {
 
 # Warns if a drag model is used outside its tested range, for the first such check.
 warn_of_drag_models <- function(state) {
-  for (check in c("drag model", "solidity", "Reynolds number")) {
-    found <- finding_rows(found_by(finding_checks[[check]], state$gear, state))
-    if (!nrow(found)) next
-    cli::cli_warn(finding_sentences(found)[1],
-      class = c("codend_warning_drag_model", "codend_warning"), call = NULL)
-    return(invisible())
+  for (check in mget(c("drag model", "solidity", "Reynolds number"), finding_checks)) {
+    if (warn_of_check(check, state, "drag_model")) return(invisible())
   }
 }

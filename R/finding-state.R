@@ -45,42 +45,6 @@ net_off_bed <- function(si, state) {
     field = "warps.length")
 }
 
-define_finding("mouth blockage", "state",
-  "The twine covers more than the whole area of the net mouths across the flow: a net is nearly
-  closed, or a mouth is not in `nets`.",
-  function(gear, state) {
-    share <- measure_value(state, "mouth_blockage")
-    if (!is.finite(share) || share <= 1) return(list())
-    label <- paste(figures(100 * share), "%")
-    list(finding("netting", 100 * share, label,
-      template("its twine across the flow covers {share} of the area of the net mouths.",
-        share = label),
-      "Check the spread and the height of the net mouths, and the ropes in `nets`."))
-  },
-  rank = 1L
-)
-
-# Percentage of a rope's breaking load. Towing lines of ships are loaded to at most half; trawl
-# warps are chosen for a third to a fifth.
-greatest_load_percent <- 50
-
-define_finding("rope load", "state",
-  "A rope carries more than half of its breaking load (from `strength` or its material).",
-  function(gear, state) {
-    table <- tension_table(state)
-    table <- table[which(table$strength_percent > greatest_load_percent), ]
-    table <- table[order(-table$strength_percent), ]
-    lapply(seq_len(nrow(table)), function(k) {
-      label <- paste(figures(table$strength_percent[k]), "%")
-      finding(paste("rope", table$part[k]), table$strength_percent[k], label,
-        template("it carries {force} kN, {share} of its breaking load.",
-          force = figures(table$max_kN[k]), share = label),
-        "Use a thicker or a stronger rope, or find the cause of the high load.", field = "diameter")
-    })
-  },
-  rank = 1L
-)
-
 define_finding("opening", "state",
   "A height, an opening, an area or a volume is zero or negative: the net is closed or upside down.
   This check omits moments of a tow.",
@@ -195,29 +159,6 @@ define_finding("weight on netting", "state",
   }
 )
 
-# Minimum volume relative to a cylinder of equal depth whose circumference is the rope's length.
-least_open_share <- 0.01
-
-define_finding("bundle", "state",
-  "A net hangs as a bundle: its `enclosed_volume` is less than 1 % of a cylinder of the same depth
-  whose circumference is the rope's length. This check omits moments of a tow.",
-  function(gear, state) {
-    if (!is.null(state$time)) return(list())
-    asked <- Filter(function(one) identical(one$kind, "enclosed_volume"), state$si$measures)
-    lapply(asked, function(measure) {
-      volume <- measure_values(state, list(measure))
-      node <- state$mesh$ropes[[measure$rope]]$node
-      could <- state$si$ropes[[measure$rope]]$length^2 / (4 * pi) * -min(state$position[3, node])
-      if (!is.finite(volume) || volume >= least_open_share * could) return(NULL)
-      label <- paste(figures(volume), "m3")
-      finding(paste("rope", measure$rope), volume, label,
-        template("it encloses {volume} of at most {could} m3: the net hangs as a bundle.",
-          volume = label, could = figures(could)),
-        "The shape and volume at rest are meaningless: simulate the operation with tow().")
-    })
-  }
-)
-
 # Returns the start of a bridle; for the backstrops of a free board it is the board.
 bridle_start <- function(si, from) {
   on <- vapply(si$otter_boards, function(board) from %in% board$points, NA)
@@ -251,70 +192,40 @@ define_finding("slack netting", "state",
 
 loose_netting <- function(state) {
   model <- state$mesh$model
-  cells <- model$cells
-  all <- seq_along(cells$rest)
-  twine <- 2 * cell_bars(cells, all) * cells$rest
+  cells <- model$frame$cells
+  twine <- 2 * cells$bars * cells$rest
   loose <- state$u_tension == 0 & state$v_tension == 0
   bars <- state$mesh$parts$kind[state$mesh$bar_part] == "netting"
   long <- (model$bars$multiplicity * model$bars$rest)[bars]
   (sum(twine[loose]) + sum(long[state$bar_tension[bars] == 0])) / (sum(twine) + sum(long))
 }
 
-# Height (m) above the surface to which a wave may lift a float.
-greatest_freeboard <- 0.5
-
-define_finding("out of the water", "state",
-  "Nodes of the gear are more than 0.5 m above the water surface. Ropes that end at a point above
-  the water are ignored.",
-  function(gear, state) {
-    mesh <- state$mesh
-    up <- vapply(state$si$points, function(point) {
-      !is.null(point$position) && point$position[3] > 0
-    }, NA)
-    held <- vapply(names(which(up)), function(name) mesh$points[[name]], 0L)
-    led <- lapply(mesh$ropes, function(rope) if (any(held %in% rope$node)) rope$node)
-    above <- which(state$position[3, ] > greatest_freeboard)
-    above <- setdiff(above, c(held, unlist(led)))
-    if (!length(above)) return(list())
-    most <- above[which.max(state$position[3, above])]
-    height <- state$position[3, most]
-    label <- paste(figures(height), "m")
-    list(finding(describe_node(mesh, most), height, label,
-      template("it is {height} above the surface; {n} nodes in total are above it.", height = label,
-        n = length(above)),
-      if (state$si$water$free_surface) {
-        "Check the lift of the gear and the length of the warps."
-      } else {
-        "Set `water: {free_surface: yes}` to end the water at its surface, or add warp or weight."
-      }))
-  }
-)
-
 define_finding("boards", "state",
   "A free otter board or kite is stalled, back-winded or fallen over, or its angle of attack is more
   than 2 deg outside the tested range of its polar.",
-  function(gear, state) {
-    boards <- board_table(state)
-    lapply(seq_len(nrow(boards)), function(k) {
-      board <- boards[k, ]
-      polar <- state$si$otter_boards[[k]]$polar
-      tested <- range(polar$attack[polar$published])
-      label <- paste(figures(board$attack_deg), "deg")
-      beyond <- board$attack_deg < tested[1] - 2 || board$attack_deg > tested[2] + 2
-      if (board$condition == "flying" && !beyond) return(NULL)
-      message <- if (board$condition != "flying") {
-        template("it is {condition}, at an angle of attack of {attack} and a heel of {heel} deg.",
-          condition = board$condition, attack = label, heel = figures(board$heel_deg))
-      } else {
-        template("its angle of attack is {attack}; its polar was tested from {least} to {most}
-          deg.",
-          attack = label, least = figures(tested[1]), most = figures(tested[2]))
-      }
-      finding(gsub("_", " ", board$board), board$attack_deg, label, message,
-        "Move the attachment points of warp and backstrops, or use a polar for this angle.")
-    })
-  }
+  function(gear, state) board_findings(board_table(state), state)
 )
+
+# Returns the findings of boards (rows of board_table()); NULL for a board without one.
+board_findings <- function(boards, state) {
+  lapply(seq_len(nrow(boards)), function(k) {
+    board <- boards[k, ]
+    polar <- state$si$otter_boards[[board$board]]$polar
+    tested <- range(polar$attack[polar$published])
+    label <- paste(figures(board$attack_deg), "deg")
+    beyond <- board$attack_deg < tested[1] - 2 || board$attack_deg > tested[2] + 2
+    if (board$condition == "flying" && !beyond) return(NULL)
+    message <- if (board$condition != "flying") {
+      template("it is {condition}, at an angle of attack of {attack} and a heel of {heel} deg.",
+        condition = board$condition, attack = label, heel = figures(board$heel_deg))
+    } else {
+      template("its angle of attack is {attack}; its polar was tested from {least} to {most} deg.",
+        attack = label, least = figures(tested[1]), most = figures(tested[2]))
+    }
+    finding(gsub("_", " ", board$board), board$attack_deg, label, message,
+      template("Move the attachment points of warp and backstrops, or use a polar for this angle."))
+  })
+}
 
 define_finding("flutter", "state",
   "A free otter board or kite is dynamically unstable: after a small disturbance, its oscillations
@@ -332,3 +243,16 @@ define_finding("flutter", "state",
     })
   }
 )
+
+# Warns of boards that do not fly and, if `swings` is TRUE, of boards that flutter.
+warn_of_boards <- function(state, swings) {
+  if (!length(state$si$otter_boards)) return(invisible())
+  if (swings) warn_of_check(finding_checks$flutter, state, "board_flutter")
+  boards <- board_table(state)
+  for (condition in setdiff(boards$condition, "flying")) {
+    check <- finding_checks$boards
+    own <- boards[boards$condition == condition, ]
+    check$test <- function(gear, state) board_findings(own, state)
+    warn_of_check(check, state, paste0("board_", gsub("[^a-z]", "_", condition)))
+  }
+}

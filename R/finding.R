@@ -102,6 +102,16 @@ found_by <- function(check, gear, state) {
   }))
 }
 
+# Raises a warning of class codend_warning_KIND about the first finding of a check. Returns TRUE if
+# there is one.
+warn_of_check <- function(check, state, kind) {
+  text <- finding_sentences(finding_rows(found_by(check, state$gear, state)))
+  if (!length(text)) return(FALSE)
+  cli::cli_warn("{text[1L]}", class = c(paste0("codend_warning_", kind), "codend_warning"),
+    call = NULL)
+  TRUE
+}
+
 finding_sentences <- function(found, translate = identity) {
   named <- !is.na(found$field) & found$field != found$location
   # The first word of a location may be its kind: "rope", "panel".

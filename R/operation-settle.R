@@ -124,7 +124,7 @@ settle <- function(gear, nodes = NULL, netting = NULL, from = NULL, accuracy = N
 
 settle_gear <- function(gear, nodes, netting, from) {
   state <- settled_state(gear, nodes, netting, from)
-  warn_of_doubts(state, swings = FALSE)
+  warn_of_doubts(state)
   state
 }
 
@@ -176,7 +176,7 @@ check_settle_arguments <- function(gear, nodes, netting) {
 # Warns of unstable equilibria, boards that do not fly, and drag models outside their range.
 # `swings`: TRUE to check for flutter, which for a whole trawl takes longer than settling it from a
 # state.
-warn_of_doubts <- function(state, swings) {
+warn_of_doubts <- function(state, swings = FALSE) {
   warn_of_instability(state)
   warn_of_boards(state, swings)
   warn_of_drag_models(state)

@@ -129,7 +129,7 @@ read_targets <- function(target, words, paths) {
 
 finish_find <- function(task, found) {
   state <- found$point$state
-  warn_of_doubts(state, swings = FALSE)
+  warn_of_doubts(state)
   if (is.null(found$slopes)) found <- with_slopes(task, found)
   points <- task$points
   formulas <- lapply(task$targets, `[[`, "formula")

@@ -55,7 +55,7 @@ finding_words <- function() {
     if (!identical(given, ns)) said <- c(said, given$quantity, given$low, given$high, given$advice)
   }
   unique(c(one_line(said[nzchar(said)]), "rope", "panel", "seam", "piece", "stalled", "back-winded",
-    "fallen over"))
+    "fallen over", "{n} knot"))
 }
 
 found_in <- function(text, pattern) {
@@ -172,7 +172,7 @@ test_that("findings appear in the language of the page", {
   }
   expect_identical(french$label[french$check == "towing speed"], "40.00 n\u0153uds")
   said <- finding_sentences(french, translate)
-  expect_match(said, "^pi\u00e8ce back_body: son fil a 25.00 mm", all = FALSE)
+  expect_match(said, "^pi\u00e8ce back_body.*: diam\u00e8tre du fil : 25.00 mm", all = FALSE)
   # the tank shows them among its warnings
   tank <- shiny::isolate(new_tank(NULL, character(), 200, make_translator("fr")))
   tank$notes <- "a warning"

@@ -105,7 +105,7 @@ test_that("depressor settles as the mirror image of a kite", {
 })
 
 test_that("stalled kite is reported and drawn as a kite", {
-  expect_warning(state <- settle(flown_kite(front = 1.1)), "Kite",
+  expect_warning(state <- settle(flown_kite(front = 1.1)), "^kite: it is stalled",
     class = "codend_warning_board_stalled")
   expect_equal(parts_of(state)$role[part_of(state, "board")], "kite")
   expect_true("kite" %in% board_marks(state)$role)
