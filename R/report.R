@@ -154,7 +154,7 @@ report_table <- function(columns, caption) {
   heads <- trimws(heads)
   rows <- lapply(seq_along(columns[[1L]]), function(k) {
     cells <- lapply(seq_along(columns), function(c) {
-      text <- columns[[c]][k]
+      text <- trimws(columns[[c]][k])
       class <- if (!words[c]) "number"
       if (c == 1L) tag$th(scope = "row", class = class, text) else tag$td(class = class, text)
     })
@@ -247,11 +247,11 @@ tension_section <- function(said) {
   if (!nrow(said$tensions)) return(NULL)
   report_section("Tensions",
     if (nrow(ropes)) report_table(rope_columns(ropes), "Ropes by tension: largest
-      tension (in kilonewtons and tonnes-force), mean tension, breaking load of the material or
-      plan, and breaking load over largest tension."),
+      tension (also in tonnes-force), mean tension, breaking load of the
+      material or plan, and breaking load over largest tension."),
     if (nrow(netting)) report_table(netting_columns(netting, said$slack), "Netting by part: mean
-      tension of one twine (of both twines if double), the tension that 1 % of the twine exceeds,
-      and the percentage of slack twine.")
+      tension of one twine (of both twines if double), its mean over the most loaded tenth of the
+      length, and the percentage of slack twine.")
   )
 }
 
@@ -262,9 +262,8 @@ drag_section <- function(said) {
       "Forces by group: drag along the flow with its percentage of the total drag, side force to",
       "starboard, lift upwards, and weight in water. The sea bed adds friction and support."
     )),
-    report_table(
-      drag_part_columns(said$drag, said$drag_totals), "The parts with the largest drag."
-    ),
+    report_table(drag_part_columns(said$drag, said$drag_totals, reported_parts),
+      "The parts with the largest drag."),
     if (!is.null(tangential)) tag$p(sprintf(
       "With all tangential coefficients halved, the total drag at this shape would be %s kN; with
       all doubled, %s kN. These coefficients are the least certain.",
@@ -293,7 +292,8 @@ balance_section <- function(said) {
     )),
     report_table(balance_columns(said$balance), "Sums of all forces on the gear; the remainder is
       the residual of the solver."),
-    report_table(reaction_columns(said$reactions), "Force of every support on the gear.")
+    report_table(axis_columns(said$reactions, "point", " support"),
+      "Force of every support on the gear.")
   )
 }
 

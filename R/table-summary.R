@@ -83,6 +83,7 @@ summary_lines <- function(x, n) {
   cut <- function(lines) if (is.finite(n)) limited_lines(lines, 9) else lines
   shown <- if (is.finite(n)) printed_measures(x$measures) else names(x$measures)
   omitted <- length(x$measures) - length(shown)
+  of_kind <- function(kind) x$tensions[x$tensions$kind == kind, ]
   section <- function(title, lines) if (length(lines)) c("", bold(title), lines)
   sections <- list(
     section("Measures", c(
@@ -92,15 +93,15 @@ summary_lines <- function(x, n) {
     section("Uncertainty: interval of the true value, and sources in % of the variance",
       if (!is.null(x$uncertainty)) cut(format(x$uncertainty))),
     section("Warnings", cut(finding_lines(x$findings))),
-    section("Drag by component", drag_lines(x$drag_totals)),
+    section("Drag by component", column_lines(drag_columns(x$drag_totals, x$drag_totals$group))),
     section("Total drag with tangential coefficients halved and doubled, at this shape",
       tangential_lines(x$tangential)),
-    section("Largest drag", largest_drag_lines(x$drag)),
-    section("Otter boards", board_lines(x$boards)),
-    section("Highest rope tensions", rope_tension_lines(x$tensions)),
-    section("Highest twine tensions", twine_tension_lines(x$tensions)),
-    section("Slack netting", slack_lines(x$slack)),
-    section("Force balance", balance_lines(x$balance)),
+    section("Largest drag",
+      column_lines(drag_part_columns(x$drag, x$drag_totals, listed_parts))),
+    section("Otter boards", column_lines(board_columns(x$boards))),
+    section("Ropes", column_lines(rope_columns(of_kind("rope"), listed_parts)[-c(2L, 4L)])),
+    section("Netting", column_lines(netting_columns(of_kind("netting"), x$slack, listed_parts))),
+    section("Force balance", column_lines(balance_columns(x$balance))),
     section("Solution", report_lines(x$report))
   )
   sections <- Filter(length, sections)
@@ -117,6 +118,7 @@ check_is_uncertainty <- function(uncertainty) {
   }
 }
 
+# Largest number of rows in the tables of a print.
 listed_parts <- 6L
 
 measure_lines <- function(measures) {
@@ -129,96 +131,10 @@ measure_lines <- function(measures) {
 
 forces_text <- function(kilonewtons) paste(printed_figures(kilonewtons, "kN"), printed_unit("kN"))
 
-# Returns the column of a table of forces, with its heading.
-force_column <- function(name, kilonewtons) {
-  c(paste(name, printed_unit("kN")), printed_figures(kilonewtons, "kN"))
-}
-
-drag_lines <- function(totals) {
-  align_columns(list(
-    c("", totals$group),
-    force_column("drag", totals$drag_kN),
-    c("share %", share_text(totals$drag_kN, totals$drag_kN[nrow(totals)])),
-    force_column("side", totals$side_kN),
-    force_column("lift", totals$lift_kN),
-    force_column("weight in water", totals$weight_in_water_kN)
-  ))
-}
-
-# Groups a table by role, with names such as "warp, 2 ropes" or "cable".
-by_role <- function(table) {
-  name <- ifelse(is.na(table$role), table$part, gsub("_", " ", table$role))
-  groups <- split(table, paste(table$kind, name))
-  words <- c(rope = "ropes", netting = "panels", piece = "pieces")
-  setNames(groups, vapply(groups, function(group) {
-    n <- nrow(group)
-    if (is.na(group$role[1])) return(group$part[1])
-    paste0(gsub("_", " ", group$role[1]), if (n > 1) paste0(", ", n, " ", words[[group$kind[1]]]))
-  }, ""))
-}
-
-largest_groups <- function(table, value) {
-  groups <- by_role(table)
-  values <- vapply(groups, value, 0)
-  first <- utils::head(order(-values), listed_parts)
-  first <- first[values[first] > 0]
-  list(groups = groups[first], values = values[first])
-}
-
-largest_drag_lines <- function(drag) {
-  most <- largest_groups(drag, function(group) sum(group$drag_kN))
-  if (length(most$groups) < 2L) return(NULL)
-  align_columns(list(names(most$groups), forces_text(most$values)))
-}
-
-rope_tension_lines <- function(tensions) {
-  most <- largest_groups(tensions[tensions$kind == "rope", ], function(group) max(group$max_kN))
-  if (!length(most$groups)) return(NULL)
-  highest <- do.call(rbind, lapply(most$groups, function(g) g[which.max(g$max_kN), ]))
-  percent <- formatC(highest$strength_percent, format = "f", digits = 1)
-  share <- paste(percent, "% of breaking load")
-  share[is.na(highest$strength_percent)] <- ""
-  align_columns(list(
-    names(most$groups), forces_text(most$values), share
-  ))
-}
-
-twine_tension_lines <- function(tensions) {
-  highest <- function(group) from_unit(max(group$most_loaded_kN), "kN")
-  most <- largest_groups(tensions[tensions$kind == "netting", ], highest)
-  if (!length(most$groups)) return(NULL)
-  mean <- vapply(most$groups, function(group) from_unit(max(group$mean_kN), "kN"), 0)
-  align_columns(list(
-    c("", names(most$groups)), c("mean N", column_figures(mean)),
-    c("most loaded tenth N", column_figures(most$values))
-  ))
-}
-
-slack_lines <- function(slack) {
-  if (!nrow(slack)) return(NULL)
-  share <- function(panels) stats::weighted.mean(panels$slack_percent, panels$twine_m)
-  percent <- function(x) paste(formatC(x, format = "f", digits = 1), "%")
-  if (share(slack) == 0) return("  All twine carries tension.")
-  most <- largest_groups(cbind(slack, kind = "netting"), share)
-  c(
-    paste(
-      " ", percent(share(slack)),
-      "of all twine carries no tension; slack netting may move."
-    ),
-    align_columns(list(names(most$groups), percent(most$values)))
-  )
-}
-
-balance_lines <- function(balance) {
-  remainder <- balance$force == "remainder"
-  shown <- function(column) {
-    forces <- in_unit(from_unit(balance[[column]], "kN"), printed_unit("kN"))
-    c(column_figures(forces[!remainder]), formatC(forces[remainder], format = "e", digits = 1))
-  }
-  align_columns(list(
-    c(printed_unit("kN"), gsub("_", " ", balance$force)),
-    c("x (aft)", shown("x_kN")), c("y (starboard)", shown("y_kN")), c("z (up)", shown("z_kN"))
-  ))
+# Returns the lines of columns (see table-columns.R), NULL without rows.
+column_lines <- function(columns) {
+  if (!length(columns[[1L]])) return(NULL)
+  align_columns(Map(c, trimws(names(columns)), columns), which(startsWith(names(columns), " ")))
 }
 
 report_lines <- function(report) {
@@ -231,16 +147,6 @@ report_lines <- function(report) {
       report$cpu_seconds
     )
   )
-}
-
-board_lines <- function(boards) {
-  if (!nrow(boards)) return(NULL)
-  align_columns(list(
-    c("", boards$board), c("attack deg", column_figures(boards$attack_deg)),
-    c("heel deg", column_figures(boards$heel_deg)), c("trim deg", column_figures(boards$trim_deg)),
-    force_column("lift", boards$lift_kN), force_column("drag", boards$drag_kN),
-    c("", boards$condition)
-  ), left = c(1L, 7L))
 }
 
 tangential_lines <- function(sensitivity) {

@@ -79,7 +79,7 @@ column_figures <- function(x) {
 # Pads numbers so that their decimal points are aligned.
 align_points <- function(text) {
   decimals <- nchar(sub("^[^.]*", "", text))
-  paste0(text, strrep(" ", max(decimals) - decimals))
+  paste0(text, strrep(" ", max(decimals, 0L) - decimals))
 }
 
 # Returns the lines of a table. Columns in `left` are aligned left, others right.

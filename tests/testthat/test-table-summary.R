@@ -15,8 +15,8 @@ test_that("summary() prints plain aligned text without colours", {
   lines <- capture.output(shown <- withVisible(print(summary(state), n = Inf)))
   expect_false(shown$visible)
   expect_false(any(cli::ansi_has_any(lines)))
-  for (title in c("Measures", "Drag by component", "Highest rope tensions",
-    "Highest twine tensions", "Slack netting", "Force balance", "Solution")) {
+  for (title in c("Measures", "Drag by component", "Ropes", "Netting",
+    "Force balance", "Solution")) {
     expect_true(title %in% lines, info = title)
   }
   # lines fit a terminal
@@ -26,29 +26,18 @@ test_that("summary() prints plain aligned text without colours", {
 test_that("summary() groups parts of one role", {
   tensions <- data.frame(
     part = c("port", "starboard", "sweep"), kind = "rope", role = c("warp", "warp", NA),
-    max_kN = c(10, 12, 3), mean_kN = 1, strength_percent = c(20, 24, NA)
+    max_kN = c(10, 12, 3), mean_kN = 1, strength_kN = c(50, 50, NA),
+    strength_percent = c(20, 24, NA)
   )
-  expect_equal(
-    rope_tension_lines(tensions),
-    c("  warp, 2 ropes  12.00 kN  24.0 % of breaking load", "  sweep           3.00 kN")
-  )
-})
-
-test_that("summary() lists slack netting in percent", {
-  slack <- data.frame(
-    part = c("a", "b", "c"), role = c("wings", "wings", NA), twine_m = c(10, 30, 60),
-    slack_percent = c(80, 40, 0)
-  )
-  expect_equal(
-    slack_lines(slack),
-    c(
-      "  20.0 % of all twine carries no tension; slack netting may move.",
-      "  wings, 2 panels  50.0 %"
-    )
-  )
-  slack$slack_percent <- 0
-  expect_equal(slack_lines(slack), "  All twine carries tension.")
-  expect_null(slack_lines(slack[0, ]))
+  expect_match(column_lines(rope_columns(tensions)[c(1:3, 7)]), all = FALSE,
+    "^  warp, 2 ropes +starboard +12.00 +24.0$")
+  slack <- data.frame(part = c("a", "b", "c"), twine_m = c(10, 30, 60),
+    slack_percent = c(80, 40, 0))
+  netting <- data.frame(part = c("a", "b", "c"), kind = "netting", role = c("wings", "wings", NA),
+    mean_kN = c(1, 3, 1) / 1000, most_loaded_kN = c(3, 5, 2) / 1000)
+  columns <- netting_columns(netting, slack)
+  expect_identical(unname(columns[c(1L, 4L)]), list(c("wings, 2 panels", "c"), c("50.0", "0.0")))
+  expect_null(column_lines(netting_columns(netting[0L, ], slack)))
 })
 
 test_that("summary() prints whole sections that fit and counts the others", {

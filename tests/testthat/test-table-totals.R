@@ -72,12 +72,12 @@ test_that("groups of the drag table equal the measures of their parts", {
   }
 })
 
-test_that("printed, reported and live tables of drag show the measure as total", {
+test_that("printed and live tables of drag show the measure as total", {
   for (name in c("poly_noreastern_trawl", "cage", "pair_trawl")) {
     state <- small_states[[name]]
     said <- summary(state)
     columns <- drag_columns(said$drag_totals, said$drag_totals$group)
-    parts <- drag_part_columns(said$drag, said$drag_totals)
+    parts <- drag_part_columns(said$drag, said$drag_totals, 15)
     number <- function(text) as.double(gsub("[^0-9.-]", "", text))
     for (shown in list(columns, parts)) {
       last <- length(shown[[1L]])
@@ -93,10 +93,8 @@ test_that("printed, reported and live tables of drag show the measure as total",
       }
     }
     live <- gsub("<[^>]*>", " ", as.character(drag_html(state)))
-    total <- columns[["drag kN"]][length(columns[[1L]])]
+    total <- trimws(columns[["drag kN"]][length(columns[[1L]])])
     expect_match(live, paste0("total\\s+", total, "\\s+100.0"))
-    expect_match(grep("^  total", drag_lines(said$drag_totals), value = TRUE),
-      columns[["drag kN"]][length(columns[[1L]])], fixed = TRUE)
   }
 })
 
