@@ -90,11 +90,13 @@ autoplot.codend_rope_tensions <- function(object, ...) {
   data$at <- data$along_m
   data$across <- "distance along the rope (m)"
   data <- data[order(match(data$heading, unique(data$heading)), data$group), ]
-  title <- chart_title("Tension along ropes", attr(object, "gear_name"), attr(object, "conditions"))
+  title <- along_title("Tension along ropes", object)
   data$number <- data$group
   data$group <- gsub("_", " ", data$line)
   named_lines_chart(data, title)
 }
+
+along_title <- function(what, x) toString(c(what, attr(x, "gear_name"), attr(x, "conditions")))
 
 # A group of `data` has one line and a `number` in its facet.
 named_lines_chart <- function(data, title) {
@@ -139,8 +141,7 @@ autoplot.codend_mesh_openings <- function(object, ...) {
   data <- rbind(part("mesh opening over mesh size (%)", "opening_percent"),
     part("mesh angle (deg)", "mesh_angle_deg"))
   data$across <- "distance aft (m)"
-  title <- chart_title("Meshes along the net", attr(object, "gear_name"),
-    attr(object, "conditions"))
+  title <- along_title("Meshes along the net", object)
   # panels of one side, one after the other, are separate lines
   named_lines_chart(data, title) + ggplot2::aes(group = .data[["piece"]])
 }

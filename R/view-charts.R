@@ -65,64 +65,26 @@ NULL
 
 #' @rdname codend_charts
 #' @export
+#' @rawNamespace
+#'   S3method(plot, codend_schedule, plot.codend_trajectory)
+#'   S3method(plot, codend_variations, plot.codend_trajectory)
+#'   S3method(plot, codend_rope_tensions, plot.codend_trajectory)
+#'   S3method(plot, codend_mesh_openings, plot.codend_trajectory)
+#'   S3method(plot, codend_effects, plot.codend_trajectory)
+#'   S3method(plot, codend_pair_effects, plot.codend_trajectory)
+#'   S3method(plot, codend_sobol_indices, plot.codend_trajectory)
+#'   S3method(plot, codend_sensitivities, plot.codend_trajectory)
+#'   S3method(plot, codend_uncertainty, plot.codend_trajectory)
+#'   S3method(plot, codend_calibration, plot.codend_trajectory)
+#'   S3method(plot, codend_optimum, plot.codend_trajectory)
+#'   S3method(plot, codend_trade_off, plot.codend_trajectory)
+#'   S3method(plot, codend_coefficients, plot.codend_trajectory)
 plot.codend_trajectory <- function(x, ..., file = NULL, width = 10, height = NULL) {
   check_package("ggplot2", "A chart")
   chart <- ggplot2::autoplot(x, ...)
   show_picture(x, function(page) print(chart), file, width, height, chart$labels$title,
     chart_height(chart))
 }
-
-#' @rdname codend_charts
-#' @export
-plot.codend_schedule <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_variations <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_rope_tensions <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_mesh_openings <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_effects <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_pair_effects <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_sobol_indices <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_sensitivities <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_uncertainty <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_calibration <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_optimum <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_trade_off <- plot.codend_trajectory
-
-#' @rdname codend_charts
-#' @export
-plot.codend_coefficients <- plot.codend_trajectory
 
 # Returns the height of a page that fits the facets and bars of a chart [inch].
 chart_height <- function(chart) {
@@ -145,8 +107,6 @@ chart_theme <- function() {
       legend.position = "bottom", legend.margin = ggplot2::margin()
     )
 }
-
-chart_title <- function(...) paste(c(...), collapse = ", ")
 
 label_and_unit <- function(words, unit) {
   ifelse(is.na(unit) | !nzchar(unit), words, sprintf("%s (%s)", words, unit))
