@@ -128,7 +128,7 @@ vtk_cells <- function(state, points) {
   }
   if (any(hexagonal)) data$straight_tension_N <- spread(cells = straight)
   data$lines <- spread(
-    model$bars$multiplicity[bar], if (cells) cell_bars(model$cells), 0
+    model$bars$multiplicity[bar], if (cells) model$frame$cells$bars, 0
   )
   data$slack <- spread(as.double(state$bar_tension[bar] == 0), slack / families, 0)
   data$drag_N <- cbind(flow_force(state, "bars")[, bar], cell_flow_force(state), pieces$force,
@@ -167,12 +167,4 @@ vtk_pieces <- function(state) {
   at <- match(paste(mesh$lift_part, mesh$model$lifts$node), paste(part, node))
   force[, at] <- force[, at] + flow_force(state, "lifts")
   list(part = part, node = node, force = force)
-}
-
-# Checks the class of an exported object. allowed: class names without `codend_`.
-check_exported <- function(x, allowed) {
-  if (inherits(x, paste0("codend_", allowed))) return(invisible())
-  abort_argument(
-    "{.arg x} must be a {.or {allowed}} ({.fn settle}, {.fn tow}), not {.cls {class(x)}}."
-  )
 }

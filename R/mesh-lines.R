@@ -9,23 +9,6 @@ mesh_points <- function(mesh, position) {
   cbind(x, (1 - share) * x[, ties$first] + share * x[, ties$second])
 }
 
-# Returns the twine coordinates of the corners of cells: list(u, v), 4 x cells each.
-cell_twine_places <- function(cells, which = seq_along(cells$rest)) {
-  twine <- matrix(cells$twine, 8L)[, which, drop = FALSE]
-  list(u = twine[c(1L, 3L, 5L, 7L), , drop = FALSE], v = twine[c(2L, 4L, 6L, 8L), , drop = FALSE])
-}
-
-# Returns the area of cells in twine coordinates, which equals their number of bars of each family.
-cell_area <- function(u, v) {
-  abs((u[3L, ] - u[1L, ]) * (v[4L, ] - v[2L, ]) - (u[4L, ] - u[2L, ]) * (v[3L, ] - v[1L, ])) / 2
-}
-
-# Returns the number of mesh bars of one family in cells.
-cell_bars <- function(cells, which = seq_along(cells$rest)) {
-  at <- cell_twine_places(cells, which)
-  cell_area(at$u, at$v) * cells$multiplicity[which]
-}
-
 # TRUE for cells (4 x n nodes or positions) with three corners.
 has_three_corners <- function(corner) corner[3L, ] == corner[4L, ]
 

@@ -12,7 +12,7 @@ state_drawing <- function(state, limit = drawn_lines) {
   marks <- rbind(piece_marks(state, points), board_marks(state), support_marks(state))
   marks$board <- match(marks$part, names(state$si$otter_boards), 0L)
   list(
-    ropes = rope_lines(state, points, limit),
+    ropes = group_lines(state, points, rope_groups(state, limit)),
     netting = netting_lines(state, points, limit),
     marks = marks, boards = board_corners(state)
   )
@@ -41,8 +41,6 @@ join_lines <- function(lines) {
 weighted_means <- function(x, weight, group, n) {
   sum_by(x * weight, group, n) / sum_by(weight, group, n)
 }
-
-rope_lines <- function(state, points, limit) group_lines(state, points, rope_groups(state, limit))
 
 # Returns lines with the mean tension of their bars, 0 for a line without bars. groups: as returned
 # by `rope_groups()` and `seam_groups()`.
@@ -211,7 +209,7 @@ block_cells <- function(state, name, part, block) {
   list(
     columns = columns, rows = rows, count = across * deep, cell = mine,
     block = cell %/% nrow(grid) %/% block * across + cell %% nrow(grid) %/% block + 1L,
-    weight = cell_bars(state$mesh$model$cells, mine)
+    weight = state$mesh$model$frame$cells$bars[mine]
   )
 }
 

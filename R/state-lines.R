@@ -14,7 +14,7 @@ state_lines <- function(state) {
   bar <- which(mesh$parts$kind[mesh$bar_part] != "piece")
   bars <- lapply(mesh$model$bars[c("rest", "multiplicity")], `[`, bar)
   cells <- mesh$model$cells
-  in_cell <- cell_bars(cells)
+  in_cell <- mesh$model$frame$cells$bars
   cell <- seq_along(cells$rest)
   hexagon <- which(cells$straight > 0)
   number <- length(cell)

@@ -7,8 +7,8 @@ test_that("page opens with the settled gear, its picture and controls", {
     points <- matrix(unpacked(picture$now$points$floats, "double", 4), 3L)
     ends <- unpacked(picture$now$ropes$ends, "integer", 4) + 1L
     # the cable's bars in sequence, in single precision of lengths up to 1000 m
-    expect_equal(points[, ends], unname(state_points(tank$state)[, rope_lines(
-      tank$state, state_points(tank$state), 1e4)$ends]), tolerance = 1e-6)
+    expect_equal(points[, ends], unname(state_points(tank$state)[,
+      state_drawing(tank$state, 1e4)$ropes$ends]), tolerance = 1e-6)
     expect_identical(picture$kept[[1]]$scene$points, picture$now$points)
     form <- tank$form()
     expect_identical(form$quick[[1]]$label, "Towing speed")
