@@ -56,7 +56,9 @@ slowest_reported <- 0.002
 #'   m3",
 #'     polar = "flat_plate", attachments = list(port = list(aft = "0.1 m", starboard = "-0.6 m"),
 #'       starboard = list(aft = "0.1 m", starboard = "0.6 m"), tail = list(aft = "0.8 m"))))
-#' board_modes(settle(flown))
+#' state <- settle(flown)
+#' board_modes(state)
+#' as.data.frame(state, what = "boards")
 #' @export
 board_modes <- function(state) {
   check_given("state")

@@ -83,31 +83,12 @@
 #' state <- settle("crossing_cables")
 #' as.data.frame(state, what = "reactions")
 #' head(as.data.frame(state, what = "tensions"))
-#'
-#' # a kite of 1 m by 2 m on two front lines and one rear line
-#' on_lines <- function(from, to, length) {
-#'   rope(from, to, length = length, diameter = "5 mm", material = "hmpe", segments = 1)
-#' }
-#' flown <- gear("A kite on three lines", towing = list(speed = "2 m/s"),
-#'   block_port = gear_point(position = c(0, -0.6, -100), held = "moved"),
-#'   block_starboard = gear_point(position = c(0, 0.6, -100), held = "moved"),
-#'   port = gear_point(), starboard = gear_point(), tail = gear_point(),
-#'   front_port = on_lines("block_port", "port", "0.99 m"),
-#'   front_starboard = on_lines("block_starboard", "starboard", "0.99 m"),
-#'   rear_port = on_lines("block_port", "tail", "1.293 m"),
-#'   rear_starboard = on_lines("block_starboard", "tail", "1.293 m"),
-#'   kite = kite(lift_direction = "up", chord = "1 m", span = "2 m", mass = "20 kg", volume = "0.03
-#'   m3",
-#'     polar = "flat_plate", attachments = list(port = list(aft = "0.1 m", starboard = "-0.6 m"),
-#'       starboard = list(aft = "0.1 m", starboard = "0.6 m"), tail = list(aft = "0.8 m"))))
-#' as.data.frame(settle(flown), what = "boards")
 #' @export
 as.data.frame.codend_state <- function(x, row.names = NULL, optional = FALSE,
                                        what = c("measures", "tensions", "nodes", "drag",
                                                 "pieces", "boards", "reactions"), ...) {
-  tables <- c("measures", "tensions", "nodes", "drag", "pieces", "boards", "reactions")
-  table <- switch(chosen(what, tables),
-    measures = measure_table(x),
+  table <- switch(chosen(what, eval(formals()$what)),
+    measures = as.data.frame(measures(x)),
     tensions = line_table(x),
     nodes = node_table(x),
     drag = drag_table(x),
@@ -170,5 +151,3 @@ node_parts <- function(mesh) {
   )
   out
 }
-
-measure_table <- function(state) as.data.frame(measures(state))

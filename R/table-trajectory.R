@@ -68,14 +68,15 @@
 as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALSE,
                                             what = c("measures", "conditions", "tensions", "nodes",
                                               "swept"), wide = FALSE, ...) {
-  what <- chosen(what, c("measures", "conditions", "tensions", "nodes", "swept"))
-  table <- switch(what,
+  table <- switch(chosen(what, eval(formals()$what)),
     measures = measures_by_time(x, wide),
     conditions = condition_units(x$conditions),
     swept = swept_table(x),
-    tensions = by_time(x, function(k) part_tensions(x, k)),
-    nodes = by_time(x, function(k) {
-      place <- x$position[, , k]
+    tensions = by_time(x, function(time) {
+      tension_table(state_at(x, time))[c("part", "kind", "role", "max_kN", "mean_kN")]
+    }),
+    nodes = by_time(x, function(time) {
+      place <- x$position[, , match(time, x$time)]
       data.frame(
         node = seq_len(ncol(place)), x_m = place[1, ], y_m = place[2, ], z_m = place[3, ]
       )
@@ -85,7 +86,7 @@ as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALS
 }
 
 measures_by_time <- function(trajectory, wide) {
-  table <- by_time(trajectory, function(k) measure_table(state_at(trajectory, trajectory$time[k])))
+  table <- by_time(trajectory, function(time) as.data.frame(measures(state_at(trajectory, time))))
   if (!wide) return(table)
   columns <- lapply(split(table, factor(table$measure, unique(table$measure))), function(of) {
     of$value[match(trajectory$time, of$time_s)]
@@ -94,11 +95,10 @@ measures_by_time <- function(trajectory, wide) {
 }
 
 by_time <- function(trajectory, table_at) {
-  tables <- lapply(seq_along(trajectory$time), function(k) {
-    table <- table_at(k)
-    cbind(time_s = rep(trajectory$time[k], nrow(table)), table)
-  })
-  do.call(rbind, tables)
+  do.call(rbind, lapply(trajectory$time, function(time) {
+    table <- table_at(time)
+    cbind(time_s = rep(time, nrow(table)), table)
+  }))
 }
 
 # Adds units to the column names of conditions.
@@ -113,27 +113,6 @@ condition_units <- function(conditions) {
   out <- conditions[c(names(known), parts)]
   out$course <- in_unit(out$course, "deg")
   setNames(out, c(known, parts))
-}
-
-# Returns the largest and mean tension of every rope and panel at the k-th saved time.
-part_tensions <- function(trajectory, k) {
-  mesh <- trajectory$mesh
-  parts <- mesh$parts
-  of <- c(
-    mesh$bar_part, mesh$cell_part, mesh$cell_part,
-    mesh$cell_part[has_straight_bars(mesh)]
-  )
-  tension <- c(
-    trajectory$bar_tension[, k], trajectory$u_tension[, k], trajectory$v_tension[, k],
-    trajectory$straight_tension[, k]
-  )
-  here <- sort(unique(of))
-  group <- factor(of, levels = here)
-  data.frame(
-    part = parts$name[here], kind = parts$kind[here], role = parts$role[here],
-    max_kN = in_unit(as.double(tapply(tension, group, max)), "kN"),
-    mean_kN = in_unit(as.double(tapply(tension, group, mean)), "kN")
-  )
 }
 
 #' @export

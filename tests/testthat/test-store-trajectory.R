@@ -54,7 +54,10 @@ test_that("saved tow includes straight bars of hexagonal netting", {
   expect_gt(max(trajectory$straight_tension), 0)
   tensions <- as.data.frame(trajectory, what = "tensions")
   held <- c(trajectory$u_tension[, 1], trajectory$v_tension[, 1], trajectory$straight_tension[, 1])
-  expect_equal(tensions$mean_kN[tensions$part == "net"][1], mean(held) / 1000)
+  # meshes of 100 mm with straight bars of 20 mm have oblique bars of 30 mm
+  long <- outer(state$mesh$model$frame$cells$bars, c(0.03, 0.03, 0.02))
+  expect_equal(tensions$mean_kN[tensions$part == "net"][1],
+    sum(held * long) / sum(long) / 1000)
   file <- file.path(test_folder(), "tow.nc")
   write_result(trajectory, file)
   expect_identical(known(read_result(file)), known(trajectory))
@@ -203,19 +206,13 @@ test_that("killed tow leaves its saved steps and continues from them", {
   expect_error(read_result(cut), class = "codend_error_file")
 })
 
-test_that("unreadable or unwritable files throw an error and leave nothing", {
+test_that("unwritable files throw an error and leave nothing", {
   folder <- test_folder()
   trajectory <- hauled(until = 5)
   wrong <- function(code) expect_error(code, class = "codend_error_file")
   wrong(write_result(trajectory, file.path(folder, "tow.csv")))
   wrong(write_result(trajectory, file.path(folder, "no", "tow.nc")))
   wrong(tow(trajectory, until = 10, file = 3))
-  wrong(read_result(file.path(folder, "tow.nc")))
   expect_error(write_result(list(), file.path(folder, "tow.nc")), class = "codend_error")
   expect_length(list.files(folder, all.files = TRUE, no.. = TRUE), 0)
-  writeLines("no", file.path(folder, "text.nc"))
-  wrong(read_result(file.path(folder, "text.nc")))
-  other <- RNetCDF::create.nc(file.path(folder, "other.nc"))
-  RNetCDF::close.nc(other)
-  wrong(read_result(file.path(folder, "other.nc")))
 })
