@@ -37,7 +37,7 @@ abort_unknown <- function(path, name, known, value = NULL) {
       "Plan field `", where, "` is not known",
       if (length(near)) paste0("; did you mean `", near, "`?"),
       if (length(advice)) paste0(": ", advice) else if (!length(near)) ".",
-      if (length(known)) paste0(" Known here: ", paste(known, collapse = ", "), ".")
+      known_text(known)
     ),
     where, value
   )
@@ -131,9 +131,10 @@ abort_reference <- function(text, name, names, kind, path) {
   abort_plan(
     paste0(
       "Plan field `", path, "` is ", show_value(text), ", but there is no ", kind, " `", name, "`",
-      if (length(near)) paste0("; did you mean `", near, "`?") else ".",
-      if (length(names)) paste0(" Known here: ", word_list(names), ".")
+      if (length(near)) paste0("; did you mean `", near, "`?") else ".", known_text(names)
     ),
     path, text
   )
 }
+
+known_text <- function(names) if (length(names)) paste0(" Known here: ", word_list(names), ".")

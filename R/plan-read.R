@@ -35,10 +35,7 @@ plan_of_bytes <- function(bytes, file) {
   if (length(warned)) abort_yaml(file, text, warned[1])
   tree <- plain_tree(tree)
   if (!is_map(tree) || length(tree) == 0) {
-    abort_plan(
-      sprintf("Plan file \"%s\" must be a map of fields such as `codend: 1` and `name`.", file),
-      NULL
-    )
+    abort_plan_file(file, "must be a map of fields such as `codend: 1` and `name`.")
   }
   tree
 }
@@ -50,28 +47,28 @@ plan_bytes <- function(file) {
   check_plan_size(size, file)
   tryCatch(
     suppressWarnings(readBin(file, "raw", plan_bytes_limit + 1)),
-    error = function(e) abort_plan(sprintf("Plan file \"%s\" cannot be read.", file), NULL)
+    error = function(e) abort_plan_file(file, "cannot be read.")
   )
+}
+
+# Throws an error about a plan's file. `what`: the rest of the sentence; `...`: fields of the
+# condition.
+abort_plan_file <- function(file, what, ...) {
+  abort_plan(sprintf("Plan file \"%s\" %s", file, what), NULL, ...)
 }
 
 check_plan_size <- function(size, file) {
   if (size > plan_bytes_limit) {
-    abort_plan(
-      sprintf("Plan file \"%s\" has %.1f MB; it must have at most 2 MB.", file, size / 1024^2), NULL
-    )
+    abort_plan_file(file, sprintf("has %.1f MB; it must have at most 2 MB.", size / 1024^2))
   }
 }
 
 plan_text_of <- function(bytes, file) {
   check_plan_size(length(bytes), file)
-  if (any(bytes == 0)) {
-    abort_plan(sprintf("Plan file \"%s\" is not text: it has NUL bytes.", file), NULL)
-  }
+  if (any(bytes == 0)) abort_plan_file(file, "is not text: it has NUL bytes.")
   text <- rawToChar(bytes)
   Encoding(text) <- "UTF-8"
-  if (!validUTF8(text)) {
-    abort_plan(sprintf("Plan file \"%s\" is not UTF-8 text.", file), NULL)
-  }
+  if (!validUTF8(text)) abort_plan_file(file, "is not UTF-8 text.")
   check_marks(bytes, text, file)
   check_one_document(text, file)
   check_no_merge(text, file)
@@ -86,19 +83,13 @@ check_marks <- function(bytes, text, file) {
   deep <- max(0, cumsum(opens - closes)) > 10 * plan_depth_limit ||
     grepl(sprintf("(?m)^[ \\t]*(?:[-?][ \\t]+){%d}", plan_depth_limit), text, perl = TRUE)
   if (deep) {
-    abort_plan(
-      sprintf(
-        "Plan file \"%s\" is nested too deeply; at most %d levels of lists or maps are allowed.",
-        file, plan_depth_limit
-      ),
-      NULL
-    )
+    abort_plan_file(file, sprintf(
+      "is nested too deeply; at most %d levels of lists or maps are allowed.", plan_depth_limit
+    ))
   }
   if (sum(opens) > plan_marks_limit || sum(bytes == 0x3a) > plan_marks_limit) {
-    abort_plan(
-      sprintf("Plan file \"%s\" has too many fields; at most %d are allowed.", file,
-        plan_marks_limit), NULL
-    )
+    abort_plan_file(file,
+      sprintf("has too many fields; at most %d are allowed.", plan_marks_limit))
   }
 }
 
@@ -109,9 +100,7 @@ check_one_document <- function(text, file) {
   if (!length(begins)) return(invisible())
   before <- utils::head(lines, begins[1] - 1L)
   if (length(begins) > 1 || !all(grepl("^\ufeff?[ \t]*(#.*)?$|^%", before, perl = TRUE))) {
-    abort_plan(
-      sprintf("Plan file \"%s\" has several YAML documents; it must have one.", file), NULL
-    )
+    abort_plan_file(file, "has several YAML documents; it must have one.")
   }
 }
 
@@ -122,13 +111,9 @@ check_no_merge <- function(text, file) {
   bare <- gsub("(^|[[:space:]])#.*$|\"[^\"]*\"|'[^']*'", "", lines)
   merges <- grep("(^|[[:space:]{,?\\[-])<<[[:space:]]*(:|$)|![^[:space:]]*merge", bare)
   if (!length(merges)) return(invisible())
-  abort_plan(
-    sprintf(
-      "Plan file \"%s\", line %d, has a merge key `<<`; %s.", file, merges[1],
-      "write every field in full"
-    ),
-    NULL, line = merges[1]
-  )
+  abort_plan_file(file,
+    sprintf("has, in line %d, a merge key `<<`; write every field in full.", merges[1]),
+    line = merges[1])
 }
 
 # Throws an error with line and column. `problem`: message of the YAML parser.

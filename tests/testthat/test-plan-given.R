@@ -366,7 +366,9 @@ test_that("a number for a field in knot gives one message per session", {
     "--minimise=total_drag", "--change=towing.speed=1..3", "--nodes=20"))))
 })
 
-test_that("speeds beyond all gear are an error", {
+test_that("quantities beyond all gear are an error", {
+  expect_match(plan_error("length: 100 m\n", "length: 1e308 m\n")$message,
+    "must be at most 1e+07 m", fixed = TRUE)
   cable <- read_gear("towed_cable")
   expect_refused(update(cable, towing.speed = "1e3 knot"),
     "`towing.speed` is 1e3 knot; it must be at most 58.3153 knot")
