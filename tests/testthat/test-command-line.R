@@ -30,18 +30,10 @@ test_that("installed script is executable", {
 })
 
 test_that("help and version go to standard output", {
-  help <- command("--help")
+  help <- command("settle", "--help")
   expect_identical(help$status, 0L)
-  for (name in c("check", "gears", "settle", "report", "expand")) {
-    expect_true(any(grepl(paste0("^  ", name, " "), help$out)))
-  }
-  settle_help <- command("settle", "--help")
-  expect_identical(settle_help$status, 0L)
-  for (option in c("--set", "--nodes", "--netting", "--json", "--out")) {
-    expect_true(any(grepl(option, settle_help$out, fixed = TRUE)))
-  }
-  version <- command("--version")
-  expect_identical(version$out, paste("codend", packageVersion("codend")))
+  expect_match(help$out[1], "Usage: codend settle", fixed = TRUE)
+  expect_identical(command("--version")$out, paste("codend", packageVersion("codend")))
 })
 
 test_that("command exits with 2 for wrong use and 1 for plans", {

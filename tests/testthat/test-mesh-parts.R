@@ -129,12 +129,6 @@ test_that("pieces with `end_to_end` are placed at both ends and evenly between",
   expect_equal(chain(3, c(1 / 3, 1 / 2)), c(0, 0, 3, 3, 0, 0, 0), tolerance = 1e-14)
 })
 
-test_that("place function does not keep data of the mesh construction", {
-  si <- gear_si(read_gear("flat_panel"))
-  size <- function(nodes) length(serialize(build_mesh(si, nodes = nodes)$place, NULL))
-  expect_identical(size(5000), size(50))
-})
-
 test_that("knotted netting has the published weight with both netting elements", {
   # J. Prado and P. Y. Dremiere, Fisherman's Workbook (FAO 1990): ratio of the weight to knotless
   # netting, by mesh size (mm) and twine diameter (mm), two decimals

@@ -31,18 +31,6 @@ test_that("numbers and strings of every kind read back identically", {
   expect_identical(read_gear(file)$plan, gear$plan)
 })
 
-test_that("write_gear() writes a file atomically", {
-  gear <- read_gear("towed_cable")
-  folder <- tempfile()
-  dir.create(folder)
-  write_gear(gear, file.path(folder, "plan.yaml"))
-  expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), "plan.yaml")
-  expect_identical(
-    paste0(readLines(file.path(folder, "plan.yaml"), encoding = "UTF-8"), "\n", collapse = ""),
-    format(gear, remarks = TRUE)
-  )
-})
-
 test_that("write_gear() keeps remarks and layout of unchanged lines", {
   gear <- read_gear("poly_noreastern_trawl")
   source <- readLines(gear$file, encoding = "UTF-8")

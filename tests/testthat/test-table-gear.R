@@ -12,14 +12,3 @@ test_that("summary() of a gear lists the masses of its plan", {
   expect_equal(totals$mass_kg[totals$group == "total"], sum(parts$mass_kg))
   expect_output(print(found, n = Inf), "otter board +2 +9000")
 })
-
-test_that("summary() of a gear has the weight in water of the state", {
-  for (name in c("towed_cable", "beam_trawl")) {
-    state <- settled(name, nodes = 300)
-    drag <- summary(state)$drag_totals
-    expect_equal(
-      sum(summary(state$gear)$parts$weight_in_water_kN),
-      drag$weight_in_water_kN[drag$group == "total"], tolerance = 1e-3
-    )
-  }
-})

@@ -61,15 +61,6 @@ test_that("glance() of studies of one state returns their size in one row", {
   expect_identical(glance.codend_trade_off(ends)$points, nrow(ends))
 })
 
-test_that("pipe leads from a plan to its measures", {
-  found <- read_gear("towed_cable") |>
-    update(towing.speed = "3 knot") |>
-    settle(nodes = 40) |>
-    measures()
-  gear <- update(read_gear("towed_cable"), towing.speed = "3 knot")
-  expect_identical(found, measures(settle(gear, nodes = 40)))
-})
-
 test_that("as.data.frame() of a calibration and its posterior returns fields", {
   runs <- data.frame(towing.speed = 2:6 / 2, Drag = c(1.9, 3.2, 5, 7.4, 10.2))
   fit <- calibrate("towed_cable", runs, nodes = 20, match = Drag ~ total_drag_kN,
