@@ -99,3 +99,10 @@ check_count <- function(name, value, least = 1) {
   abort_argument("{.arg {name}} is {describe_value(value)}; it must be a whole number, {least} or
     more.")
 }
+
+# unit: text after "a number", such as " of inches".
+check_between <- function(name, value, least, most, unit = "") {
+  if (is_plain_number(value) && value >= least && value <= most) return(invisible())
+  abort_argument("{.arg {name}} is {describe_value(value)}; it must be a number{unit} from {least}
+    to {most}.")
+}

@@ -177,8 +177,12 @@ formats_text <- function(of) {
 #' @export
 write_result <- function(x, file, ...) {
   check_given("x", "file")
-  check_exported(x, c("state", "trajectory"))
-  kind <- if (inherits(x, "codend_state")) "state" else "trajectory"
+  kind <- Find(function(kind) inherits(x, paste0("codend_", kind)), c("state", "trajectory"))
+  if (is.null(kind)) {
+    abort_argument(
+      "{.arg x} must be a state or trajectory ({.fn settle}, {.fn tow}), not {.cls {class(x)}}."
+    )
+  }
   formats <- Filter(function(format) kind %in% format$of, c(export_formats, file_formats))
   check_file_path(file, vapply(formats, `[[`, "", "extension"))
   format_of_file(file, formats)$write(x, file, ...)

@@ -21,18 +21,11 @@ write_picture <- function(file, page, title, draw) {
   })
 }
 
-check_inches <- function(name, value) {
-  one <- is.numeric(value) && length(value) == 1L && is.finite(value)
-  if (!(one && value >= 3 && value <= 100)) {
-    abort_argument("{.arg {name}} is {.val {value}}; it must be one number of inches, 3 to 100.")
-  }
-}
-
 # Draws on the current device, or to a file if given. Returns x, invisibly. `draw`: function(page),
 # with the page size in inches. `height`: of the page in a file, `fitting` if NULL.
 show_picture <- function(x, draw, file, width, height, title, fitting) {
-  check_inches("width", width)
-  if (!is.null(height)) check_inches("height", height)
+  check_between("width", width, 3, 100, " of inches")
+  if (!is.null(height)) check_between("height", height, 3, 100, " of inches")
   if (is.null(file)) draw(grDevices::dev.size()) else {
     check_file_path(file, picture_types)
     write_picture(file, c(width, first_of(height, fitting)), title, draw)

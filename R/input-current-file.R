@@ -275,9 +275,3 @@ moment <- function(time) {
   }
   time
 }
-
-check_between <- function(name, value, least, most) {
-  if (is_plain_number(value) && value >= least && value <= most) return(invisible())
-  abort_argument("{.arg {name}} is {show_value(value)}; it must be a number from {least} to
-    {most}.")
-}

@@ -102,12 +102,12 @@ mesh_openings <- function(state, parts = NULL) {
   some <- names(panels)[names(panels) %in% parts | part %in% parts]
   found <- mesh_places(state, some)
   by_row <- split(seq_len(nrow(found)), found$row)
-  mean_of <- function(field, weight = found$meshes) {
+  mean_of <- function(field) {
     vapply(by_row, function(k) {
-      good <- !is.na(found[[field]][k])
+      k <- k[!is.na(found[[field]][k])]
       # a row that is gathered in a point has no meshes
-      w <- if (sum(weight[k][good]) > 0) weight[k][good] else rep(1, sum(good))
-      if (any(good)) sum(found[[field]][k][good] * w) / sum(w) else NA_real_
+      weight <- if (sum(found$meshes[k]) > 0) found$meshes[k] else rep(1, length(k))
+      if (length(k)) stats::weighted.mean(found[[field]][k], weight) else NA_real_
     }, 0, USE.NAMES = FALSE)
   }
   first <- vapply(by_row, `[`, 0L, 1L, USE.NAMES = FALSE)

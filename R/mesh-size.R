@@ -22,7 +22,9 @@ check_mesh_size <- function(si, nodes, netting = NULL, most = most_nodes) {
         "This plan needs %s nodes (about %s of memory), but at most %s are allowed.",
         "Most nodes are in `%s`; reduce its size or segments."
       ),
-      format(total, digits = 2), memory_text(total * bytes_per_node), format(most), worst
+      format(total, digits = 2),
+      format(structure(total * bytes_per_node, class = "object_size"), "auto", "SI", digits = 2L),
+      format(most), worst
     ),
     worst, total
   )
@@ -38,9 +40,4 @@ divided_at_most <- function(si) {
     max(1, across)^2 * max(sides) / min(sides[sides > 0]) * 4 * first_of(panel$bar_segments, 1)
   }, 0)
   ropes + sum(panels)
-}
-
-memory_text <- function(bytes) {
-  power <- min(floor(log(bytes, 1000)), 5)
-  paste(format(bytes / 1000^power, digits = 2), c("kB", "MB", "GB", "TB", "PB")[power])
 }

@@ -1,10 +1,5 @@
 netting_colours <- c("tension", "mesh_opening", "mesh_angle")
 
-check_colour <- function(colour, known = netting_colours) {
-  if (is_text(colour) && colour %in% known) return(invisible())
-  abort_argument("{.arg colour} is {describe_value(colour)}; it must be one of {.val {known}}.")
-}
-
 # Returns the drawing of a state with its netting coloured by an element of `netting_colours`:
 # list(drawing, scales). In `drawing` (see `state_drawing()`) the netting's `tension` is the
 # coloured quantity.
@@ -12,7 +7,9 @@ coloured_drawing <- function(state, colour = "tension") {
   drawing <- state_drawing(state)
   by_tension <- colour == "tension"
   if (!by_tension) {
-    drawing$netting$tension <- mesh_values(state, drawing$netting, colour)
+    netting <- drawing$netting
+    drawing$netting$tension <- mesh_means(state, netting$part - length(state$si$ropes),
+      netting$ends, colour)
   }
   list(
     drawing = drawing,
@@ -25,10 +22,6 @@ coloured_drawing <- function(state, colour = "tension") {
       }
     )
   )
-}
-
-mesh_values <- function(state, lines, colour) {
-  mesh_means(state, lines$part - length(state$si$ropes), lines$ends, colour)
 }
 
 # Returns the mean opening or angle of meshes at locations in netting. The opening is relative to

@@ -1,13 +1,5 @@
 # Common format of state and trajectory files. Data are plain; reading evaluates no code.
 
-# Writes a file and appends its checksum; `fill`: as in write_netcdf().
-write_saved <- function(file, fill) {
-  write_file(file, function(path) {
-    fill_netcdf(path, fill)
-    seal_file(path)
-  })
-}
-
 # The format of files that this codend writes and reads.
 saved_format <- list(state = 11L, trajectory = 14L)
 

@@ -2,14 +2,17 @@
 
 write_state <- function(state, file) {
   check_netcdf()
-  write_saved(file, function(nc) {
-    numbers <- c(state_numbers(state), measure_numbers(state), restored_variables(state))
-    numbers <- Filter(function(number) length(number$value) > 0L, numbers)
-    mesh <- state$mesh
-    sizes <- c(bar = length(mesh$bar_part), cell = length(mesh$cell_part))
-    define_file(nc, numbers, sizes, mesh, state$gear,
-      paste0(state$gear$plan$name, ", ", state_conditions(state)), "state")
-    for (name in names(numbers)) put(nc, name, numbers[[name]]$value)
+  numbers <- c(state_numbers(state), measure_numbers(state), restored_variables(state))
+  numbers <- Filter(function(number) length(number$value) > 0L, numbers)
+  mesh <- state$mesh
+  sizes <- c(bar = length(mesh$bar_part), cell = length(mesh$cell_part))
+  title <- paste0(state$gear$plan$name, ", ", state_conditions(state))
+  write_file(file, function(path) {
+    fill_netcdf(path, function(nc) {
+      define_file(nc, numbers, sizes, mesh, state$gear, title, "state")
+      for (name in names(numbers)) put(nc, name, numbers[[name]]$value)
+    })
+    seal_file(path)
   })
 }
 

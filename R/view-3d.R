@@ -52,7 +52,7 @@
 view_3d <- function(state, file = NULL, colour = "tension") {
   check_given("state")
   if (!inherits(state, "codend_trajectory")) check_is_state(state)
-  check_colour(colour, viewer_colours)
+  colour <- chosen(colour, viewer_colours)
   if (!is.null(file)) check_file_path(file, ".html")
   # a fixed name, so that every new session writes the same file for the same state
   element <- if (!is.null(file)) "gear"

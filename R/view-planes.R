@@ -33,7 +33,7 @@ plot.codend_state <- function(x, planes = c("xy", "xz", "yz"), file = NULL, widt
                               height = NULL, colour = "tension", ...) {
   known <- c("xy", "xz", "yz")
   planes <- chosen_some(planes, known)
-  check_colour(colour)
+  colour <- chosen(colour, netting_colours)
   figure <- plane_figure(x, intersect(known, planes), colour)
   show_picture(x, function(page) draw_figure(figure, page), file, width, height, figure$title,
     fitting_height(figure, width))
