@@ -35,8 +35,9 @@ compile_node <- function(node, definitions) {
     node$enum <- NULL
     "boolean"
   } else if (!is.null(node$type)) {
-    # A number may also be a map with its uncertainty, which split_uncertain() removes before.
-    setdiff(unlist(node$type), if (length(node$type) > 1L) "object")
+    # Other types than the first are replaced before: a map with the uncertainty of a number by
+    # split_uncertain(), the name of a table by with_net_file().
+    node$type[[1L]]
   } else {
     "any"
   }

@@ -285,7 +285,8 @@ whole_map <- function(node) {
   node$properties <- NULL
   c(
     node["title"[!is.null(node$title)]], node["description"[!is.null(node$description)]],
-    list(type = "object"), node[setdiff(names(node), c("title", "description", "open"))],
+    list(type = if (is.null(node$type)) "object" else node$type),
+    node[setdiff(names(node), c("title", "description", "open", "type"))],
     list(properties = properties, additionalProperties = isTRUE(node$open))
   )
 }

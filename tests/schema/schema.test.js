@@ -22,6 +22,13 @@ for (const file of readdirSync(new URL("inst/gears/", root))) {
   });
 }
 
+for (const [net, verdict] of [["my_net.csv", true], ["", false], [7, false]]) {
+  test(`schema judges net: ${JSON.stringify(net)} as ${verdict ? "right" : "wrong"}`, () => {
+    const plan = YAML.parse(text("inst/extdata/two_seam_trawl.yaml"));
+    assert.equal(valid({ ...plan, net }), verdict);
+  });
+}
+
 const cases = YAML.parse(text("tests/testthat/right-and-wrong.yaml"));
 for (const verdict of ["right", "wrong"]) {
   for (const [old, replacement] of cases[verdict]) {

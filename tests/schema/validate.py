@@ -44,6 +44,10 @@ def expect(name, text, right):
 for file in sorted((root / "inst/gears").glob("*.yaml")):
     expect(file.name, file.read_text("utf-8"), True)
 
+trawl = (root / "inst/extdata/two_seam_trawl.yaml").read_text("utf-8").partition("\nnet:")[0]
+expect("net: my_net.csv", trawl + "\nnet: my_net.csv", True)
+expect("net: ''", trawl + "\nnet: ''", False)
+
 cases = yaml.safe_load((root / "tests/testthat/right-and-wrong.yaml").read_text("utf-8"))
 for verdict in ("right", "wrong"):
     for old, replacement in cases[verdict]:
