@@ -21,7 +21,7 @@ net_grid <- function(fields, plan) {
     rows <- names(fields$net[[name]])
     given <- plan$net[[name]][vapply(fields$net[[name]], `[[`, "", "of")]
     for (panel in grid_panels[[name]]) {
-      columns[[panel]] <- rows
+      columns[[panel]] <- stats::setNames(rows, vapply(fields$net[[name]], `[[`, "", "of"))
       cells[paste(panel, rows, sep = "_")] <-
         Map(net_cell, rows, fields$net[[name]], given, MoreArgs = list(panel = panel))
     }
@@ -43,14 +43,14 @@ check_ends <- function(grid) {
     name <- net_panel_of(ended[[row]][1L])
     path <- paste("net", name, row, sep = ".")
     for (panel in active) {
-      at <- match(row, grid$columns[[panel]])
-      if (is.na(at)) {
+      last <- rear_row(grid$columns[[panel]], row)
+      if (is.null(last)) {
         abort_plan(sprintf(paste(
           "Plan field `%s` is the last piece of its panel, but the panel `%s` has no piece of this",
           "name. Side panels end together with a row of all panels. Rename a piece."
         ), path, net_panel_of(panel)), path)
       }
-      behind <- grid$columns[[panel]][at + 1L]
+      behind <- grid$columns[[panel]][match(last, grid$columns[[panel]]) + 1L]
       if (!is.na(behind) && length(grid$cells[[paste(panel, behind, sep = "_")]]$covers)) {
         abort_field(paste("net", net_panel_of(panel), behind, "covers", sep = "."), "given",
           sprintf("omitted in the piece behind the last piece of the panel `%s`", name))
@@ -113,19 +113,28 @@ check_stretches <- function(grid, pair, net) {
   for (name in unique(unlist(stretch))) {
     rows <- Map(function(rows, stretch) rows[stretch == name], columns, stretch)
     field <- lapply(names(rows), net_panel_of)
-    at <- function(k) paste0("`net.", field[[k]], ".", rows[[k]], "`", collapse = " and ")
+    path <- function(k) paste("net", field[[k]], unique(whole_rows(rows[[k]])), sep = ".")
+    at <- function(k) paste0("`", path(k), "`", collapse = " and ")
     if (!all(lengths(rows))) {
       k <- which(lengths(rows) > 0L)
       if (name != "wings" || grid$gathered) {
         abort_plan(sprintf(paste(
           "Plan field %s has no piece beside it in the panel `%s`: only the pieces ahead of the",
           "first common row may have a free edge. Add a piece, or give rows the same name."
-        ), at(k), field[[3L - k]]), paste("net", field[[k]], rows[[k]][1L], sep = "."))
+        ), at(k), field[[3L - k]]), path(k)[1L])
       }
       for (cell in paste(names(rows)[k], rows[[k]], sep = "_")) {
         grid$cells[[cell]]$free[[sides[k]]] <- grid$cells[[cell]]$counts$deep
       }
       next
+    }
+    for (k in 1:2) {
+      covered <- lengths(lapply(cells_of(grid, names(rows)[k], rows[[k]]), `[[`, "covers")) > 0L
+      if (length(path(k)) > 1L && any(covered)) {
+        piece <- whole_rows(rows[[k]])[covered][1L]
+        abort_field(paste("net", field[[k]], piece, "covers", sep = "."), "given",
+          sprintf("omitted in a piece that the panel `%s` does not have", field[[3L - k]]))
+      }
     }
     long <- vapply(1:2, function(k) {
       pieces <- net[[field[[k]]]][rows[[k]]]
@@ -138,7 +147,7 @@ check_stretches <- function(grid, pair, net) {
       ), at(1L), format_si(long[1L], "length"), at(2L), format_si(long[2L], "length"),
       100 * most_seam_slack,
       if (name == "wings") "" else ", or give rows that end at different places different names"),
-      paste("net", field[[1L]], rows[[1L]][1L], sep = "."))
+      path(1L)[1L])
     }
   }
   grid

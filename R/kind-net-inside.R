@@ -99,22 +99,16 @@ window_left <- function(piece) {
 # Returns list(piece, rows, counts) of each separator panel, by name. `columns`, `cells`: of the
 # grid.
 net_separators <- function(fields, plan, columns, cells) {
-  common <- Reduce(intersect, columns)
+  common <- Reduce(intersect, lapply(columns, whole_rows))
   Map(function(separator, given, name) {
     for (end in c("from", "to")) {
-      if (any(paste0(separator[[end]], "_window") %in% unlist(columns))) {
-        abort_field(paste("separators", name, end, sep = "."), separator[[end]],
-          "a row without a window")
-      }
       if (!separator[[end]] %in% common) {
         abort_reference(separator[[end]], separator[[end]], common, "row",
           paste("separators", name, end, sep = "."))
       }
     }
     rows <- common[seq(match(separator$from, common), match(separator$to, common))]
-    seam <- sum(vapply(cells[paste("back", rows, sep = "_")], function(cell) {
-      cell$mesh_size * cell$counts$deep
-    }, 0))
+    seam <- sum(row_depths(list(columns = columns, cells = cells), "back", rows))
     counts <- separator$meshes
     check_fit(paste("separators", name, "meshes.deep", sep = "."),
       max(counts$deep, abs(counts$upper - counts$lower) / 2), separator$mesh_size, seam,
@@ -123,6 +117,16 @@ net_separators <- function(fields, plan, columns, cells) {
     list(piece = c(own, list(part = name)), rows = rows, counts = separator$meshes,
       seam = first_of(separator$seam, "upper"))
   }, fields$separators, plan$separators, names(fields$separators))
+}
+
+# Returns the stretched depth (m) of whole rows of a panel.
+row_depths <- function(grid, panel, wholes) {
+  rows <- grid$columns[[panel]]
+  vapply(wholes, function(whole) {
+    sum(vapply(cells_of(grid, panel, rows[whole_rows(rows) == whole]), function(cell) {
+      cell$mesh_size * cell$counts$deep
+    }, 0))
+  }, 0)
 }
 
 # Returns the edges of separators along a row of the seam between a panel and the next one.
@@ -134,10 +138,7 @@ separator_edges <- function(grid, panel, after, row) {
       if (after == seams) c(back = "left", belly = "right")[[seams]]
     )
     if (!row %in% separator$rows || !length(sides)) return(NULL)
-    along <- vapply(separator$rows, function(row) {
-      cell <- grid$cells[[paste(seams, row, sep = "_")]]
-      cell$mesh_size * cell$counts$deep
-    }, 0)
+    along <- row_depths(grid, seams, separator$rows)
     ends <- c(0, cumsum(along) / sum(along)) * separator$counts$deep
     k <- match(row, separator$rows)
     edge_range(name, sides[1L], round(ends[k], 9L), round(ends[k + 1L], 9L), separator$counts$deep)

@@ -8,11 +8,21 @@
 # `columns`: for each panel, the names of its rows from front to rear. Neighbouring panels are
 # joined from end to end of each row that both have, and along the rows in between. Side panels may
 # end ahead of the last row; then the panels on both sides of them are neighbours behind this row.
+# Rows of a piece that a window divides have the name of the whole piece as names of the vector.
 # `cells`: the cell of each panel and row, named "panel_row".
 # `gathered`: TRUE if each wing tip is gathered at a point, FALSE if a line is laced along the tips.
 # `separators`: netting between the seams of both sides, by name (R/kind-net-inside.R).
 
 nothing <- stats::setNames(list(), character())
+
+# Returns the whole row to which each row of a panel belongs.
+whole_rows <- function(rows) first_of(names(rows), rows)
+
+# Returns the last row of a panel that belongs to a whole row, or NULL.
+rear_row <- function(rows, whole) {
+  found <- rows[whole_rows(rows) == whole]
+  if (length(found)) found[[length(found)]]
+}
 
 # Panels around the net, by their number.
 panels_by_number <- list(
@@ -58,10 +68,11 @@ panel_after <- function(around) c(around[-1L], around[1L])
 # Returns the rows at which side panels end, from front to rear, each with the names of the panels
 # that end there.
 ended_panels <- function(columns) {
-  last <- vapply(columns, function(rows) rows[length(rows)], "")
+  wholes <- lapply(columns, function(rows) unique(whole_rows(rows)))
+  last <- vapply(wholes, function(rows) rows[length(rows)], "")
   last <- last[!names(last) %in% c("back", "belly")]
-  back <- columns$back
-  last <- last[last %in% back[-length(back)] & last %in% columns$belly]
+  back <- wholes$back
+  last <- last[last %in% back[-length(back)] & last %in% wholes$belly]
   ended <- split(names(last), factor(last, back))
   ended[lengths(ended) > 0L]
 }
@@ -75,7 +86,9 @@ neighbours <- function(columns) {
   from <- stats::setNames(rep(0L, length(active)), active)
   for (k in seq_len(length(ended) + 1L)) {
     row <- names(ended)[k]
-    to <- if (is.na(row)) lengths(columns) else vapply(columns, match, 0L, x = row)
+    to <- if (is.na(row)) lengths(columns) else {
+      vapply(columns, function(rows) length(rows) + 1L - match(row, rev(whole_rows(rows))), 0L)
+    }
     stretch <- lapply(stats::setNames(nm = active), function(panel) {
       columns[[panel]][seq_len(to[[panel]] - from[[panel]]) + from[[panel]]]
     })
@@ -191,8 +204,7 @@ wing_end_points <- function(grid) {
 
 # Returns the edges of a cell as chains: its pieces side by side, and each cover.
 whole_edges <- function(cell, edge) {
-  covers <- vapply(names(cell$covers), paste, "", edge, sep = ".", USE.NAMES = FALSE)
-  c(list(paste0(names(cell$pieces), ".", edge)), covers)
+  c(list(paste0(names(cell$pieces), ".", edge)), sprintf("%s.%s", names(cell$covers), edge))
 }
 
 # Returns the seams between the pieces of a cell that are side by side.
@@ -242,8 +254,10 @@ cell_joints <- function(grid) {
     lapply(stats::setNames(seq_along(rows)[-1L], cells[-length(cells)]), function(k) {
       cell <- grid$cells[[cells[k - 1L]]]
       ring <- rows[k - 1L] %in% rings && !is_pair(cell)
-      row <- rows[k - 1L]
-      beside <- function(side) ended_neighbour(grid, panel, row, ended[[row]], side)
+      whole <- whole_rows(rows)[k - 1L]
+      beside <- function(side) {
+        if (whole_rows(rows)[k] != whole) ended_neighbour(grid, panel, whole, ended[[whole]], side)
+      }
       list(cell = cell, behind = grid$cells[[cells[k]]], ring = ring,
         name = if (ring) paste(cells[k - 1L], rows[k], sep = "_") else cell$name,
         left = beside("left"), right = beside("right"))
@@ -257,13 +271,13 @@ cell_joints <- function(grid) {
 # list(edge, width (m)), or NULL. A single side panel is divided in the middle. `ended`: panels that
 # end at this row; `side`: side of the panel at which the ended panel is.
 ended_neighbour <- function(grid, panel, row, ended, side) {
-  around <- names(grid$columns)[vapply(grid$columns, function(rows) row %in% rows, NA)]
+  around <- names(grid$columns)[vapply(grid$columns, function(rows) row %in% whole_rows(rows), NA)]
   turn <- if (side == "left") -1L else 1L
   next_to <- function(k) around[(k - 1L) %% length(around) + 1L]
   at <- match(panel, around)
   first <- next_to(at + turn)
   if (!first %in% ended) return(NULL)
-  cell <- grid$cells[[paste(first, row, sep = "_")]]
+  cell <- grid$cells[[paste(first, rear_row(grid$columns[[first]], row), sep = "_")]]
   meshes <- cell$counts$lower
   range <- c(0, meshes)
   if (!next_to(at + 2L * turn) %in% ended) {
@@ -333,14 +347,16 @@ side_seams <- function(grid) {
   seams
 }
 
-# Returns the stretch of the seam between two panels to which each row of both belongs: each row
-# that both have, and the rows in between. Stretches are named after their row; "wings" is the
+# Returns the stretch of the seam between two panels to which each row of both belongs: each whole
+# row that both have, and the rows in between. Stretches are named after their row; "wings" is the
 # stretch ahead of the first common row. `rows`: of both panels.
 row_stretches <- function(rows) {
-  both <- intersect(rows[[1L]], rows[[2L]])
+  wholes <- lapply(rows, whole_rows)
+  both <- intersect(wholes[[1L]], wholes[[2L]])
   between <- c("wings", paste0("behind_", both))
-  lapply(rows, function(rows) {
-    ifelse(rows %in% both, rows, between[cumsum(rows %in% both) + 1L])
+  lapply(wholes, function(rows) {
+    shared <- rows %in% both
+    ifelse(shared, rows, between[cumsum(shared & !duplicated(rows)) + 1L])
   })
 }
 

@@ -168,12 +168,6 @@ rear_edges <- function(columns, row) {
   paste0(section_panel_name(names(rows), rows), ".lower")
 }
 
-# Returns the row of a column at the rear edge of a row, which a window may divide, or NULL.
-rear_row <- function(rows, row) {
-  found <- intersect(c(row, paste0(row, "_behind")), rows)
-  if (length(found)) found[1L]
-}
-
 # Number of positions around the net that share a grid's weight and drag.
 places_of_grid <- 12
 

@@ -26,10 +26,6 @@ test_that("a window replaces its meshes and is joined along all its edges", {
   expect_equal(drawn$depth, rep(20 * 0.1, 3))
   # 40 meshes of 100 mm, in width at a hanging ratio of 0.5
   expect_equal(drawn$upper[drawn$name == "back_body_2_window"], 2)
-  cover <- list(mesh_size = "120 mm", twine = window$twine,
-    meshes = list(upper = 40, lower = 40, deep = 40))
-  expect_refused(update(trawl, net.upper.body_2.covers = list(chafer = cover)),
-    "body_2.window` is given; it must be omitted in a piece with `covers`")
   long <- modifyList(window, list(meshes = list(front = 800)))
   expect_refused(update(two_seam(), net.upper.body_2.window = long),
     "window.meshes.front` is 800; it must be .* hole in the piece, 4 m; it is 40 m long")
@@ -67,9 +63,48 @@ test_that("a separator panel is joined to both side seams from row to row", {
     measures(state)[["warp_tension_starboard_kN"]], tolerance = 1e-4)
   expect_refused(update(two_seam(), separators = list(a = modifyList(separator,
     list(from = "square")))), "separators.a.from")
+})
+
+test_that("windows and separators fit together", {
   window <- list(ahead = 20, rows = 20, across = 40, mesh_size = "100 mm",
     twine = list(diameter = "4 mm", material = "PE"),
-    meshes = list(front = 40, rear = 40, deep = 28))
-  expect_refused(update(trawl, net.upper.body_2.window = window),
-    "separators.separator.to` is \"body_2\"; it must be a row without a window")
+    meshes = list(front = 40, rear = 40, deep = 20))
+  separator <- list(from = "body_1", to = "body_2", mesh_size = "100 mm",
+    meshes = list(upper = 120, lower = 60, deep = 162), twine = list(diameter = "3 mm",
+      material = "PE"))
+  # both panels have a window, at different depths
+  trawl <- update(two_seam(), separators = list(separator = separator),
+    net.upper.body_2.window = window,
+    net.lower.body_2.window = modifyList(window, list(ahead = 45)))
+  # the front and rear edge of the separator are free
+  expect_equal(range(covered_edges(trawl), na.rm = TRUE), c(1, 1))
+  edges <- lapply(gear_si(trawl)$seams$body_2_back_belly$edges, vapply, function(edge) {
+    paste0(edge$panel, ".", edge$edge)
+  }, "")
+  expect_identical(edges, list(
+    paste0("back_body_2_", c("ahead", "window_right", "behind"), ".right"),
+    paste0("belly_body_2_", c("ahead", "window_left", "behind"), ".left"), "separator.right"))
+  found <- measures(settle(trawl, nodes = 400))
+  expect_equal(found[["warp_tension_port_kN"]], found[["warp_tension_starboard_kN"]],
+    tolerance = 1e-4)
+  cover <- list(mesh_size = "120 mm", twine = window$twine,
+    meshes = list(upper = 150, lower = 90, deep = 66))
+  expect_refused(update(trawl, net.upper.body_2.covers = list(chafer = cover)),
+    "body_2.window` is given; it must be omitted in a piece with `covers`")
+  expect_refused(update(two_seam(), net.upper.square.covers = list(flapper = cover)),
+    "net.upper.square.covers` is given; it must be omitted in a piece that the panel `lower`")
+})
+
+test_that("side panels may end at a row with a window", {
+  trawl <- net_form(read_gear("poly_noreastern_trawl"))
+  rows <- names(trawl$plan$net$side)
+  until <- rows[length(rows) - 1L]
+  whole <- trawl$plan$net$upper[[until]]
+  window <- list(ahead = 5, rows = 5, across = 8, mesh_size = whole$mesh_size, twine = whole$twine,
+    meshes = list(front = 8, rear = 8, deep = 5))
+  trawl <- update(trawl, net.side = trawl$plan$net$side[seq_len(length(rows) - 1L)])
+  plan <- trawl$plan
+  plan$net$upper[[until]]$window <- window
+  gear <- as_gear(unclass(plan))
+  expect_equal(range(covered_edges(gear)), c(1, 1))
 })
