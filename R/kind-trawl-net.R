@@ -147,8 +147,17 @@ line_ropes <- function(name, chain, grid, fields, plan) {
   line <- chain$line
   given <- if (line == "cross_ropes") plan$cross_ropes[[name]] else plan[[line]]
   hung <- if (line == "ground_gear") plan$footrope else given
+  # Ground gear is distributed like the footrope.
+  if (line == "ground_gear" && hung_by_sections(fields$footrope)) {
+    ropes <- line_ropes("footrope", list(line = "footrope", along = chain$along), grid, fields,
+      plan)
+    hung <- list(lengths = unlist(lapply(ropes, `[[`, "lengths"), use.names = FALSE))
+    chain$along <- unlist(lapply(ropes, `[[`, "along"), use.names = FALSE)
+  }
   if (!is.null(given$sections)) {
-    return(section_ropes(name, line, fields, given, chain_edges(grid, chain$along), hung))
+    edges <- chain_edges(grid, chain$along)
+    lengths <- first_of(hung$lengths, edges$stretched * first_of(unlist(hung$hanging_ratios), 1))
+    return(section_ropes(name, line, fields, given, edges, lengths))
   }
   rope <- if (line == "ground_gear") {
     ground_gear_rope(fields, plan, chain$along, hung$lengths)

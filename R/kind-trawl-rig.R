@@ -215,10 +215,10 @@ trawl_fittings <- function(fields, plan, net) {
     grouped_pieces(float_group, fields$floats, plan$floats, fields$headline, "floats", "floats",
       headline),
     do.call(c, lapply(setdiff(names(net$lines), c("ground_gear", "cross_ropes")), section_pieces,
-      mounted = "floats", float_group, fields, plan, net$lines)),
+      mounted = "floats", float_group, fields, plan, net)),
     grouped_pieces(disc_group, fields$ground_gear$discs, plan$ground_gear$discs,
       fields$ground_gear, "discs", "ground_gear.discs", "ground_gear"),
-    section_pieces("ground_gear", "discs", disc_group, fields, plan, net$lines),
+    section_pieces("ground_gear", "discs", disc_group, fields, plan, net),
     trawl_grids(fields, net$columns)
   )
   pieces$canvas <- part_with_role(plan$canvas, "canvas", along = headline, lift_direction = "up")

@@ -126,6 +126,66 @@ test_that("middle bridles lead to joints of the side line, or to equal distances
     "side_lines.sections` has 2; it must be 3 sections")
 })
 
+# Returns the stretched length (m) of the netting along each rope, by name.
+netting_along <- function(gear, ropes) {
+  panels <- gear_si(gear)$panels
+  vapply(ropes, function(rope) chain_length(rope$along, panels), 0)
+}
+
+test_that("sections of a line have the netting of their length and hanging ratio", {
+  line <- function(...) list(diameter = "20 mm", material = "combination_rope",
+    sections = list(...))
+  bare <- function(...) two_seam(..., floats = NULL)
+  whole <- sum(netting_along(bare(), ropes_of(bare(), "headline")))
+  # 12 m at 0.5 in the middle, the rest of the netting at 0.8
+  trawl <- bare(headline = line(list(length = "12 m", hanging_ratio = 0.5),
+    list(hanging_ratio = 0.8)))
+  ropes <- ropes_of(trawl, "headline")
+  netting <- netting_along(trawl, ropes)
+  expect_equal(netting[["headline"]], 24)
+  expect_equal(netting[["headline_2_port"]], (whole - 24) / 2)
+  expect_equal(vapply(ropes, `[[`, 0, "length"), netting * c(0.8, 0.5, 0.8))
+  expect_equal(range(covered_edges(trawl)), c(1, 1))
+  # lengths alone take the rest in proportion
+  trawl <- bare(headline = line(list(length = "12 m", hanging_ratio = 0.5), list(length = "3 m"),
+    list(length = "6 m")))
+  netting <- netting_along(trawl, ropes_of(trawl, "headline"))
+  expect_equal(netting[["headline_3_port"]], 2 * netting[["headline_2_port"]])
+  expect_equal(sum(netting), whole)
+})
+
+test_that("hanging ratios alone follow the pieces of netting", {
+  ratios <- function(...) list(diameter = "20 mm", material = "PP",
+    sections = lapply(list(...), function(ratio) list(hanging_ratio = ratio)))
+  trawl <- two_seam(footrope = ratios(0.5, 0.9, 0.8))
+  ropes <- ropes_of(trawl, "footrope")
+  expect_identical(vapply(ropes, function(rope) length(rope$along), 0L, USE.NAMES = FALSE),
+    rep(1L, 5))
+  expect_equal(unname(vapply(ropes, `[[`, 0, "length") / netting_along(trawl, ropes)),
+    c(0.8, 0.9, 0.5, 0.9, 0.8))
+  # ground gear of the same length is distributed like the footrope
+  long <- sum(vapply(ropes, `[[`, 0, "length"))
+  gear <- two_seam(footrope = ratios(0.5, 0.9, 0.8), ground_gear = list(length = long,
+    diameter = "60 mm", mass_in_water = "5 kg/m", axial_stiffness = "10 MN"))
+  expect_equal(ropes_of(gear, "ground_gear")$ground_gear$shares * long,
+    unname(vapply(ropes, `[[`, 0, "length")))
+  belly <- ropes_of(two_seam(belly_lines = ratios(0.95)), "belly_line")
+  expect_equal(vapply(belly, `[[`, 0, "length"),
+    0.95 * netting_along(two_seam(belly_lines = ratios(0.95)), belly))
+  expect_no_error(settle(trawl, nodes = 300))
+})
+
+test_that("sections without defined netting are refused", {
+  line <- function(..., more = list()) two_seam(headline = c(more, list(diameter = "20 mm",
+    material = "PP", sections = list(...))))
+  expect_refused(line(list(length = "12 m", hanging_ratio = 0.1), list(hanging_ratio = 0.5)),
+    "headline.sections` takes 120 m of stretched netting; it must be within")
+  expect_refused(line(list(length = "6 m", hanging_ratio = 0.5), list(hanging_ratio = 0.6),
+    list(length = "6 m")), "headline.sections` leaves the netting of several sections undefined")
+  expect_refused(line(list(length = "6 m", hanging_ratio = 0.5), list(length = "12 m"),
+    more = list(bosom = "5 m")), "headline.bosom.*not with a hanging ratio")
+})
+
 test_that("floats on a section of the footrope are pieces on each side", {
   float <- list(number = 6L, buoyancy = "1 kgf", diameter = "150 mm")
   trawl <- two_seam(footrope = list(diameter = "20 mm", material = "combination_rope",
