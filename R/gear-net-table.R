@@ -2,10 +2,11 @@
 
 # Fields of a piece by column of a table; other columns are named after their field.
 piece_columns <- c(
-  pair = "pair", mesh_size = "mesh_size", twine = "twine.diameter", material = "twine.material",
-  double = "twine.double", rtex = "twine.rtex", front = "meshes.front", rear = "meshes.rear",
-  deep = "meshes.deep", cutting = "cutting", left = "cutting.left", right = "cutting.right",
-  inner = "cutting.inner", outer = "cutting.outer", flying = "flying", joined = "joined"
+  pair = "pair", mesh_size = "mesh_size", mesh = "mesh_size", twine = "twine.diameter",
+  material = "twine.material", double = "twine.double", rtex = "twine.rtex",
+  front = "meshes.front", rear = "meshes.rear", deep = "meshes.deep", cutting = "cutting",
+  left = "cutting.left", right = "cutting.right", inner = "cutting.inner",
+  outer = "cutting.outer", flying = "flying", joined = "joined"
 )
 
 #' Read and write a net as a table
@@ -13,11 +14,8 @@ piece_columns <- c(
 #' Read the field `net` of a trawl from a table with one row per piece of netting, or write it.
 #'
 #' The table has the columns `panel` (upper, lower, side, ...), `row` (name of the piece) and any of
-#' these fields of a piece:
-#'
-#' | column | field |
-#' |---|---|
-#' `r paste0("| ", names(piece_columns), " | ", piece_columns, " |", collapse = "\n")`
+#' these columns, each for a field of a piece:
+#' `r toString(sprintf("\\code{%s} (\\code{%s})", names(piece_columns), piece_columns))`.
 #'
 #' Other columns are named after their field, such as `orientation` or `covers.chafer.mesh_size`.
 #' A header may contain a unit for its column: `mesh_size (mm)` or `mesh_size_mm`. Empty cells leave

@@ -32,6 +32,29 @@ test_that("a pasted sheet with units in its header reads as a net", {
   expect_error(write_net(read_gear("pair_trawl"), "x.csv"), "net_form")
 })
 
+test_that("a sheet of 13 rows with other names and decimal commas settles", {
+  sheet <- "Panel;Row;Pair;Mesh (mm);Twine (mm);Material;Double;Front;Deep;Inner;Outer;Cutting
+    Upper;Wing 1;yes;160;4,0;PE;;22;45,5;AB;1N2B;
+    ;Wing 2;yes;140;3,0;PE;;52;48;AB;1N2B;
+    ;Square;;140;3;PE;;230;32;;;1N2B
+    ;Body 1;;140;3;PE;;198;50;;;1N2B
+    ;Body 2;;100;2,5;PE;;205;80;;;1N2B
+    ;Extension;;80;2,5;PE;;156;100;;;5N2B
+    ;Codend;;80;3;PE;yes;122;75;;;AN
+    Lower;Lower wing 1;yes;160;4;PE;;25;50;1N4B;1N2B;
+    ;Lower wing 2;yes;140;4;PE;;40;74;1N4B;1N2B;
+    ;Body 1;;140;4;PE;;198;50;;;1N2B
+    ;Body 2;;100;4;PE;;205;80;;;1N2B
+    ;Extension;;80;3;PE;;156;100;;;5N2B
+    ;Codend;;80;3;PE;yes;122;75;;;AN"
+  trawl <- update(two_seam(), net = read_net(sheet))
+  wing <- gear_si(trawl)$panels$back_Wing_1_left
+  # 45.5 rows lose half a mesh each at the outer edge and gain one each at the inner edge
+  expect_equal(c(wing$mesh_size, wing$twine_diameter, wing$lower), c(0.16, 0.004, 22 + 45.5 / 2))
+  expect_equal(gear_si(trawl)$panels$belly_Body_1$twine_diameter, 0.004)
+  expect_no_error(settle(trawl, nodes = 300))
+})
+
 test_that("the net of a plan may be a table in its folder", {
   folder <- withr::local_tempdir()
   trawl <- two_seam()
