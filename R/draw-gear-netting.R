@@ -347,8 +347,9 @@ label_column <- function(sheet, column, figure, scale, at, look, use) {
   inner <- put_inner_rates(sheet, column, scale, at, look, use)
   rows <- which(panels$labelled)
   middle <- at[2] - scale[2] * (panels$y[rows] + panels$depth[rows] / 2)
-  # Panels side by side, such as two wings of a whole panel, share a text line.
-  line <- match(round(middle, 3), round(middle, 3))
+  # Panels side by side with the same netting, such as two wings of a whole panel, share a line.
+  key <- paste(round(middle, 3), apply(column$words[, rows, drop = FALSE], 2L, toString))
+  line <- match(key, key)
   y <- middle
   firsts <- unique(line)
   y[firsts] <- spread_labels(middle[firsts], look$line, -Inf, at[2])

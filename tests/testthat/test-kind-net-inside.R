@@ -24,6 +24,11 @@ test_that("a window replaces its meshes and is joined along all its edges", {
   expect_length(unique(flat$panels$column[grepl("body_2_window", flat$panels$name)]), 1)
   drawn <- flat$panels[grepl("body_2_window", flat$panels$name), ]
   expect_equal(drawn$depth, rep(20 * 0.1, 3))
+  # its label has its own line
+  sheet <- gear_sheet(trawl, "A3")
+  texts <- unlist(lapply(sheet$items, `[[`, "text"))
+  expect_true("R7680 PE square" %in% texts)
+  expect_identical(overlaps(sheet), character())
   # 40 meshes of 100 mm, in width at a hanging ratio of 0.5
   expect_equal(drawn$upper[drawn$name == "back_body_2_window"], 2)
   long <- modifyList(window, list(meshes = list(front = 800)))
