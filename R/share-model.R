@@ -22,8 +22,8 @@ shared_model <- function(state, fields) {
   # positions in the concatenation of the arrays that sliders change
   place <- cumsum(filler$array %in% filler$array[index])
   terms <- lapply(series$terms, function(term) {
-    list(of = I(term$of - 1L), sizes = I(term$sizes), index = keep(place[term$index] - 1L),
-      series = keep(as.vector(term$series)))
+    list(of = I(term$of - 1L), nodes = lapply(unname(term$nodes), I),
+      index = keep(place[term$index] - 1L), change = keep(as.vector(term$change)))
   })
   packed <- packed_arrays(arrays)
   boards <- state$si$otter_boards

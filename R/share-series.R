@@ -1,19 +1,20 @@
 # The effect of sliders on the numbers of a gear, from its plan at several values of the sliders.
 #
-# Over the range of a slider, t from -1 to 1, each number that changes is a series of Chebyshev
-# polynomials through its values at Chebyshev-Lobatto nodes. Linear and quadratic changes are exact,
-# others such as roots accurate to rounding. If two sliders change the same number, a series in both
-# adds their interaction. All series are checked against the plan at other values.
+# Over the range of a slider, each number that changes is the polynomial through its values at the
+# nodes of the slider: the gear's own value, where the change is 0, and Chebyshev-Lobatto nodes.
+# Linear and quadratic changes are exact, others such as roots accurate to rounding. If two sliders
+# change the same number, a polynomial in both adds their interaction. All polynomials are checked
+# against the plan at other values.
 #
-# A term is list(of = one or two sliders, sizes = polynomials of each, index = numbers that change,
-# series = coefficients [numbers x products of polynomials], the first slider fastest).
+# A term is list(of = one or two sliders, nodes = values of each slider, index = numbers that
+# change, change = changes [numbers x nodes of both sliders], the first slider fastest).
 
 # Target and limit of the misfit, as a fraction of the largest number in an array.
 series_reached <- 1e-13
 series_refused <- 1e-10
 # Numbers of nodes to try, for one slider and for each of two sliders.
 series_nodes <- list(c(3L, 5L, 9L, 17L), c(2L, 3L, 5L))
-# Values of t at which series are checked against the plan.
+# Fractions of the range, -1 to 1, at which terms are checked against the plan.
 series_checks <- cbind(c(0.83, -0.57, 0.31, -0.14), c(-0.71, 0.64, -0.26, 0.93))
 
 # Numbers for the initial layout and the meshing. A page needs neither, as it starts from a shape.
@@ -127,37 +128,32 @@ slider_series <- function(state, fields, standard) {
   list(fields = fields[kept()], terms = terms, filler = filler, left_out = left_out, misfit = off)
 }
 
-to_share <- function(field, value) {
-  (2 * value - field$lower - field$upper) / (field$upper - field$lower)
-}
+# Returns the value of a slider at a fraction of its range, -1 to 1.
 of_share <- function(field, t) {
   value <- (field$lower + field$upper + t * (field$upper - field$lower)) / 2
   if (field$whole) round(value) else value
 }
 
-# Returns Chebyshev polynomials 0 to n - 1 at t, a column each.
-chebyshev <- function(t, n) {
-  outer(t, seq_len(n) - 1L, function(t, k) cos(k * acos(pmin(pmax(t, -1), 1))))
+# Returns the nodes of a slider: the gear's own value, and those of `n` nodes that differ from it.
+slider_nodes <- function(field, n) {
+  nodes <- unique(of_share(field, -cos(pi * (seq_len(n) - 1L) / (n - 1L))))
+  c(field$value, nodes[abs(nodes - field$value) > 1e-3 * (field$upper - field$lower)])
 }
 
-lobatto <- function(n) -cos(pi * (seq_len(n) - 1L) / (n - 1L))
-
-# Returns the products of the polynomials of one or two sliders: rows as in t, a column each.
-polynomials <- function(t, sizes) {
-  one <- chebyshev(t[, 1L], sizes[1L])
-  if (length(sizes) == 1L) return(one)
-  two <- chebyshev(t[, 2L], sizes[2L])
-  one[, rep(seq_len(sizes[1L]), sizes[2L]), drop = FALSE] *
-    two[, rep(seq_len(sizes[2L]), each = sizes[1L]), drop = FALSE]
+# Returns the weights of the changes at all nodes of a term's sliders: Lagrange's polynomials.
+node_weights <- function(nodes, values) {
+  each <- Map(function(nodes, value) {
+    vapply(seq_along(nodes), function(k) prod((value - nodes[-k]) / (nodes[k] - nodes[-k])), 0)
+  }, nodes, values)
+  as.vector(Reduce(outer, each))
 }
 
 # Returns the change of all numbers by terms at values of all sliders.
-series_change <- function(terms, filler, fields, values) {
+series_change <- function(terms, filler, values) {
   change <- numeric(length(filler$array))
   for (term in terms) {
-    t <- matrix(mapply(to_share, fields[term$of], values[term$of]), 1L)
     change[term$index] <- change[term$index] +
-      drop(term$series %*% t(polynomials(t, term$sizes)))
+      drop(term$change %*% node_weights(term$nodes, values[term$of]))
   }
   change
 }
@@ -169,11 +165,11 @@ array_sizes <- function(filler, x) {
 
 # Returns the largest error of terms as a fraction of the largest number in its array, or a string
 # with the reason why the plan allows no such gear.
-misfit <- function(terms, filler, fields, values) {
+misfit <- function(terms, filler, values) {
   base <- filler$fill()
   x <- filler$fill(values)
   if (is.character(x)) return(x)
-  off <- x - base - series_change(terms, filler, fields, values)
+  off <- x - base - series_change(terms, filler, values)
   max(0, abs(off) / array_sizes(filler, pmax(abs(x), abs(base))))
 }
 
@@ -187,43 +183,29 @@ fitted_term <- function(filler, fields, of, terms = list()) {
   })
   # Returns the largest misfit, or a string with a reason.
   held_to <- function(terms) {
-    off <- lapply(checks, function(values) misfit(terms, filler, fields, values))
+    off <- lapply(checks, function(values) misfit(terms, filler, values))
     odd <- Filter(is.character, off)
     if (length(odd)) odd[[1L]] else max(unlist(off))
   }
-  nothing <- list(of = of, sizes = 0L * of, index = integer(), series = matrix(0, 0L, 0L))
+  nothing <- list(of = of, nodes = list(), index = integer(), change = matrix(0, 0L, 0L))
   if (length(terms)) {
     off <- held_to(terms)
     if (is.character(off)) return(off)
     if (off <= 10 * series_reached) return(nothing)
   }
   for (n in series_nodes[[length(of)]]) {
-    t <- lapply(fields[of], function(field) {
-      to_share(field, unique(of_share(field, lobatto(n))))
-    })
-    grid <- as.matrix(expand.grid(t))
-    values <- lapply(seq_len(nrow(grid)), function(k) values_at(grid[k, ]))
+    nodes <- lapply(fields[of], slider_nodes, n)
+    values <- apply(expand.grid(nodes), 1L, function(at) replace(own, of, at), simplify = FALSE)
     all <- lapply(values, filler$fill)
     odd <- Filter(is.character, all)
     if (length(odd)) return(odd[[1L]])
-    y <- mapply(function(x, values) {
-      x - base - series_change(terms, filler, fields, values)
-    }, all, values)
+    y <- mapply(function(x, values) x - base - series_change(terms, filler, values), all, values)
     y <- matrix(y, ncol = length(all))
     index <- which(do.call(pmax, as.data.frame(abs(y))) > 1e-15 * array_sizes(filler, base))
-    found <- nothing
-    if (length(index)) {
-      found[c("sizes", "index")] <- list(unname(lengths(t)), index)
-      solved <- solve(polynomials(grid, found$sizes))
-      found$series <- y[index, , drop = FALSE] %*% t(solved)
-      # no change at the gear's own values
-      here <- matrix(mapply(to_share, fields[of], own[of]), 1L)
-      found$series[, 1L] <- found$series[, 1L] -
-        drop(found$series %*% t(polynomials(here, found$sizes)))
-    }
+    found <- list(of = of, nodes = nodes, index = index, change = y[index, , drop = FALSE])
     off <- held_to(c(terms, list(found)))
     if (is.character(off)) return(off)
-    if (off <= 10 * series_reached || any(lengths(t) < n)) break
+    if (off <= 10 * series_reached || any(lengths(nodes) < n)) break
   }
   if (off > series_refused) {
     return(sprintf("changes the model too irregularly for a series (relative residual %.0e)", off))
@@ -237,7 +219,7 @@ misfit_together <- function(filler, fields, terms, kept) {
   off <- lapply(1:3, function(k) {
     t <- cos(pi * ((kept * 0.618034 * k + 0.1 * k) %% 1))
     values <- replace(own_values(fields), kept, mapply(of_share, fields[kept], t))
-    misfit(terms, filler, fields, values)
+    misfit(terms, filler, values)
   })
   max(0, unlist(Filter(is.numeric, off)))
 }

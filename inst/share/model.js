@@ -57,18 +57,15 @@ function codendModel(engine, page, bytes) {
   // The arrays that sliders change, concatenated.
   page.touched.forEach(function (name) { base.push.apply(base, of.array(name)); });
 
-  function chebyshev(field, value, n) {
-    var t = (2 * value - field.lower - field.upper) / (field.upper - field.lower);
-    var angle = Math.acos(Math.min(Math.max(t, -1), 1)), out = [];
-    for (var k = 0; k < n; k++) out.push(Math.cos(k * angle));
-    return out;
-  }
-  // Returns products of the polynomials of a term's sliders. The first slider varies fastest.
-  function polynomials(term, values) {
-    return term.of.reduce(function (before, f, k) {
-      var out = [];
-      chebyshev(fields[f], values[f], term.sizes[k]).forEach(function (one) {
-        before.forEach(function (product) { out.push(product * one); });
+  // Returns the weights of the changes at all nodes of a term's sliders: Lagrange's polynomials. The
+  // first slider varies fastest.
+  function node_weights(term, values) {
+    return term.of.reduce(function (before, f, s) {
+      var nodes = term.nodes[s], out = [];
+      nodes.forEach(function (node) {
+        var weight = 1;
+        nodes.forEach(function (other) { if (other !== node) weight *= (values[f] - other) / (node - other); });
+        before.forEach(function (product) { out.push(product * weight); });
       });
       return out;
     }, [1]);
@@ -76,12 +73,10 @@ function codendModel(engine, page, bytes) {
   function fill(values) {
     var x = Float64Array.from(base), at = 0;
     page.terms.forEach(function (term) {
-      var one = polynomials(term, values), index = of.array(term.index), series = of.array(term.series);
-      var n = index.length;
-      for (var k = 0; k < n; k++) {
-        for (var change = 0, c = 0; c < one.length; c++) change += series[n * c + k] * one[c];
-        x[index[k]] += change;
-      }
+      var index = of.array(term.index), change = of.array(term.change), n = index.length;
+      node_weights(term, values).forEach(function (weight, c) {
+        for (var k = 0; k < n; k++) x[index[k]] += change[n * c + k] * weight;
+      });
     });
     page.touched.forEach(function (name) {
       var from = at;

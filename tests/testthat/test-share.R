@@ -2,7 +2,7 @@
 misfit_at_random <- function(series, places = 3) {
   max(vapply(seq_len(places), function(k) {
     values <- vapply(series$fields, function(field) of_share(field, stats::runif(1, -1, 1)), 0)
-    off <- misfit(series$terms, series$filler, series$fields, values)
+    off <- misfit(series$terms, series$filler, values)
     if (is.character(off)) 0 else off
   }, 0))
 }
