@@ -42,6 +42,12 @@ check_given <- function(...) {
 # Raises an error about a function argument. `message` takes its values from the caller's variables.
 abort_argument <- function(message) abort_as("argument", message, envir = parent.frame())
 
+# Warns with the class `codend_warning_KIND`.
+warn_as <- function(kind, message) {
+  cli::cli_warn(message, class = c(paste0("codend_warning_", kind), "codend_warning"), call = NULL,
+    .envir = parent.frame())
+}
+
 abort_not_converged <- function(message, ...) {
   abort_as("not_converged", message, ..., envir = parent.frame())
 }

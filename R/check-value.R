@@ -2,11 +2,19 @@
 
 is_text <- function(value) is.character(value) && length(value) == 1 && !is.na(value)
 
+# TRUE for a vector with a name for each element.
+is_named <- function(value) {
+  length(value) > 0L && !is.null(names(value)) && all(nzchar(names(value)))
+}
+
 is_map <- function(value) {
   is.list(value) && (!is.null(names(value)) || length(value) == 0)
 }
 
 first_of <- function(value, otherwise) if (is.null(value)) otherwise else value
+
+# Returns at most `most` evenly spaced numbers from 1 to n.
+evenly <- function(n, most) unique(round(seq(1, n, length.out = min(n, most))))
 
 table_rows <- function(table, rows = seq_len(nrow(table))) {
   table <- table[rows, , drop = FALSE]
@@ -91,6 +99,12 @@ is_plain_number <- function(value) {
 
 check_truth <- function(value, name) {
   if (!isTRUE(value) && !isFALSE(value)) abort_argument("{.arg {name}} must be TRUE or FALSE.")
+}
+
+check_fraction <- function(value, name, below = Inf) {
+  if (is_plain_number(value) && value > 0 && value < below) return(invisible())
+  allowed <- if (is.finite(below)) paste("between 0 and", below) else "above 0"
+  abort_argument("{.arg {name}} is {describe_value(value)}; it must be a fraction {allowed}.")
 }
 
 check_count <- function(name, value, least = 1) {

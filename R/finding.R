@@ -107,8 +107,7 @@ found_by <- function(check, gear, state) {
 warn_of_check <- function(check, state, kind) {
   text <- finding_sentences(finding_rows(found_by(check, state$gear, state)))
   if (!length(text)) return(FALSE)
-  cli::cli_warn("{text[1L]}", class = c(paste0("codend_warning_", kind), "codend_warning"),
-    call = NULL)
+  warn_as(kind, "{text[1L]}")
   TRUE
 }
 

@@ -13,8 +13,7 @@ warn_of_instability <- function(state) {
       "The netting may have passed through itself. Check the picture of this state, and settle with
       other {.arg nodes}.")
   }
-  cli::cli_warn(
-    c(paste("The equilibrium of", of[2L], "is unstable: small disturbances grow."), "i" = of[3L]),
-    class = c(paste0("codend_warning_", of[1L], "_unstable"), "codend_warning"), call = NULL
-  )
+  warn_as(paste0(of[1L], "_unstable"), c(
+    paste("The equilibrium of", of[2L], "is unstable: small disturbances grow."), "i" = of[3L]
+  ))
 }

@@ -169,6 +169,11 @@ measure_help <- function() {
 
 # Returns an element of a result, NULL if there is none. known: names of all elements. A former
 # name is an error.
+#' @rawNamespace
+#' S3method(base::"$",codend_calibration,result_element)
+#' S3method(base::"$",codend_found,result_element)
+#' S3method(base::"$",codend_optimum,result_element)
+#' S3method(base::"$",codend_uncertainty,result_element)
 result_element <- function(x, name, known = names(x)) {
   now <- if (!name %in% known) intersect(former_names[[name]], known)
   if (!length(now)) return(.subset2(x, name))

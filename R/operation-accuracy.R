@@ -25,12 +25,9 @@ settle_accurately <- function(state, accuracy, netting) {
       settled_state(state$gear, nodes * growth, netting, state)
     }
     if (is.null(finer) || finer$mesh$nodes < least_ratio * nodes) {
-      cli::cli_warn(
-        "The main measures of {.val {state$si$name}} are within about {percent_text(error)}, not
-        {percent_text(accuracy)}: {if (is.null(finer)) paste('a smaller error needs more than',
-        most_accurate_nodes, 'nodes') else 'its plan fixes the segments'}.",
-        class = c("codend_warning_accuracy", "codend_warning"), call = NULL
-      )
+      warn_as("accuracy", "The main measures of {.val {state$si$name}} are within about
+        {percent_text(error)}, not {percent_text(accuracy)}: {if (is.null(finer)) paste('a smaller
+        error needs more than', most_accurate_nodes, 'nodes') else 'its plan fixes the segments'}.")
       return(state)
     }
     finer$report$cpu_seconds <- finer$report$cpu_seconds + state$report$cpu_seconds

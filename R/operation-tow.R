@@ -259,12 +259,11 @@ tow_method <- function(scheme, accuracy, step) {
 # Backward Euler accumulates errors beyond three times the error of one step.
 warn_of_scheme <- function(method) {
   if (method$scheme != "backward_euler" || method$accuracy == 0) return(invisible())
-  cli::cli_warn(
-    c("Step errors of backward Euler accumulate: the error of positions may exceed three times the
-        accuracy of {figures(method$accuracy)} m.",
-      "i" = "{.val bdf2} and {.val generalised_alpha} stay within this limit on all tested gears."),
-    class = c("codend_warning_accuracy", "codend_warning"), call = NULL
-  )
+  warn_as("accuracy", c(
+    "Step errors of backward Euler accumulate: the error of positions may exceed three times the
+      accuracy of {figures(method$accuracy)} m.",
+    "i" = "{.val bdf2} and {.val generalised_alpha} stay within this limit on all tested gears."
+  ))
 }
 
 # Returns the limits for one step: list(position (m), tension (fraction of the largest tension)).

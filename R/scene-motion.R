@@ -34,8 +34,6 @@ motion_scene <- function(trajectory, colour = "tension", bytes = scene_bytes) {
   )
 }
 
-evenly <- function(n, most) unique(round(seq(1, n, length.out = min(n, most))))
-
 scene_size <- function(scene) sum(nchar(unlist(scene), "bytes"))
 
 motion_graph <- function(trajectory) {

@@ -25,8 +25,7 @@ layout_numbers <- "^numbers[.]gear[.].*[.](near|upright|room|segments)$"
 # reason why the plan allows none.
 gear_filler <- function(state, fields, standard) {
   asked <- state$mesh$counts$asked
-  netting <- Find(function(netting) identical(panels_of_bars(state$si, netting), asked$bars),
-    list(NULL, "bars", "cells"))
+  netting <- requested_netting(state)
   own <- own_values(fields)
   arrays_at <- function(values) {
     moved <- which(values != own)

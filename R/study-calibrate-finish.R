@@ -3,9 +3,7 @@ finish_calibration <- function(refined) {
   fit <- refined$fit
   scaled <- fit$scaled
   fields <- task$points$fields
-  at <- character(length(fields))
-  at[scaled <= active_share] <- "lower"
-  at[scaled >= 1 - active_share] <- "upper"
+  at <- range_ends(scaled)
   model <- model_at(task, scaled, slopes = TRUE)
   begun <- model_of(task, task$begun)
   used <- lapply(task$match, function(one) which(!is.na(one$measured)))

@@ -85,12 +85,13 @@ logLik.codend_calibration <- function(object, ...) {
     class = "logLik")
 }
 
-check_level <- function(level) {
-  if (!(is.numeric(level) && length(level) == 1L && is.finite(level) && level > 0 && level < 1)) {
-    abort_argument("{.arg level} is {describe_value(level)}; it must be a fraction between 0 and
-      1.")
-  }
+check_is_calibration <- function(calibration) {
+  if (inherits(calibration, "codend_calibration")) return(invisible())
+  abort_argument("{.arg calibration} must be a calibration, as {.fn calibrate} returns, not
+    {.cls {class(calibration)}}.")
 }
+
+check_level <- function(level) check_fraction(level, "level", below = 1)
 
 #' @rdname calibration_methods
 #' @importFrom stats confint
@@ -234,9 +235,6 @@ with_mean_correction <- function(cases, others) {
   })
 }
 
-#' @rawNamespace S3method(base::"$",codend_calibration)
-`$.codend_calibration` <- result_element
-
 #' @rdname calibrate
 #' @param x A calibration.
 #' @param n Largest number of fields and of matches to print. Default 10. `Inf` prints all.
@@ -251,7 +249,7 @@ print.codend_calibration <- function(x, n = 10, ...) {
     paste0("  ", field_labels(fields$field)), sure_digits(fields$value, fields$error),
     ifelse(is.na(fields$error), "", paste("+-", sensitivity_digits(signif(fields$error, 2)))),
     fields$unit, paste0("(", sensitivity_digits(fields$begun), " before)"),
-    ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
+    end_text(fields$at)
   ), c(1L, 3L, 4L, 6L), n, "field")
   match <- x$match
   cat("  Root mean square of the residuals\n")

@@ -158,17 +158,13 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting, ac
   task$left_out <- which(!good[task$case_of])
   if (length(task$left_out)) {
     rows <- task$left_out
-    cli::cli_warn(
-      "The gear does not settle in {length(rows)} row{?s} of the data. The calibration omits row{?s}
-      {rows}.",
-      class = c("codend_warning_hauls_left_out", "codend_warning"), call = NULL
-    )
+    warn_as("hauls_left_out", "The gear does not settle in {length(rows)} row{?s} of the data. The
+      calibration omits row{?s} {rows}.")
   }
   some <- complete_point(task$cases[[which(good)[1L]]], task$memory$near[[which(good)[1L]]])
   task$words <- formula_names(measures(some$state))
   task$match <- read_matches(match, data, task, error)
-  named <- unlist(lapply(task$match, function(one) one$formula$names))
-  task$of <- unique(task$words$column[task$words$name %in% named])
+  task$of <- formula_measures(task$words, lapply(task$match, `[[`, "formula"))
   task
 }
 

@@ -35,14 +35,20 @@ least_elasticity <- 0.01
 # For whole numbers: largest relative change of the derivative over the relative step of the field.
 most_curvature <- 3
 
+# Returns the argument `netting` that gives the elements of a state.
+requested_netting <- function(state) {
+  bars <- state$mesh$counts$asked$bars
+  Find(function(netting) identical(panels_of_bars(state$si, netting), bars),
+    list(NULL, "bars", "cells"))
+}
+
 # `near`: the factorised equilibrium, absent if iterations fail. base: from `state_values()`.
 tangent_work <- function(state, base = state_values(state)) {
   asked <- state$mesh$counts$asked
   si <- state$si
   work <- list(
     state = state, nodes = asked$nodes,
-    netting = Find(function(netting) identical(panels_of_bars(si, netting), asked$bars),
-      list(NULL, "bars", "cells")),
+    netting = requested_netting(state),
     cost = new.env(parent = emptyenv())
   )
   work$measures <- names(base$values)

@@ -143,10 +143,7 @@ sobol_indices <- function(x, measures, confidence, resamples, seed) {
   if (!identical(study$how, "indices")) {
     abort_argument("{.arg object} must be a study of {.code designs(how = \"indices\")}.")
   }
-  good <- is.numeric(confidence) && length(confidence) == 1L && confidence > 0 && confidence < 1
-  if (!isTRUE(good)) {
-    abort_argument("{.arg confidence} is {.val {confidence}}; it must be between 0 and 1.")
-  }
+  check_fraction(confidence, "confidence", below = 1)
   check_count("resamples", resamples, 10)
   measures <- changing_measures(x, measures)
   report_unsettled(x)
@@ -229,8 +226,7 @@ changing_measures <- function(x, measures) {
 report_unsettled <- function(x) {
   failed <- sum(!x$settled)
   if (failed) {
-    cli::cli_warn("{failed} of {nrow(x)} design{?s} did not settle and {?is/are} omitted.",
-      class = c("codend_warning_study", "codend_warning"))
+    warn_as("study", "{failed} of {nrow(x)} design{?s} did not settle and {?is/are} omitted.")
   }
 }
 

@@ -46,13 +46,10 @@
 #' explain_misfit(fit, fields = c("pieces.sphere.mass", "pieces.sphere.drag_coefficient"))
 explain_misfit <- function(calibration, fields = NULL, spread = 0.2, sensor = 0.02, cases = 8) {
   check_given("calibration")
-  if (!inherits(calibration, "codend_calibration")) {
-    abort_argument("{.arg calibration} must be a calibration, as {.fn calibrate} returns, not
-      {.cls {class(calibration)}}.")
-  }
+  check_is_calibration(calibration)
   check_count("cases", cases)
-  check_share(spread, "spread")
-  check_share(sensor, "sensor")
+  check_fraction(spread, "spread")
+  check_fraction(sensor, "sensor")
   found <- explained_cases(calibration, explained_inputs(calibration, fields), cases)
   structure(
     list(
@@ -61,12 +58,6 @@ explain_misfit <- function(calibration, fields = NULL, spread = 0.2, sensor = 0.
     ),
     class = "codend_explanation", gear_name = calibration$gear$plan$name
   )
-}
-
-check_share <- function(value, name) {
-  if (!(is.numeric(value) && length(value) == 1L && is.finite(value) && value > 0)) {
-    abort_argument("{.arg {name}} is {describe_value(value)}; it must be a fraction above 0.")
-  }
 }
 
 # Default inputs: the last parts of their paths, and their largest number.
@@ -99,7 +90,7 @@ explained_cases <- function(fit, inputs, most) {
   task <- fit$task
   at <- cases_at(task, fit$scaled, slopes = FALSE)
   usable <- which(!vapply(at$points, is.null, NA))
-  chosen <- usable[unique(round(seq(1, length(usable), length.out = min(most, length(usable)))))]
+  chosen <- usable[evenly(length(usable), most)]
   lapply(chosen, function(k) {
     point <- at$points[[k]]
     all <- names(point$measures)
@@ -227,9 +218,8 @@ explain_measurements <- function(fit, cases, sensor) {
     exp((volume(known + hauls * more) - volume(known)) / (2 * length(free)))
   }, 0)
   words <- fit$task$words
-  taken <- unlist(lapply(fit$task$match, function(one) one$formula$names))
   found <- data.frame(measure = measures, gain = gain,
-    matched = measures %in% words$column[words$name %in% taken])
+    matched = measures %in% formula_measures(words, lapply(fit$task$match, `[[`, "formula")))
   table_rows(found, order(-found$gain))
 }
 

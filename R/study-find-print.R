@@ -14,17 +14,13 @@ print.codend_found <- function(x, n = 5, ...) {
     c(fields$unit, targets$unit),
     c(paste("before", sensitivity_digits(fields$start)),
       paste("target", sensitivity_digits(targets$target))),
-    c(end_text(fields), ifelse(targets$reached, "reached", "not reached"))
+    c(end_text(fields$at), ifelse(targets$reached, "reached", "not reached"))
   ), left = c(1L, 3L, 4L, 5L))
   cat_more(c(field = nrow(x$fields) - nrow(fields), target = nrow(x$targets) - nrow(targets)))
   if (!all(x$targets$reached)) cat(strwrap(not_reached_text(x), 78, 2, 2), sep = "\n")
   cat("  ", x$n_solves, " gears settled with ",
     mesh_size_text(x$state$mesh$nodes, main_error(measures(x$state))), "\n", sep = "")
   invisible(given)
-}
-
-end_text <- function(fields) {
-  ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
 }
 
 # Returns sentences about missed targets and the limits of the search.
@@ -40,9 +36,6 @@ not_reached_text <- function(x) {
     paste0("The target ", missed$measure, " = ", with_unit(missed$target),
       " is out of reach. The nearest value found is ", with_unit(missed$value), ".",
       collapse = " "),
-    if (nrow(ended)) paste0(" ", paste(ended$field, "is", end_text(ended), collapse = ", "), ".")
+    if (nrow(ended)) paste0(" ", paste(ended$field, "is", end_text(ended$at), collapse = ", "), ".")
   )
 }
-
-#' @rawNamespace S3method(base::"$",codend_found)
-`$.codend_found` <- result_element

@@ -70,13 +70,8 @@ target_step <- function(task, found, held) {
   ends[, held] <- rep(found$place[held], each = 2L)
   products <- crossprod(found$slopes)
   products <- products + diag(change_weight * max(diag(products), change_weight), nrow(products))
-  along <- drop(crossprod(found$slopes, found$slopes %*% found$place - found$miss))
-  best <- stats::nlminb(
-    found$place, function(u) sum(u * (products %*% u)) / 2 - sum(u * along),
-    function(u) drop(products %*% u) - along, function(u) products,
-    lower = ends[1L, ], upper = ends[2L, ], control = list(rel.tol = 1e-14, x.tol = 1e-12)
-  )
-  best$par - found$place
+  along <- drop(crossprod(found$slopes, found$miss - found$slopes %*% found$place))
+  least_quadratic(found$place, products, along, ends[1L, ], ends[2L, ]) - found$place
 }
 
 # Returns the point after the step, or after the first shorter step that reduces the misses; NULL if

@@ -87,10 +87,9 @@ new_find <- function(gear, change, target, nodes, netting, accuracy) {
   base <- list(values = own_values(fields), gear = gear, state = base, measures = measures(base))
   words <- formula_names(base$measures)
   targets <- read_targets(target, words, vapply(fields, function(field) field$paths[1L], ""))
-  named <- unlist(lapply(targets, function(one) one$formula$names))
   task <- list(
     points = points, words = words, targets = targets,
-    of = unique(words$column[words$name %in% named]), start = base$values, scale = 1
+    of = formula_measures(words, lapply(targets, `[[`, "formula")), start = base$values, scale = 1
   )
   task$size <- ifelse(base$values == 0, points$width, abs(base$values))
   scale <- abs(target_numbers(task))
@@ -101,8 +100,7 @@ new_find <- function(gear, change, target, nodes, netting, accuracy) {
 }
 
 check_targets <- function(target) {
-  named <- length(target) && !is.null(names(target)) && all(nzchar(names(target)))
-  if (is.list(target) && named && !anyDuplicated(names(target))) return(invisible())
+  if (is.list(target) && is_named(target) && !anyDuplicated(names(target))) return(invisible())
   abort_argument("{.arg target} must be a list of values by the names of measures, such as
     {.code list(door_spread = \"55 m\")}.")
 }
@@ -136,7 +134,7 @@ finish_find <- function(task, found) {
   point <- with_errors(points, found$point, points$shared$start)
   error <- formula_errors(points, point, task$words, formulas)
   scaled <- points_scaled(points, found$point$values)
-  at <- ifelse(scaled <= active_share, "lower", ifelse(scaled >= 1 - active_share, "upper", ""))
+  at <- range_ends(scaled)
   result <- structure(list(
     fields = data.frame(
       field = field_names(points$fields), value = found$point$values,
@@ -152,8 +150,7 @@ finish_find <- function(task, found) {
     gear = found$point$gear, state = state, n_solves = points$count$n_solves
   ), class = "codend_found")
   if (!is_compromise(task) && !all(result$targets$reached)) {
-    cli::cli_warn("{not_reached_text(result)}",
-      class = c("codend_warning_target_not_reached", "codend_warning"), call = NULL)
+    warn_as("target_not_reached", "{not_reached_text(result)}")
   }
   result
 }

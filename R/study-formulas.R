@@ -86,6 +86,11 @@ ready_expression <- function(call, what, words, paths, within = NULL) {
   list(text = text, call = call, names = named, slopes = slopes, dimensions = dimensions)
 }
 
+# Returns the columns of the measures in formulas.
+formula_measures <- function(words, formulas) {
+  unique(words$column[words$name %in% unlist(lapply(formulas, `[[`, "names"))])
+}
+
 formula_functions <- c("+", "-", "*", "/", "^", "(", "sqrt", "exp", "log", "sin", "cos", "tan")
 
 # Applies a function to each leaf of a call.

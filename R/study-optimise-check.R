@@ -1,8 +1,5 @@
 # First-order conditions of an optimum.
 
-# A condition or field is active within this fraction of its limit or range.
-active_share <- 1e-3
-
 # Evaluates the Karush-Kuhn-Tucker conditions at a tried point. Returns list(left, price, at).
 # `left`: largest remaining derivative of the objective by a scaled field, as a fraction of the
 # objective. `price`: multiplier of each condition, 0 if inactive. `at`: "lower", "upper" or "" by
@@ -10,9 +7,7 @@ active_share <- 1e-3
 optimality_of <- function(task, tried, held = integer()) {
   values <- tried$values
   n <- length(tried$scaled)
-  at <- character(n)
-  at[tried$scaled <= active_share] <- "lower"
-  at[tried$scaled >= 1 - active_share] <- "upper"
+  at <- range_ends(tried$scaled)
   ended <- which(at != "" & !seq_len(n) %in% held)
   ends <- diag(ifelse(at == "upper", 1, -1), n)[ended, , drop = FALSE]
   active <- which(values$equal | values$gap > -active_share)
@@ -33,14 +28,16 @@ least_weights <- function(rows, slope, signed) {
   size <- sqrt(rowSums(rows^2))
   size[size == 0] <- 1
   rows <- rows / size
-  products <- rows %*% t(rows)
-  along <- drop(rows %*% slope)
-  found <- stats::nlminb(
-    numeric(nrow(rows)),
-    function(w) sum(w * (products %*% w)) / 2 + sum(w * along) + sum(slope^2) / 2,
-    function(w) drop(products %*% w) + along,
-    function(w) products,
-    lower = ifelse(signed, -Inf, 0), control = list(rel.tol = 1e-14, x.tol = 1e-12)
-  )
-  found$par / size
+  least_quadratic(numeric(nrow(rows)), tcrossprod(rows), drop(rows %*% slope),
+    lower = ifelse(signed, -Inf, 0), value = sum(slope^2) / 2) / size
+}
+
+# Returns the x that minimises x'Ax / 2 + b'x + value within limits, by iterations from `start`.
+# value: at x = 0; the iterations stop at relative changes of the sum.
+least_quadratic <- function(start, a, b, lower, upper = Inf, value = 0) {
+  stats::nlminb(
+    start, function(x) sum(x * (a %*% x)) / 2 + sum(b * x) + value,
+    function(x) drop(a %*% x) + b, function(x) a,
+    lower = lower, upper = upper, control = list(rel.tol = 1e-14, x.tol = 1e-12)
+  )$par
 }

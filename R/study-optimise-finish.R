@@ -29,10 +29,8 @@ finish_optimum <- function(task, runs) {
   )
   if (!all(result$keep$holds)) {
     failed <- result$keep$text[!result$keep$holds]
-    cli::cli_warn(
-      "No settled gear meets {.code {failed}}; the result is the nearest gear.",
-      class = c("codend_warning_conditions_not_kept", "codend_warning"), call = NULL
-    )
+    warn_as("conditions_not_kept", "No settled gear meets {.code {failed}}; the result is the
+      nearest gear.")
   }
   structure(result, class = "codend_optimum")
 }

@@ -3,9 +3,6 @@ spread_text <- function(error) {
   if (is.finite(error) && error > 0) paste(" +-", sensitivity_digits(signif(error, 2))) else ""
 }
 
-#' @rawNamespace S3method(base::"$",codend_optimum)
-`$.codend_optimum` <- result_element
-
 #' @rdname optimise_gear
 #' @param x An optimum.
 #' @param n Largest number of fields and of conditions to print. Default 10. `Inf` prints all.
@@ -23,7 +20,7 @@ print.codend_optimum <- function(x, n = 10, ...) {
   cat_rows(list(
     paste0("  ", field_labels(fields$field)), sensitivity_digits(fields$begun),
     rep("to", nrow(fields)), sensitivity_digits(fields$value), fields$unit,
-    ifelse(fields$at == "", "", paste("at the", fields$at, "end of its range"))
+    end_text(fields$at)
   ), c(1L, 3L, 5L, 6L), n, "field")
   for (k in seq_len(min(n, nrow(x$keep)))) {
     keep <- x$keep[k, ]

@@ -156,7 +156,7 @@ search_starts <- function(task, places, most) {
 
 # Returns list(run (from `find_optimum()`), history, count) of one search.
 search_start <- function(place, number, task, most) {
-  task$history <- list2env(list(rows = list()), parent = emptyenv())
+  task$history <- new_search_history()
   task$points$count <- new_count()
   run <- find_optimum(task, as.double(place), most)
   list(run = run, history = task$history$rows, count = as.list(task$points$count))
@@ -237,15 +237,13 @@ new_task <- function(gear, minimise, keep, change, nodes, netting, accuracy, fil
   paths <- vapply(fields, function(field) field$paths[1L], "")
   objective <- read_formula(minimise, "minimise", words, paths)
   conditions <- if (is.null(keep)) list() else read_conditions(keep, words, paths)
-  named <- lapply(conditions, function(one) c(one$left$names, one$right$names))
-  named <- c(objective$names, unlist(named))
+  sides <- c(lapply(conditions, `[[`, "left"), lapply(conditions, `[[`, "right"))
   task <- list(
     points = points, words = words, objective = objective, keep = conditions, base = base,
     fine = first$fine,
-    of = unique(words$column[words$name %in% named]),
-    first = points_scaled(points, base$values), history = new.env(parent = emptyenv())
+    of = formula_measures(words, c(list(objective), sides)),
+    first = points_scaled(points, base$values), history = new_search_history()
   )
-  task$history$rows <- list()
   at <- formula_point(points, base, words)
   value <- evaluate_formula(objective, at)$value
   if (!is.finite(value)) {
@@ -404,6 +402,8 @@ is_better <- function(one, than) {
 
 # Penalty of a violation: percent of the objective per percent of the limit.
 most_price <- 20
+
+new_search_history <- function() list2env(list(rows = list()), parent = emptyenv())
 
 add_history <- function(task, tried) {
   row <- list(

@@ -40,9 +40,7 @@
 #' }
 sample_posterior <- function(calibration, draws = 1000, burn_in = 100, seed = 1) {
   check_given("calibration")
-  if (!inherits(calibration, "codend_calibration")) {
-    abort_argument("{.arg calibration} must be a result of {.fn calibrate}.")
-  }
+  check_is_calibration(calibration)
   check_count("draws", draws)
   check_count("burn_in", burn_in)
   check_count("seed", seed)
@@ -67,10 +65,8 @@ sample_posterior <- function(calibration, draws = 1000, burn_in = 100, seed = 1)
   chain <- chain_figures(found, calibration$fields$unit)
   poor <- chain$field[chain$effective < least_effective]
   if (length(poor)) {
-    cli::cli_warn(
-      "The effective sample size of {.field {poor}} is below {least_effective}: increase
-      {.arg draws}.", class = c("codend_warning_few_draws", "codend_warning"), call = NULL
-    )
+    warn_as("few_draws", "The effective sample size of {.field {poor}} is below
+      {least_effective}: increase {.arg draws}.")
   }
   structure(found, class = c("codend_posterior", "data.frame"), chain = chain,
     accepted = run$accept)

@@ -3,8 +3,7 @@
 # `normal_value()`, or NULL. `change`: ranges or distributions by path; " + " joins paths that
 # change together. `what`: argument name for errors.
 free_fields <- function(gear, change, what = "change") {
-  named <- is.list(change) && length(change) > 0L && !is.null(names(change))
-  if (!named || !all(nzchar(names(change)))) {
+  if (!is.list(change) || !is_named(change)) {
     abort_argument("{.arg {what}} must be a list of ranges by the paths of fields, such as
       {.code list(warps.length = c(\"300 m\", \"600 m\"))}.")
   }
@@ -102,6 +101,17 @@ set_free <- function(gear, fields, values) {
   }, fields, values), recursive = FALSE)
   with_fields(gear, changes)
 }
+
+# A condition or field is active within this fraction of its limit or range.
+active_share <- 1e-3
+
+# Returns "lower", "upper" or "" for scaled fields.
+range_ends <- function(scaled) {
+  ifelse(scaled <= active_share, "lower", ifelse(scaled >= 1 - active_share, "upper", ""))
+}
+
+# Returns the ends of ranges as text. at: from `range_ends()`.
+end_text <- function(at) ifelse(at == "", "", paste("at the", at, "end of its range"))
 
 lower_ends <- function(fields) vapply(fields, `[[`, 0, "lower")
 upper_ends <- function(fields) vapply(fields, `[[`, 0, "upper")

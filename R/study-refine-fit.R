@@ -55,7 +55,7 @@ fields_stay <- function(task, scaled) {
 
 compared_cases <- function(task, points) {
   settled <- which(!vapply(points, is.null, NA))
-  settled[unique(round(seq(1, length(settled), length.out = min(most_compared, length(settled)))))]
+  settled[evenly(length(settled), most_compared)]
 }
 
 # Returns the index in `chosen` of the nearest case, by measures relative to their ranges; NA if the

@@ -81,11 +81,6 @@ read_study <- function(store) {
   study_table(open_study(store), read_rows(stored_rows(store)))
 }
 
-open_study <- function(store) {
-  mark <- c(store = normalizePath(store), mark = store_mark(store))
-  if (identical(opened_store$mark, mark)) opened_store$study else read_store(store)
-}
-
 #' @rdname studies
 #' @export
 study_status <- function(store) {

@@ -168,9 +168,8 @@ stored_rows <- function(store) {
   if (!all(good) && !is_sealed(read_store_text(store))) good[] <- TRUE
   damaged <- sum(!good & !other)
   if (damaged) {
-    cli::cli_warn("{damaged} row{?s} of {.file {store}} {?is/are} damaged and omitted. Delete the
-      damaged files in its folders {.file rows} and {.file tasks} and run the study again.",
-      class = c("codend_warning_study", "codend_warning"), call = NULL)
+    warn_as("study", "{damaged} row{?s} of {.file {store}} {?is/are} damaged and omitted. Delete the
+      damaged files in its folders {.file rows} and {.file tasks} and run the study again.")
   }
   text <- text[good & !other]
   text[!duplicated(row_designs(text))]
@@ -243,15 +242,24 @@ done_finder <- function(store, mark = store_mark(store)) {
 # Cache of the last opened store, because one process runs many tasks of a store.
 opened_store <- new.env(parent = emptyenv())
 
-open_store <- function(store) {
+# Returns the study of a store.
+open_study <- function(store) {
   mark <- c(store = normalizePath(store), mark = store_mark(store))
   if (!identical(opened_store$mark, mark)) {
-    opened_store$mark <- NULL
+    rm(list = names(opened_store), envir = opened_store)
     opened_store$study <- read_store(store)
-    opened_store$base <- store_base(store, opened_store$study)
+    opened_store$mark <- mark
+  }
+  opened_store$study
+}
+
+# Returns the cache with the initial state of every run (`base`).
+open_store <- function(store) {
+  study <- open_study(store)
+  if (is.null(opened_store$seconds)) {
+    opened_store$base <- store_base(store, study)
     # Estimated CPU time of one run (s).
     opened_store$seconds <- max(first_of(opened_store$base$report$cpu_seconds, 1), 0.01)
-    opened_store$mark <- mark
   }
   opened_store
 }

@@ -2,59 +2,21 @@
 
 #' @rdname codend_tidy
 #' @export
+#' @rawNamespace
+#' S3method(tidy,codend_measures,tidy.codend_state)
+#' S3method(tidy,codend_trajectory,tidy.codend_state)
+#' S3method(tidy,codend_variations,tidy.codend_state)
+#' S3method(tidy,codend_sensitivities,tidy.codend_state)
+#' S3method(tidy,codend_effects,tidy.codend_state)
+#' S3method(tidy,codend_pair_effects,tidy.codend_state)
+#' S3method(tidy,codend_sobol_indices,tidy.codend_state)
+#' S3method(tidy,codend_uncertainty,tidy.codend_state)
+#' S3method(tidy,codend_calibration,tidy.codend_state)
+#' S3method(tidy,codend_posterior,tidy.codend_state)
+#' S3method(tidy,codend_optimum,tidy.codend_state)
+#' S3method(tidy,codend_found,tidy.codend_state)
+#' S3method(tidy,codend_trade_off,tidy.codend_state)
 tidy.codend_state <- function(x, ...) as.data.frame(x, ...)
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_measures <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_trajectory <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_variations <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_sensitivities <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_effects <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_pair_effects <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_sobol_indices <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_uncertainty <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_calibration <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_posterior <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_optimum <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_found <- tidy.codend_state
-
-#' @rdname codend_tidy
-#' @export
-tidy.codend_trade_off <- tidy.codend_state
 
 # ---- calibrations and optima ---------------------------------------------------------------------
 
@@ -183,15 +145,12 @@ errors.codend_variations <- function(x) {
 
 # Merges the columns of the results, as cbind() and data.frame() combine them.
 #' @export
+#' @rawNamespace
+#' S3method(merge,codend_posterior,merge.codend_variations)
+#' S3method(merge,codend_trade_off,merge.codend_variations)
 merge.codend_variations <- function(x, y, ...) {
   merge(as.data.frame(x, optional = TRUE), as.data.frame(y, optional = TRUE), ...)
 }
-
-#' @export
-merge.codend_posterior <- merge.codend_variations
-
-#' @export
-merge.codend_trade_off <- merge.codend_variations
 
 #' @rdname codend_tidy
 #' @export
@@ -219,21 +178,13 @@ glance.codend_found <- function(x, ...) {
 
 #' @rdname codend_tidy
 #' @export
+#' @rawNamespace
+#' S3method(as.data.frame,codend_effects,as.data.frame.codend_sensitivities)
+#' S3method(as.data.frame,codend_pair_effects,as.data.frame.codend_sensitivities)
+#' S3method(as.data.frame,codend_sobol_indices,as.data.frame.codend_sensitivities)
 as.data.frame.codend_sensitivities <- function(x, row.names = NULL, optional = FALSE, ...) {
   with_row_names(plain_table(x), row.names)
 }
-
-#' @rdname codend_tidy
-#' @export
-as.data.frame.codend_effects <- as.data.frame.codend_sensitivities
-
-#' @rdname codend_tidy
-#' @export
-as.data.frame.codend_pair_effects <- as.data.frame.codend_sensitivities
-
-#' @rdname codend_tidy
-#' @export
-as.data.frame.codend_sobol_indices <- as.data.frame.codend_sensitivities
 
 #' @rdname codend_tidy
 #' @export

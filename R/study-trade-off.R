@@ -31,9 +31,8 @@
 trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = NULL,
                       netting = NULL, accuracy = NULL, max_solves = 100, file = NULL) {
   check_given("gear", "minimise", "change")
-  named <- is.list(minimise) && length(minimise) == 2L && !is.null(names(minimise)) &&
-    all(nzchar(names(minimise))) && !anyDuplicated(names(minimise))
-  if (!named) {
+  two <- is.list(minimise) && length(minimise) == 2L && is_named(minimise)
+  if (!two || anyDuplicated(names(minimise))) {
     abort_argument("{.arg minimise} must be two objectives by their names, such as
       {.code list(drag = ~ total_drag, height = ~ -headline_height)}.")
   }
@@ -99,9 +98,8 @@ with_limit <- function(task, objective, limit) {
     way = 1, equal = FALSE)
   task$keep <- c(task$keep, list(condition))
   task$limits <- c(task$limits, max(abs(limit), .Machine$double.xmin))
-  task$of <- unique(c(task$of, task$words$column[task$words$name %in% objective$names]))
-  task$history <- new.env(parent = emptyenv())
-  task$history$rows <- list()
+  task$of <- union(task$of, formula_measures(task$words, list(objective)))
+  task$history <- new_search_history()
   task
 }
 

@@ -25,9 +25,6 @@ main_sources <- function(table) {
   }, "")
 }
 
-#' @rawNamespace S3method(base::"$",codend_uncertainty)
-`$.codend_uncertainty` <- result_element
-
 #' @rdname uncertainty
 #' @param x Uncertainties.
 #' @param measures Names of measures to print with their sources. `NULL` (default) prints a list of

@@ -231,13 +231,12 @@ warn_of_uncovered <- function(sources, covered) {
   if (!length(short)) return(invisible())
   paths <- vapply(sources[short], function(source) source$paths[1L], "")
   rows <- sprintf("{.field %s}: %.0f %%", paths, 100 * covered[short])
-  cli::cli_warn(
-    c("The gear settles only in a part of the stated uncertainty of {cli::qty(length(rows))}{?a
+  warn_as("range", c(
+    "The gear settles only in a part of the stated uncertainty of {cli::qty(length(rows))}{?a
       field/some fields}. The intervals extrapolate the response of this part.",
-      setNames(rows, rep("*", length(rows))),
-      "i" = "Give a narrower range, or use {.code method = \"samples\"}."),
-    class = c("codend_warning_range", "codend_warning"), call = NULL
-  )
+    setNames(rows, rep("*", length(rows))),
+    "i" = "Give a narrower range, or use {.code method = \"samples\"}."
+  ))
 }
 
 source_field <- function(source, plan) {

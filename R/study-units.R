@@ -53,16 +53,11 @@ in_units.codend_uncertainty <- function(x, ...) {
 
 # Returns the table of fields.
 #' @export
+#' @rawNamespace
+#' S3method(in_units,codend_found,in_units.codend_calibration)
+#' S3method(in_units,codend_optimum,in_units.codend_calibration)
+#' S3method(in_units,codend_posterior,in_units.codend_calibration)
 in_units.codend_calibration <- function(x, ...) in_units(as.data.frame(x), ...)
-
-#' @export
-in_units.codend_posterior <- in_units.codend_calibration
-
-#' @export
-in_units.codend_optimum <- in_units.codend_calibration
-
-#' @export
-in_units.codend_found <- in_units.codend_calibration
 
 #' @export
 in_units.codend_trade_off <- function(x, ...) in_units(as.data.frame(x, wide = TRUE), ...)

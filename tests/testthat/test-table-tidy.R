@@ -4,8 +4,8 @@ test_that("as.data.frame() and tidy() of a state return the same measures", {
   found <- measures(state)
   expect_identical(table, data.frame(measure = names(found), value = as.double(found),
     error = unname(attr(found, "error")), unit = unname(attr(found, "unit"))))
-  expect_identical(tidy.codend_state(state), table)
-  expect_identical(tidy.codend_measures(found), table)
+  expect_identical(tidy(state), table)
+  expect_identical(tidy(found), table)
   expect_identical(errors(state), setNames(table$error, table$measure))
   expect_wrong(errors(1), "measures, a state or variations")
   row <- glance.codend_state(state)
@@ -18,7 +18,7 @@ test_that("as.data.frame() of a trajectory returns long and wide tables", {
   state <- settled("towed_cable", nodes = 300)
   trajectory <- tow(state, until = 4, every = 2,
     schedule = tow_schedule(speed = data.frame(time = c(0, 2), value = c("4 knot", "4.5 knot"))))
-  table <- tidy.codend_trajectory(trajectory)
+  table <- tidy(trajectory)
   expect_named(table, c("time_s", "measure", "value", "error", "unit"))
   now <- measures(state_at(trajectory, 4))
   expect_identical(table$value[table$time_s == 4], as.double(now))
@@ -32,7 +32,7 @@ test_that("as.data.frame() of a trajectory returns long and wide tables", {
   expect_lt(abs(row$energy_imbalance), 0.02)
 
   slopes <- sensitivities(state, fields = "towing.speed", secants = FALSE)
-  expect_identical(tidy.codend_sensitivities(slopes)$derivative, slopes$derivative)
+  expect_identical(tidy(slopes)$derivative, slopes$derivative)
   expect_identical(class(as.data.frame(slopes)), "data.frame")
 })
 
@@ -72,7 +72,7 @@ test_that("as.data.frame() of a calibration and its posterior returns fields", {
   expect_identical(table$error, sqrt(diag(unname(vcov(fit)))))
   # Student's t of five rows and one field
   expect_equal(table$upper - table$value, qt(0.95, 4) * table$error, tolerance = 1e-12)
-  expect_identical(tidy.codend_calibration(fit), as.data.frame(fit))
+  expect_identical(tidy(fit), as.data.frame(fit))
   row <- glance.codend_calibration(fit)
   expect_equal(row$AIC, AIC(fit))
   expect_identical(row[c("nobs", "df.residual")], data.frame(nobs = 5L, df.residual = 3L))
@@ -96,7 +96,7 @@ test_that("as.data.frame() of a calibration and its posterior returns fields", {
 test_that("tidy() and glance() return the fields and targets of find_value()", {
   found <- find_value("towed_cable", towing.speed = c("3 knot", "5 knot"),
     target = list(body_depth = "400 m"), nodes = 20)
-  expect_identical(tidy.codend_found(found), found$fields)
+  expect_identical(tidy(found), found$fields)
   expect_identical(as.data.frame(found), found$fields)
   expect_identical(glance.codend_found(found)[c("reached", "n_solves")],
     data.frame(reached = found$targets$reached, n_solves = found$n_solves))
@@ -105,7 +105,7 @@ test_that("tidy() and glance() return the fields and targets of find_value()", {
 test_that("as.data.frame() of an optimum returns its fields", {
   best <- optimise_gear("towed_cable", minimise = ~ total_drag, nodes = 20,
     change = list(ropes.cable.length = c("900 m", "1100 m")))
-  table <- tidy.codend_optimum(best)
+  table <- tidy(best)
   expect_identical(table, data.frame(field = "ropes.cable.length", value = best$fields$value,
     error = NA_real_, unit = "m", lower = 900, upper = 1100, begun = 1000, at = "lower"))
   row <- glance.codend_optimum(best)
@@ -122,7 +122,7 @@ test_that("as.data.frame() of variations returns a row per design and measure", 
   expect_identical(drag$towing.speed_knot, c(3, 4))
   expect_identical(drag$error, errors(found)$total_drag_kN)
   expect_identical(unique(drag$unit), "kN")
-  expect_identical(tidy.codend_variations(found), table)
+  expect_identical(tidy(found), table)
   expect_identical(glance.codend_variations(found)[c("designs", "settled")],
     data.frame(designs = 2L, settled = 2L))
   # base functions keep the wide shape
