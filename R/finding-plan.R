@@ -18,10 +18,8 @@ define_finding("warp end", "plan",
   function(gear, state) {
     si <- gear_si(gear)
     if (length(si$nets) < 2L || is.null(si$ground)) return(list())
-    of_nets <- vapply(names(si$ropes), function(name) {
-      any(startsWith(name, paste0(names(si$nets), "_")))
-    }, NA)
-    warps <- setdiff(ropes_of_role(si, "warp"), names(si$ropes)[of_nets])
+    warps <- ropes_of_role(si, "warp")
+    warps <- warps[!nzchar(net_of_names(warps, si))]
     loaded <- unlist(c(lapply(si$pieces, `[[`, "at"), lapply(si$otter_boards, `[[`, "points")))
     lapply(warps, function(name) {
       if (any(c(si$ropes[[name]]$from, si$ropes[[name]]$to) %in% loaded)) return(NULL)

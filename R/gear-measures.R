@@ -18,18 +18,24 @@ si_net <- function(net, path, known) {
   )
 }
 
+# Returns the net of a rig that each part or measure belongs to by its name, or "". A gear of one net
+# has no rig.
+net_of_names <- function(names, si) {
+  net <- rep("", length(names))
+  nets <- if (length(si$nets) > 1L) names(si$nets)
+  for (one in nets[order(nchar(nets))]) net[startsWith(names, paste0(one, "_"))] <- one
+  net
+}
+
 # Returns the SI numbers of each net, by name: the parts of other nets are left out. Measures have
 # their names without the name of the net. A gear of one net or none has one element.
 si_by_net <- function(si) {
   names <- names(si$nets)
   if (length(names) < 2L) return(list(si))
-  of_net <- function(parts, name) startsWith(parts, paste0(name, "_"))
   lapply(stats::setNames(nm = names), function(name) {
-    others <- setdiff(names, name)
     for (group in c("ropes", "panels", "pieces", "otter_boards", "measures")) {
-      parts <- as.character(names(si[[group]]))
-      foreign <- Reduce(`|`, lapply(others, function(other) of_net(parts, other)))
-      si[[group]] <- si[[group]][!foreign | of_net(parts, name)]
+      net <- net_of_names(as.character(names(si[[group]])), si)
+      si[[group]] <- si[[group]][net %in% c("", name)]
     }
     names(si$measures) <- sub(paste0("^", name, "_"), "", as.character(names(si$measures)))
     si$nets <- si$nets[name]

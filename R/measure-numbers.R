@@ -1,20 +1,20 @@
 # Class `codend_measures`: named numbers with units, kinds and errors.
 
 # `values`, `errors`: SI, by name; `kinds`: their entries in the registries; `light`: drag is small
-# compared with the weights.
-new_measures <- function(values, kinds, errors, light) {
+# compared with the weights; `net`: net of a rig that each measure belongs to, or "".
+new_measures <- function(values, kinds, errors, light, net = rep("", length(values))) {
   units <- measure_units(kinds)
   kind <- vapply(kinds, `[[`, "", "kind", USE.NAMES = FALSE)
   measures_of(
     numbers_in_display_units(values, units), setNames(units, names(values)),
     setNames(kind, names(values)), numbers_in_display_units(errors, units),
-    setNames(main_measures(kind, units, light), names(values))
+    setNames(main_measures(kind, units, light), names(values)), setNames(net, names(values))
   )
 }
 
-# Values, units, kinds, errors and main measures, all named by measure.
-measures_of <- function(values, unit, kind, error, main) {
-  structure(values, unit = unit, kind = kind, error = error, main = main,
+# Values, units, kinds, errors, main measures and nets, all named by measure.
+measures_of <- function(values, unit, kind, error, main, net) {
+  structure(values, unit = unit, kind = kind, error = error, main = main, net = net,
     class = c("codend_measures", "numeric"))
 }
 
@@ -29,7 +29,7 @@ plain_measures <- function(x) setNames(as.double(x), names(x))
   if (!missing(i) && is.character(i)) check_measure_names(i, names(x))
   some <- plain_measures(x)[i]
   of <- function(name) attr(x, name)[names(some)]
-  measures_of(some, of("unit"), of("kind"), of("error"), of("main"))
+  measures_of(some, of("unit"), of("kind"), of("error"), of("main"), of("net"))
 }
 
 #' @export
@@ -119,7 +119,7 @@ measures_in_units <- function(measures, preferred) {
   ratio <- unit_ratio(from, to)
   of <- function(name) setNames(attr(measures, name), names)
   measures_of(setNames(plain_measures(measures) * ratio, names), setNames(to, names), of("kind"),
-    of("error") * ratio, of("main"))
+    of("error") * ratio, of("main"), of("net"))
 }
 
 unit_ratio <- function(from, to) {
@@ -129,9 +129,10 @@ unit_ratio <- function(from, to) {
 
 in_preferred_units <- function(measures) measures_in_units(measures, units_option())
 
-# Sorts the measures for short prints to the front.
+# Sorts the measures for short prints to the front, in the measures of a rig and in each net.
 main_first <- function(measures) {
-  measures[order(!names(measures) %in% printed_measures(measures))]
+  net <- attr(measures, "net")
+  measures[order(match(net, unique(net)), !names(measures) %in% printed_measures(measures))]
 }
 
 # Returns list(words, unit, error) for display; error is a string such as "0.6", or "".
@@ -145,14 +146,16 @@ measure_labels <- function(measures) {
 
 # Returns names of at most nine measures for short prints, in the order of `measures`: two main
 # measures of each kind (spreads, heights, areas, volumes), total drag and one tension. The first
-# measures of further kinds fill the rest.
+# measures of further kinds fill the rest. Each net of a rig adds at most four measures.
 printed_measures <- function(measures) {
   kind <- attr(measures, "kind")
+  net <- attr(measures, "net")
   main <- attr(measures, "main") | kind == "total_drag"
-  position <- stats::ave(seq_along(kind), kind, FUN = seq_along)
+  position <- stats::ave(seq_along(kind), kind, net, FUN = seq_along)
   first <- position == 1
   rank <- ifelse(main & position <= 2, 1, ifelse(first & kind == "tension", 2, 4 - first))
-  names(measures)[sort(utils::head(order(rank), 9L))]
+  row <- stats::ave(rank, net, FUN = function(rank) order(order(rank)))
+  names(measures)[row <= ifelse(nzchar(net), 4L, 9L)]
 }
 
 definitions_of <- function(measures) {

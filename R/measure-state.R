@@ -5,7 +5,9 @@
 #'
 #' Measures of the plan come first. Their names are the plan's names plus the unit: `door_spread`
 #' becomes `door_spread_m`. The standard measures that apply to the gear follow, except those with
-#' the same name as a measure of the plan.
+#' the same name as a measure of the plan. The measures of each net of a rig come last, net by net.
+#'
+#' A position between two nodes, such as the middle of a rope, is interpolated.
 #'
 #' `vignette("measures", "codend")` shows the measures in pictures and explains how sensors measure
 #' them.
@@ -65,21 +67,26 @@ measures <- function(state) {
   check_given("state")
   check_is_state(state)
   found <- state_values(state)
-  new_measures(found$values, found$kinds, state_errors(state, found), found$light)
+  measured <- new_measures(found$values, found$kinds, state_errors(state, found), found$light,
+    found$net)
+  # The measures of a rig come first, then its nets.
+  measured[order(match(attr(measured, "net"), c("", names(state$si$nets))))]
 }
 
-# Returns measures without errors: list(values (SI, by name), kinds, light = TRUE if drag is small
-# compared with the weights).
+# Returns measures without errors: list(values (SI, by name), kinds, net (net of a rig that each
+# measure belongs to, or ""), light = TRUE if drag is small compared with the weights).
 state_values <- function(state) {
   drag <- list(list(kind = "total_drag"))
   values <- measure_values(state, c(measure_request(state$si), drag))
   light <- abs(values[length(values)]) < light_drag * sum(abs(state$mesh$model$load))
-  c(valid_answers(state$si, values[-length(values)]), light = light)
+  found <- valid_answers(state$si, values[-length(values)])
+  c(found, list(net = net_of_names(names(found$values), state$si), light = light))
 }
 
 # Returns the names of the main measures of state_values(), for short prints.
 printed_names <- function(found) {
-  printed_measures(new_measures(found$values, found$kinds, NA * found$values, found$light))
+  printed_measures(new_measures(found$values, found$kinds, NA * found$values, found$light,
+    found$net))
 }
 
 # Keeps the answers to measure_request() that apply to the gear; standard measures may be NaN.

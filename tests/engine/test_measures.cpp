@@ -145,6 +145,8 @@ double drawn(const std::vector<double>& x, const std::vector<std::vector<int>>& 
   Model model;
   model.nodes = frame.nodes = frame.points = static_cast<int>(x.size() / 3);
   for (int k = 0; k < frame.nodes; ++k) frame.places.push_back(k);
+  frame.next_places = frame.places;
+  frame.next_weights.assign(frame.places.size(), 0.0);
   for (std::size_t r = 0; r < ropes.size(); ++r) {
     frame.ropes.push_back({ropes[r]});
     frame.part.bars.push_back(static_cast<int>(r));

@@ -37,7 +37,7 @@ test_that("one mesh size moves both nets, and a field of one net only that net",
 })
 
 test_that("twin trawl is symmetric and its warps pull its drag", {
-  state <- settle("twin_trawl")
+  state <- settle("twin_trawl", nodes = 1500)
   found <- measures(state)
   twins <- c("headline_height_m", "wing_end_spread_m", "mouth_area_m2", "net_mouth_height_m")
   expect_equal(unname(plain_measures(found[paste0("port_", twins)])),
@@ -49,6 +49,28 @@ test_that("twin trawl is symmetric and its warps pull its drag", {
   pull <- first$tension_kN * 2 * first$x_m / first$length_m
   expect_equal(pull[1], pull[3], tolerance = 1e-6)
   expect_equal(sum(pull), found[["total_drag_kN"]], tolerance = 0.002)
+})
+
+test_that("the default number of nodes is for each net of a rig", {
+  rig <- read_gear("twin_trawl")
+  first <- function(gear) build_mesh(gear_si(gear), usual_nodes(gear))$nodes
+  alone <- first(lone_net())
+  # The two nets share the nodes of the rig, except those of its warps.
+  expect_equal(first(rig), 2 * alone, tolerance = 0.2)
+  expect_gt(settle("twin_trawl")$mesh$nodes, 1.8 * alone)
+})
+
+test_that("measures() lists a rig's own measures before the measures of each net", {
+  state <- settled("twin_trawl")
+  net <- sub("^(port|starboard)_.*|.*", "\\1", names(measures(state)))
+  expect_identical(rle(net)$values, c("", "port", "starboard"))
+  printed <- grep("computed to", capture.output(print(state)), value = TRUE)
+  printed <- sub("  +.*", "", trimws(printed))
+  expect_identical(printed[c(1, 4)], c("door spread", "total drag"))
+  expect_identical(sum(startsWith(printed, "port ")), 4L)
+  expect_identical(sub("^port", "starboard", grep("^port", printed, value = TRUE)),
+    grep("^starboard", printed, value = TRUE))
+  expect_identical(names(summary(state)$measures), names(measures(state)))
 })
 
 test_that("measures() adds swept area and filtered volume of both nets", {
@@ -191,10 +213,14 @@ test_that("rigs in the folder of examples settle with symmetric results", {
     expect_equal(found[[one]], found[[other]], tolerance = 1e-6)
   }
   triple <- rig("triple_rig")
-  expect_mirrored(triple, "port_wing_end_spread_m", "starboard_wing_end_spread_m")
+  for (name in c("wing_end_spread_m", "headline_height_m")) {
+    expect_mirrored(triple, paste0("port_", name), paste0("starboard_", name))
+  }
   quad <- rig("quad_rig")
-  expect_mirrored(quad, "one_wing_end_spread_m", "four_wing_end_spread_m")
-  expect_mirrored(quad, "two_wing_end_spread_m", "three_wing_end_spread_m")
+  for (name in c("wing_end_spread_m", "headline_height_m")) {
+    expect_mirrored(quad, paste0("one_", name), paste0("four_", name))
+    expect_mirrored(quad, paste0("two_", name), paste0("three_", name))
+  }
   farm <- rig("cage_farm")
   expect_mirrored(farm, "cage_1_net_net_drag_kN", "cage_2_net_net_drag_kN")
   # The rear cages are in the wake of the front cages.

@@ -1,6 +1,45 @@
 #include "frame.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace codend {
+
+namespace {
+
+// Fraction of a rope's length within which a location is at a node.
+constexpr double at_node = 1e-9;
+
+void add_between(const NodeRun& rope, double share, MeasureFrame& out) {
+  const auto after = std::upper_bound(rope.at.begin() + 1, rope.at.end() - 1, share + at_node);
+  const std::size_t k = static_cast<std::size_t>(after - rope.at.begin()) - 1;
+  const double weight = (share - rope.at[k]) / (rope.at[k + 1] - rope.at[k]);
+  out.places.push_back(rope.node[k]);
+  out.next_places.push_back(rope.node[k + 1]);
+  out.next_weights.push_back(std::abs(weight) > at_node ? weight : 0.0);
+}
+
+// Adds the nodes of all locations, in the order of Division::places.
+void add_places(const Gear& gear, const Division& division, MeasureFrame& out) {
+  const std::size_t before_ropes =
+      division.places.size() - gear.share_places.size() - 3 * division.ropes.size();
+  const auto add_node = [&](int node) {
+    out.places.push_back(node);
+    out.next_places.push_back(node);
+    out.next_weights.push_back(0.0);
+  };
+  for (std::size_t k = 0; k < before_ropes; ++k) add_node(division.places[k]);
+  for (const NodeRun& rope : division.ropes) {
+    add_node(rope.node.front());
+    add_between(rope, 0.5, out);
+    add_node(rope.node.back());
+  }
+  for (const SharePlace& place : gear.share_places) {
+    add_between(division.ropes[place.rope], place.share, out);
+  }
+}
+
+}  // namespace
 
 MeasureFrame measure_frame(const Gear& gear, const Mesh& mesh) {
   MeasureFrame out;
@@ -9,7 +48,7 @@ MeasureFrame measure_frame(const Gear& gear, const Mesh& mesh) {
   out.points = static_cast<int>(mesh.mass.size());
   out.parts = gear.parts();
   out.panel_count = gear.panel_count;
-  out.places = division.places;
+  add_places(gear, division, out);
   for (int p = 0; p < gear.point_count; ++p) {
     if (gear.points[p].held) out.supports.push_back(division.places[p]);
   }

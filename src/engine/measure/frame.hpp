@@ -67,7 +67,10 @@ struct CellFrame {
 
 struct MeasureFrame {
   int nodes = 0, points = 0, parts = 0, panel_count = 0;
-  std::vector<int> places;    // node of every location (gear/gear.hpp)
+  // Node at or before every location (gear/gear.hpp), the next node, and the next node's weight in a
+  // linear interpolation. Only the middle of a rope and fractions of its length are between nodes.
+  std::vector<int> places, next_places;
+  std::vector<double> next_weights;
   std::vector<int> supports;  // nodes with a given position
   ElementParts part;
   std::vector<RopeFrame> ropes;
@@ -88,6 +91,8 @@ struct MeasureFrame {
     visit.count(Among::panels, static_cast<std::size_t>(panel_count));
     visit.count(Among::edges, 4 * static_cast<std::size_t>(panel_count));
     visit.list("places", places, {1, Among::nodes});
+    visit.list("next_places", next_places, {1, Among::nodes});
+    visit.list("next_weights", next_weights);
     visit.list("supports", supports, {1, Among::nodes});
     visit.group("part", part);
     visit.items("ropes", ropes);

@@ -69,7 +69,7 @@ class Measuring {
       case MeasureKind::depth:
         return depth(of.places);
       case MeasureKind::sinking_speed:
-        return -three(shape_.velocity, frame_.places[of.places[0]]).z + T(0.0);
+        return -velocity(of.places[0]).z + T(0.0);
       case MeasureKind::clearance:
         return along(place(of.places[0]), normal()) - T(model_.ground.height);
       case MeasureKind::area:
@@ -77,7 +77,7 @@ class Measuring {
       case MeasureKind::enclosed_area:
         return area_from_above(of.ropes);
       case MeasureKind::ground_speed: {
-        const Three<T> v = three(shape_.velocity, frame_.places[of.places[0]]);
+        const Three<T> v = velocity(of.places[0]);
         return size_of({v.x - T(asked_.speed), v.y});
       }
       case MeasureKind::angle:
@@ -179,7 +179,14 @@ class Measuring {
     const Vector& n = model_.ground.normal;
     return {n.x(), n.y(), n.z()};
   }
-  Three<T> place(int number) const { return three(shape_.position, frame_.places[number]); }
+  Three<T> at_place(const std::vector<T>& x, int number) const {
+    const Three<T> at = three(x, frame_.places[number]);
+    const double weight = frame_.next_weights[number];
+    if (weight == 0) return at;
+    return at + (three(x, frame_.next_places[number]) - at) * T(weight);
+  }
+  Three<T> place(int number) const { return at_place(shape_.position, number); }
+  Three<T> velocity(int number) const { return at_place(shape_.velocity, number); }
   int ropes() const { return static_cast<int>(frame_.ropes.size()); }
   bool of_netting(int part) const { return part >= ropes() && part < ropes() + frame_.panel_count; }
 
@@ -337,9 +344,7 @@ class Measuring {
     T sum{};
     for (std::size_t k = 0; k + 1 < places.size(); k += 2) {
       const Three<T> across = place(places[k + 1]) - place(places[k]);
-      const Three<T> v = (three(shape_.velocity, frame_.places[places[k]]) +
-                          three(shape_.velocity, frame_.places[places[k + 1]])) *
-                         T(0.5);
+      const Three<T> v = (velocity(places[k]) + velocity(places[k + 1])) * T(0.5);
       sum += abs(across.x * v.y - across.y * (v.x - T(asked_.speed)));
     }
     return sum / T(static_cast<double>(places.size() / 2));
