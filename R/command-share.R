@@ -3,7 +3,7 @@ run_share <- function(plan, options) {
   check_place(file, NULL, ".html")
   asked <- slider_options(options$slider)
   check_can_share()
-  options$nodes <- first_of(options$nodes, usual_nodes)
+  options$nodes <- requested_nodes(read_gear(plan[1L]), options$nodes)
   share(settle_changed(plan[1L], options), file, asked$sliders, asked$ranges)
   write_output(0L, "Written: ", file)
 }

@@ -134,8 +134,10 @@ save_state <- function(state, said) {
 }
 
 # Settles from a state with the same parts, otherwise from scratch. Returns list(state, notes).
+# `nodes`: number of nodes of each net.
 settle_noted <- function(gear, nodes, from) {
   notes <- character()
+  nodes <- nodes * net_count(gear)
   check_mesh_size(gear_si(gear), nodes, most = max(flume_nodes, 2 * nodes))
   settle_from <- function(from) settle_gear(gear, nodes, NULL, from)
   state <- withCallingHandlers(

@@ -1,19 +1,20 @@
 # R code that reproduces the designs in the flume tank.
 
-# loaded: the gear as opened; kept: the gear to compare with; design: the gear on screen.
+# loaded: the gear as opened; kept: the gear to compare with; design: the gear on screen; nodes:
+# number of nodes of each net.
 flume_code <- function(loaded, kept, design, nodes) {
-  settle_call <- function(gear) {
-    paste0("settle(", gear, ", nodes = ", shortest_decimal(nodes), ")")
+  settle_call <- function(name, gear) {
+    paste0("settle(", name, ", nodes = ", shortest_decimal(nodes * net_count(gear)), ")")
   }
   differ <- !identical(kept$plan, design$plan)
   lines <- c(
     "library(codend)", "", gear_code("gear", loaded, design, "loaded"),
-    paste("state <-", settle_call("gear")), "", "summary(state)", "plot(state)", "view_3d(state)"
+    paste("state <-", settle_call("gear", design)), "", "summary(state)", "plot(state)", "view_3d(state)"
   )
   if (differ) {
     lines <- c(
       lines, "", "# compared with the kept design", gear_code("kept", loaded, kept, "loaded_kept"),
-      paste("reference <-", settle_call("kept")),
+      paste("reference <-", settle_call("kept", kept)),
       "named <- intersect(names(measures(state)), names(measures(reference)))",
       "measures(state)[named] - measures(reference)[named]"
     )

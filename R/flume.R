@@ -80,7 +80,7 @@
 #' @param fields Additional fields with a control at the top: paths as in [update.codend_gear()],
 #'   such as `"otter_boards.lift_coefficient"`. In a list, one item may have several paths, which
 #'   change together; its name is the label. A field must be a number, a choice, or yes or no.
-#' @param nodes Approximate number of nodes of the model (default 1500); see [settle()].
+#' @param nodes Approximate number of nodes of each net (default 1500); see [settle()].
 #' @param folder A writable folder in which users of the page share designs, or `NULL`.
 #' @return A Shiny app, which runs when printed. It throws errors of class `codend_error_argument`
 #'   (invalid argument), `codend_error_plan` (invalid plan), `codend_error_not_converged` (the gear

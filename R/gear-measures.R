@@ -18,8 +18,8 @@ si_net <- function(net, path, known) {
   )
 }
 
-# Returns the net of a rig that each part or measure belongs to by its name, or "". A gear of one net
-# has no rig.
+# Returns the net of a rig that each part or measure belongs to by its name, or "". It is "" in a
+# gear of one net.
 net_of_names <- function(names, si) {
   net <- rep("", length(names))
   nets <- if (length(si$nets) > 1L) names(si$nets)

@@ -9,7 +9,7 @@ least_growth <- 2
 # Settles a gear on the mesh that the arguments of settle() define, without warnings about the gear.
 accurate_state <- function(gear, nodes, netting, accuracy, from = NULL) {
   accuracy <- accuracy_share(accuracy)
-  state <- settled_state(gear, first_of(nodes, nodes_of(from)), netting, from)
+  state <- settled_state(gear, requested_nodes(gear, nodes, from), netting, from)
   if (!is.null(accuracy)) return(settle_accurately(state, accuracy, netting))
   if (is.null(nodes) && is.null(from)) refine_to_accuracy(state, netting) else state
 }
@@ -35,17 +35,28 @@ settle_accurately <- function(state, accuracy, netting) {
   }
 }
 
-# Initial number of nodes if settle() gets neither `nodes` nor `accuracy`. It refines the mesh once,
-# by up to `extra_ratio`.
-usual_nodes <- 1500
+# Initial number of nodes of each net if settle() gets neither `nodes` nor `accuracy`. It refines the
+# mesh once, by up to `extra_ratio`.
+nodes_per_net <- 1500
+
+# Returns the initial number of nodes of a gear. A gear without nets counts as one net.
+usual_nodes <- function(gear) nodes_per_net * net_count(gear)
+
+net_count <- function(gear) max(1L, length(gear_si(gear)$nets))
+
 # Above this multiple of the usual error refinement is useless: the netting hangs in folds.
 hopeless_error <- 20
 
-# Returns the requested number of nodes of a state; `usual_nodes` if there is none.
+# Returns the requested number of nodes of a state.
 nodes_of <- function(state) {
-  # a later check reports the wrong class
-  if (!inherits(state, "codend_state")) return(usual_nodes)
-  first_of(state$mesh$counts$asked$nodes, usual_nodes)
+  first_of(state$mesh$counts$asked$nodes, usual_nodes(state$gear))
+}
+
+# Returns the number of nodes for a gear: `nodes` if given, else as for the state `from`.
+requested_nodes <- function(gear, nodes, from = NULL) {
+  if (!is.null(nodes)) return(nodes)
+  # a later check reports a state of the wrong class
+  if (inherits(from, "codend_state")) nodes_of(from) else usual_nodes(gear)
 }
 
 # Refines the mesh once if the main measures miss the usual accuracy. Stores the target accuracy in
@@ -71,7 +82,7 @@ refine_to_accuracy <- function(state, netting) {
 # Returns the state on the mesh that was used for the error estimate (`extra`, or NULL). NULL: that
 # mesh is not finer, or the solver does not converge.
 finer_state <- function(state, netting, extra) {
-  wanted <- min(usual_nodes * extra_ratio, fixed_nodes(state$si, netting))
+  wanted <- min(nodes_of(state) * extra_ratio, fixed_nodes(state$si, netting))
   if (is.null(extra) || wanted < least_ratio * state$mesh$nodes) return(NULL)
   finer <- extra$mesh$nodes >= least_ratio * state$mesh$nodes
   # `extra` ignores mesh settings of the plan; reuse it only if there are none

@@ -16,8 +16,9 @@
 #' the gear's weights in water is not a main measure. A gear without main measures uses its forces.
 #'
 #' The arguments `nodes` and `accuracy` work together:
-#' - Neither is given: the solver starts with 1,500 nodes. It refines the mesh once, to at most
-#'   3,900 nodes, if the estimated error exceeds 1 %. The printed state shows the result.
+#' - Neither is given: the solver starts with 1,500 nodes for each net. It refines the mesh once, to
+#'   at most 3,900 nodes for each net, if the estimated error exceeds 1 %. The printed state shows
+#'   the result.
 #' - Only `nodes`: the solver uses this number and reports the error.
 #' - `accuracy`: the solver refines the mesh, from `nodes` on, until the estimated error reaches it.
 #'   It stops with a warning at 100,000 nodes, or if the plan prescribes a coarser mesh.
@@ -92,7 +93,7 @@
 #' - `codend_warning_accuracy`: the mesh limit prevents the required accuracy.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
-#' @param nodes Approximate number of nodes. `NULL` (default) chooses it for an error of 1 % in the
+#' @param nodes Approximate number of nodes of the whole gear. `NULL` (default) chooses it for an error of 1 % in the
 #'   main measures; with `from` it is the number requested for that state.
 #' @param netting `"cells"` or `"bars"` for all panels, or `NULL` (default) for the choice of the
 #'   plan.
@@ -116,7 +117,7 @@
 settle <- function(gear, nodes = NULL, netting = NULL, from = NULL, accuracy = NULL) {
   check_given("gear")
   if (is.character(gear)) gear <- read_gear(gear)
-  check_settle_arguments(gear, first_of(nodes, nodes_of(from)), netting)
+  check_settle_arguments(gear, nodes, netting, from)
   state <- accurate_state(gear, nodes, netting, accuracy, from)
   warn_of_doubts(state, swings = is.null(from))
   state
@@ -156,11 +157,11 @@ settled_state <- function(gear, nodes, netting, from) {
   state
 }
 
-check_settle_arguments <- function(gear, nodes, netting) {
-  if (is.null(nodes)) nodes <- usual_nodes
+check_settle_arguments <- function(gear, nodes, netting, from = NULL) {
   if (!inherits(gear, "codend_gear")) {
     abort_argument("{.arg gear} must be a gear or the name of a plan, not {.cls {class(gear)}}.")
   }
+  nodes <- requested_nodes(gear, nodes, from)
   if (!is_plain_number(nodes) || nodes < 1) {
     abort_argument("{.arg nodes} is {describe_value(nodes)}; it must be one number, 1 or more.")
   }

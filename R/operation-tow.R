@@ -292,7 +292,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
   if (!is.null(si$shooting)) {
-    return(shot_trajectory(gear, si, given, until, first_of(nodes, usual_nodes), netting))
+    return(shot_trajectory(gear, si, given, until, requested_nodes(gear, nodes), netting))
   }
   if (!is.null(si$laid)) {
     return(laid_trajectory(settle(gear, nodes, netting), given, until))
@@ -300,7 +300,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   planned <- tryCatch(
     accurate_state(gear, nodes, netting, NULL), codend_error_not_converged = function(e) NULL
   )
-  if (is.null(nodes)) nodes <- nodes_of(planned)
+  nodes <- requested_nodes(gear, nodes, planned)
   what <- tow_start(gear, si, build_mesh(si, nodes, netting), given, until)
   now <- conditions_at(what, 0, before = 0 %in% what$breaks)
   first <- si_at(what, now)

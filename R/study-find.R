@@ -74,7 +74,7 @@ is_compromise <- function(task) length(task$targets) > length(task$points$fields
 # size (of a relative change of 1), scale (of misses), first (the initial gear)).
 new_find <- function(gear, change, target, nodes, netting, accuracy) {
   if (is.character(gear)) gear <- read_gear(gear)
-  check_settle_arguments(gear, first_of(nodes, usual_nodes), netting)
+  check_settle_arguments(gear, nodes, netting)
   if (!length(change)) {
     abort_argument("{.arg ...} is empty; give a field with its range, such as
       {.code warps.length = value_range(\"150 m\", \"600 m\")}.")

@@ -26,7 +26,7 @@ points_values <- function(points, scaled) points$lower + scaled * points$width
 # fine (state on the mesh of the results, as from settle(); NULL if it is the same mesh)).
 first_states <- function(gear, nodes, netting, accuracy) {
   fine <- accurate_state(gear, nodes, netting, accuracy)
-  search <- first_of(nodes, usual_nodes)
+  search <- requested_nodes(gear, nodes)
   if (fine$mesh$nodes < least_ratio * search) return(list(coarse = fine))
   list(coarse = settled_state(gear, search, netting, fine), fine = fine)
 }

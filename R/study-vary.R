@@ -195,7 +195,8 @@ run_design <- function(study, base, k, mark = NULL) {
     {
       gear <- with_fields(study$gear, fields)
       from <- if (!is.null(base) && is.null(odd_parts(gear_si(gear), base))) base
-      settle_one(gear, study_nodes(study, base), study$netting, from)
+      nodes <- if (is.null(base)) requested_nodes(gear, study$nodes) else nodes_of(base)
+      settle_one(gear, nodes, study$netting, from)
     },
     error = function(e) list(problem = plain_message(e))
   )
@@ -205,11 +206,6 @@ run_design <- function(study, base, k, mark = NULL) {
 # Settles the gear of a study as given, the initial state of every design.
 settle_first <- function(study) {
   settle_one(study$gear, study$nodes, study$netting, NULL, study$accuracy)
-}
-
-# Returns the number of nodes of all designs. base: the settled gear as given, or NULL.
-study_nodes <- function(study, base) {
-  if (is.null(base)) first_of(study$nodes, usual_nodes) else nodes_of(base)
 }
 
 settle_one <- function(gear, nodes, netting, from, accuracy = NULL) {

@@ -247,7 +247,7 @@ test_that("settle(accuracy = ) refines the mesh or warns", {
 })
 
 test_that("settle() by default refines to 1 % or reports the miss", {
-  most <- codend:::usual_nodes * codend:::extra_ratio
+  most <- codend:::nodes_per_net * codend:::extra_ratio
   coarse <- settle("pair_trawl", nodes = 1500)
   expect_null(coarse$report$accuracy_aimed_at)
   expect_gt(main_error(measures(coarse)), 0.011)
