@@ -165,3 +165,53 @@ scaled_value <- function(value, factor) {
   number <- sub(" .*", "", value)
   paste0(signif(as.numeric(number) * factor, 6), substring(value, nchar(number) + 1L))
 }
+
+# Returns rig number `number`: 2 to 4 nets of the shipped twin trawl side by side between two doors.
+# A warp ends at each door and at a clump between two nets. Warps, sweeps and weights are random.
+# `fault` is "none", "clump" (one clump is lost), "net" (one net is torn off at one side) or NULL
+# for a random one; attribute `fault` of the gear is that of the result.
+random_rig <- function(number, fault = NULL) {
+  set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
+  twin <- codend::read_gear("twin_trawl")$plan
+  nets <- sample(2:4, 1L)
+  drawn_fault <- sample(c("none", "clump", "net"), 1L)
+  if (is.null(fault)) fault <- drawn_fault
+  faulty <- sample(nets - 1L, 1L)
+  between <- seq_len(nets - 1L)
+  ends <- c("door_port", paste0("clump_", between), "door_starboard")
+  net <- twin$gears$port
+  net$sweeps$length <- drawn(30, 80, "m")
+  net$floats$number <- sample(10:24, 1L)
+  first <- c(net[names(net) != "joined"], list(joined = list()))
+  gears <- c(list(first), rep(list(list(like = "net_1", joined = list())), nets - 1L))
+  names(gears) <- paste0("net_", seq_len(nets))
+  for (k in seq_len(nets)) {
+    gears[[k]]$joined <- list(board_port = ends[k], board_starboard = ends[k + 1L])
+  }
+  if (fault == "net") gears[[faulty]]$joined$board_starboard <- "torn"
+  across <- seq(-4, 4, length.out = nets + 1L) * nets / 2
+  winches <- lapply(across, function(y) list(position = list(0, y, 0), held = "moved"))
+  names(winches) <- paste0("winch_", seq_along(ends))
+  free <- c(ends, if (fault == "net") "torn")
+  points <- c(winches, stats::setNames(rep(list(stats::setNames(list(), character())),
+    length(free)), free))
+  warps <- lapply(seq_along(ends), function(k) {
+    list(from = names(winches)[k], to = ends[k], length = drawn(285, 315, "m"), diameter = "20 mm",
+      material = "steel_wire", role = "warp")
+  })
+  names(warps) <- paste0("warp_", seq_along(ends))
+  pieces <- twin$pieces[c("door_port", "door_starboard")]
+  door_size <- as.numeric(drawn(0.8, 1.4)) * nets / 2
+  for (door in names(pieces)) pieces[[door]]$area <- scaled_value(pieces[[door]]$area, door_size)
+  clumps <- lapply(between, function(k) {
+    utils::modifyList(twin$pieces$clump, list(at = ends[k + 1L], mass = drawn(400, 1000, "kg")))
+  })
+  names(clumps) <- ends[between + 1L]
+  if (fault == "clump") clumps[[faulty]] <- NULL
+  plan <- twin[c("towing", "seabed", "coefficients", "netting_drag")]
+  plan$towing$speed <- drawn(2, 3.2, "knot")
+  rig <- do.call(codend::gear, c(paste("Rig", number), plan, list(gears = gears, points = points,
+    ropes = warps, pieces = c(pieces, clumps),
+    measures = list(door_spread = list(spread = list("door_port", "door_starboard"))))))
+  structure(rig, fault = fault)
+}

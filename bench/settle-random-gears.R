@@ -1,7 +1,7 @@
 # Entry point of `make random-gears`: counts how many random gears settle. Named arguments:
 # count=300, seed=1 (of the first), nodes=1500, netting=, law=, kind= (each empty: the default of
-# the gear). Writes to bench/results/: random-gears.csv (a row per gear), random-gears.md, and in
-# random-gears-failed/ the plan of each gear that did not settle.
+# the gear; kind=rig: random rigs). Writes to bench/results/: random-gears.csv (a row per gear),
+# random-gears.md, and in random-gears-failed/ the plan of each gear that did not settle.
 library(codend)
 for (script in c("random-gears", "own-process", "sizes", "results")) {
   source(file.path("bench", paste0(script, ".R")))
@@ -18,7 +18,8 @@ unlink(failed_folder, recursive = TRUE)
 dir.create(failed_folder, recursive = TRUE)
 
 of_number <- function(number) {
-  gear <- random_gear(number, given("kind"), given("law"))
+  is_rig <- asked$kind == "rig"
+  gear <- if (is_rig) random_rig(number) else random_gear(number, given("kind"), given("law"))
   seconds <- cpu(found <- tryCatch(
     suppressWarnings(settle(gear, as.numeric(asked$nodes), given("netting"))), error = identity
   ))
@@ -26,7 +27,8 @@ of_number <- function(number) {
   report <- found$report
   if (!settled) write_gear(gear, file.path(failed_folder, paste0(number, ".yaml")))
   list(
-    gear = number, kind = gear$plan$kind, name = gear$plan$name, settled = settled,
+    gear = number, kind = if (is_rig) paste("rig:", attr(gear, "fault")) else gear$plan$kind,
+    name = gear$plan$name, settled = settled,
     steps = if (is.null(report)) NA else report$iterations,
     residual = if (is.null(report)) NA else report$residual, cpu = seconds,
     said = if (settled) "" else gsub("[[:space:]]+", " ", conditionMessage(found))

@@ -1,15 +1,17 @@
-# Settles 100 random gears (bench/random-gears.R) and compares the number that converge, and the
-# sum of their iterations, with the stored table.
+# Settles 100 random gears and 12 random rigs (bench/random-gears.R), most of them with a lost clump
+# or a torn-off net. Compares the number that converge, and the sum of their iterations, with the
+# stored table.
 library(codend)
 source("tools/ratchet.R")
 source("bench/random-gears.R")
 
 settle_gear <- function(number) {
-  gear <- random_gear(number)
+  is_rig <- number > 100
+  gear <- if (is_rig) random_rig(number - 100) else random_gear(number)
   state <- tryCatch(suppressWarnings(settle(gear, nodes = 1000)), codend_error = identity)
   converged <- inherits(state, "codend_state")
-  data.frame(gear = number, kind = gear$plan$kind, converged = converged,
-    iterations = if (converged) state$report$iterations else NA)
+  data.frame(gear = number, kind = if (is_rig) "rig" else gear$plan$kind,
+    converged = converged, iterations = if (converged) state$report$iterations else NA)
 }
 
 totals <- function(gears) {
@@ -17,7 +19,7 @@ totals <- function(gears) {
     iterations = sum(gears$iterations, na.rm = TRUE))
 }
 
-gears <- do.call(rbind, lapply(1:100, settle_gear))
+gears <- do.call(rbind, lapply(1:112, settle_gear))
 # Compilers and mathematical libraries round differently, which changes the iterations of a gear.
 ratchet(gears, "tests/ratchets/convergence.csv", "gears",
   list(converged = higher(), iterations = lower(relative = 0.02)), totals)

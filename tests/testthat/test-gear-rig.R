@@ -88,11 +88,17 @@ test_that("measures() adds swept area and filtered volume of both nets", {
     measure_value(state, "swept_area"), tolerance = 1e-6)
 })
 
-test_that("findings() reports a lost clump, a net off its band and a missing mouth", {
+test_that("findings() reports a lost clump, a torn net and a missing mouth", {
   twin <- read_gear("twin_trawl")
   lost <- findings(update(twin, pieces.clump = NULL))
   expect_identical(lost[c("check", "location")],
     data.frame(check = "warp end", location = "rope warp_middle"), ignore_attr = TRUE)
+  # The starboard wing end of a torn net is free, so its port bridle carries the whole net.
+  torn <- update(twin, gears.port.joined.board_starboard = "torn",
+    gears.starboard.joined = list(board_port = "clump", board_starboard = "door_starboard"),
+    points.torn = stats::setNames(list(), character()))
+  expect_true("bridles" %in% findings(suppressWarnings(settle(torn, nodes = 1000)))$check)
+  expect_false("bridles" %in% findings(settled("twin_trawl"))$check)
   # The finding of both nets is about the field that they share.
   short <- findings(update(twin, gears.port.footrope.length = "12 m"))
   short <- short[short$check == "footrope over headline", ]
