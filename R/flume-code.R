@@ -9,7 +9,8 @@ flume_code <- function(loaded, kept, design, nodes) {
   differ <- !identical(kept$plan, design$plan)
   lines <- c(
     "library(codend)", "", gear_code("gear", loaded, design, "loaded"),
-    paste("state <-", settle_call("gear", design)), "", "summary(state)", "plot(state)", "view_3d(state)"
+    paste("state <-", settle_call("gear", design)), "",
+    "summary(state)", "plot(state)", "view_3d(state)"
   )
   if (differ) {
     lines <- c(

@@ -35,8 +35,8 @@ settle_accurately <- function(state, accuracy, netting) {
   }
 }
 
-# Initial number of nodes of each net if settle() gets neither `nodes` nor `accuracy`. It refines the
-# mesh once, by up to `extra_ratio`.
+# Initial number of nodes of each net if settle() gets neither `nodes` nor `accuracy`. It refines
+# the mesh once, by up to `extra_ratio`.
 nodes_per_net <- 1500
 
 # Returns the initial number of nodes of a gear. A gear without nets counts as one net.

@@ -93,8 +93,8 @@
 #' - `codend_warning_accuracy`: the mesh limit prevents the required accuracy.
 #'
 #' @param gear A gear, from [read_gear()] or the constructors, or the name or file of a plan.
-#' @param nodes Approximate number of nodes of the whole gear. `NULL` (default) chooses it for an error of 1 % in the
-#'   main measures; with `from` it is the number requested for that state.
+#' @param nodes Approximate number of nodes of the whole gear. `NULL` (default) chooses it for an
+#'   error of 1 % in the main measures; with `from` it is the number requested for that state.
 #' @param netting `"cells"` or `"bars"` for all panels, or `NULL` (default) for the choice of the
 #'   plan.
 #' @param from A state as the initial guess, or `NULL` (default). Its gear needs the same ropes,

@@ -135,7 +135,8 @@ new_calibration <- function(gear, data, change, match, error, nodes, netting, ac
   begun <- tryCatch(
     first_states(gear, nodes, netting, accuracy), codend_error_not_converged = function(e) NULL
   )
-  points <- new_points(gear, fields, requested_nodes(gear, nodes, begun$coarse), netting, begun, file)
+  nodes <- requested_nodes(gear, nodes, begun$coarse)
+  points <- new_points(gear, fields, nodes, netting, begun, file)
   points$count$n_solves <- length(begun)
   set <- condition_columns(gear, data, points$fields)
   data[set] <- given_value(data[set], "data")

@@ -1,6 +1,6 @@
 # Settles a plan of each class of gear in bench/gear-classes.csv and writes
-# bench/results/gear-classes.md. Names and codes are from the ISSCFG of FAO; devices of trawls follow.
-# Columns of the CSV file:
+# bench/results/gear-classes.md. Names and codes are from the ISSCFG of FAO; devices of trawls are
+# included. Columns of the CSV file:
 # `plan`: a shipped plan, or a file in inst/examples or tests/testthat/plans.
 # `field`: the field of a trawl's plan that defines a device.
 # Both are empty for classes that codend does not cover.
