@@ -319,12 +319,13 @@ define_range("stretched rope", "state",
 # its length (tickler chains), except for purse lines, which run through rings.
 define_range("slack rope", "state",
   "The ends of a free rope are closer together than 20 % of its length. This check omits ropes that
-  run through rings, and moments of a tow.",
+  run through rings, ropes that end where they start, and moments of a tow.",
   "distance between the ends over the length", 20, Inf, "%",
   function(gear, state) {
     if (!is.null(state$time)) return(numeric())
-    free <- Filter(function(rope) is.null(rope$along) && !rope$strut && !length(rope$through),
-      state$si$ropes)
+    free <- Filter(function(rope) {
+      is.null(rope$along) && !rope$strut && !length(rope$through) && rope$from != rope$to
+    }, state$si$ropes)
     numbers_of_parts(setNames(nm = names(free)), "rope", function(name) {
       node <- state$mesh$ropes[[name]]$node
       way <- state$position[, node[length(node)]] - state$position[, node[1L]]

@@ -262,15 +262,7 @@ check_places <- function(si) {
   for (name in names(si$ropes)) {
     rope <- si$ropes[[name]]
     check_through(rope, group, paste0("ropes.", name))
-    if (is.null(rope$along) && !length(rope$through) && group[[rope$from]] == group[[rope$to]]) {
-      abort_plan(
-        sprintf(
-          "Plan field `ropes.%s.to` is %s, the same position as the start %s; they must differ.",
-          name, rope$to, rope$from
-        ),
-        paste0("ropes.", name, ".to"), rope$to
-      )
-    }
+    check_rope_ends(rope, group, paste0("ropes.", name))
   }
   held <- names(held_points(si))
   twice <- which(duplicated(group[held]))[1]
@@ -282,6 +274,30 @@ check_places <- function(si) {
         first
       ),
       paste0("points.", held[twice]), held[twice]
+    )
+  }
+}
+
+# Checks that the ends of a rope are two locations, or by name the same one. A rope from a location
+# to itself is a ring, which needs three segments to enclose an area.
+check_rope_ends <- function(rope, group, path) {
+  if (!is.null(rope$along) || length(rope$through)) return(invisible())
+  if (rope$from != rope$to && group[[rope$from]] == group[[rope$to]]) {
+    abort_plan(
+      sprintf(
+        "Plan field `%s.to` is %s, the same position as the start %s. %s", path, rope$to, rope$from,
+        "Choose another end; for a ring, give the same name to both ends."
+      ),
+      paste0(path, ".to"), rope$to
+    )
+  }
+  if (rope$from == rope$to && !is.null(rope$segments) && rope$segments < 3) {
+    abort_plan(
+      sprintf(
+        "Plan field `%s.segments` is %s; a ring, which ends where it starts, needs at least 3.",
+        path, rope$segments
+      ),
+      paste0(path, ".segments"), rope$segments
     )
   }
 }

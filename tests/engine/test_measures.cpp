@@ -140,9 +140,10 @@ MeasuredShape<T> sized_shape(const Mesh& mesh, const MeasureFrame& frame) {
 
 // Returns one measure of nodes at x, each a position, and of ropes along them with one bar each.
 double drawn(const std::vector<double>& x, const std::vector<std::vector<int>>& ropes,
-             const AskedMeasure& asked) {
+             const AskedMeasure& asked, const Vector& current = Vector::Zero()) {
   MeasureFrame frame;
   Model model;
+  model.water.current = {current};
   model.nodes = frame.nodes = frame.points = static_cast<int>(x.size() / 3);
   for (int k = 0; k < frame.nodes; ++k) frame.places.push_back(k);
   frame.next_places = frame.places;
@@ -260,20 +261,24 @@ TEST_CASE("mouth area equals the polygon of ropes in any order") {
   }
 }
 
-TEST_CASE("declination is the angle below horizontal and divergence that from x") {
-  const auto degrees = [&](double dx, double dy, double dz, MeasureAngle angle) {
+TEST_CASE("declination is the angle below horizontal and divergence that from the flow") {
+  const auto degrees = [&](double dx, double dy, double dz, MeasureAngle angle,
+                           const Vector& current = Vector::Zero()) {
     AskedMeasure asked;
     asked.kind = MeasureKind::angle;
     asked.ropes = {0};
     asked.at = MeasureAt::start;
     asked.angle = angle;
-    return drawn({1, 1, -1, 1 + dx, 1 + dy, -1 + dz}, {{0, 1}}, asked) * 180 / pi;
+    return drawn({1, 1, -1, 1 + dx, 1 + dy, -1 + dz}, {{0, 1}}, asked, current) * 180 / pi;
   };
   CHECK(degrees(1, 0, -1, MeasureAngle::declination) == doctest::Approx(45));
   CHECK(degrees(3, 4, -5, MeasureAngle::declination) == doctest::Approx(45));
   CHECK(degrees(1, 0, 1, MeasureAngle::declination) == doctest::Approx(-45));
   CHECK(degrees(std::sqrt(3), 1, -9, MeasureAngle::divergence) == doctest::Approx(30));
   CHECK(degrees(std::sqrt(3), -1, -9, MeasureAngle::divergence) == doctest::Approx(30));
+  // The same in a current along y.
+  CHECK(degrees(1, std::sqrt(3), -9, MeasureAngle::divergence, Vector(0, 0.5, 0)) ==
+        doctest::Approx(30));
 }
 
 TEST_CASE("twine shadow counts overlapping bars across the flow once") {

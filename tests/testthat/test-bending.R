@@ -84,3 +84,25 @@ test_that("settle() rejects a rope whose stiffness exceeds rounding of positions
     class = "codend_error_not_converged")
   expect_gt(error$report$part_rounding, 1e-3)
 })
+
+test_that("a stiff ring that hangs from a point sags as thin rings do", {
+  ring <- function(stiffness, segments = 400) {
+    gear("a ring", top = gear_point(position = c(0, 0, 0), held = "fixed"),
+      ring = rope("top", "top", length = 3, diameter = 0.02, mass_per_length = 1,
+        volume_per_length = 2e-4, axial_stiffness = 1e7, bending_stiffness = stiffness,
+        segments = segments),
+      height = measure(depth = "ring.middle"))
+  }
+  # A ring of radius R and weight w per length that hangs from its top becomes
+  # (pi^2 / 4 - 2) w R^4 / EI longer: the linear solution of W. C. Young and R. G. Budynas, Roark's
+  # Formulas for Stress and Strain, 7th ed., table 9.2, "ring supported at the base and loaded by
+  # its own weight", upside down. Its second-order error is about the relative extension, 0.4 %, and
+  # the polygon of 400 sides is 1e-5 lower than the circle.
+  weight <- 9.80665 * (1 - 1025 * 2e-4)
+  radius <- 3 / (2 * pi)
+  sag <- (pi^2 / 4 - 2) * weight * radius^4 / 50
+  expect_equal(measures(settle(ring(50)))[["height_m"]] - 2 * radius, sag, tolerance = 0.02)
+  # Without stiffness it hangs as two legs.
+  flat <- measures(settle(ring(0, segments = 40)))
+  expect_equal(flat[["height_m"]], 1.5, tolerance = 1e-5)
+})

@@ -35,9 +35,9 @@ test_that("check rejects points without support, or supported twice", {
   e("knot: {}", "knot: {position: [9, 0, 0], held: moved}", "points", "drift apart", plan = towed)
 })
 
-test_that("check rejects a rope that ends where it starts", {
+test_that("check rejects a rope between two names of one position, and a ring of two segments", {
   e <- expect_plan_error
-  e("to: knot", "to: ship", "ropes.warp.to", "the same position as the start")
+  e("to: knot", "to: ship\n    segments: 2", "ropes.warp.segments", "needs at least 3")
   e("knot: {}", "knot: {at: ship}", "ropes.warp.to", "the same position as the start")
   e("to: knot", "to: knot\n    along: net.left", "ropes.warp", "has `from` and `along` together")
 })

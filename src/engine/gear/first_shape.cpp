@@ -35,8 +35,9 @@ Division divide_coarsely(const Gear& gear) {
   const EdgePieces pieces = edge_pieces(chains, edge_breaks(chains, linked), linked);
   std::vector<int> segments;
   for (const GearRope& rope : gear.ropes) {
-    // An attachment at the middle of a pole must not start at its end.
-    segments.push_back(rope.strut ? std::max(1, rope.segments) : 1);
+    // An attachment at the middle of a pole must not start at its end, nor the middle of a ring.
+    const int least = !rope.ring() ? 1 : rope.strut ? 8 : 2;
+    segments.push_back(rope.strut ? std::max(least, rope.segments) : least);
   }
   return divide(gear, chains, pieces, std::vector<int>(pieces.edge.size(), 1), segments, bars);
 }
@@ -161,6 +162,24 @@ void add_skeleton_load(const Gear& gear, const Division& skeleton, double speed,
   }
 }
 
+// Opens a stiff ring to a circle from its end to its middle, because strings lay it flat.
+void open_ring(const GearRope& rope, const NodeRun& run, const std::vector<char>& held,
+               std::vector<double>& position) {
+  const Vector end = at(position.data(), run.node.front());
+  const Vector middle = at(position.data(), run.node[run.node.size() / 2]);
+  const double reach = length_of(middle - end);
+  const Vector down = reach > 0 ? Vector((middle - end) / reach) : Vector(-Vector::UnitZ());
+  Vector across = Vector::UnitY() - down[1] * down;
+  if (length_of(across) < 0.5) across = Vector::UnitX() - down[0] * down;
+  across /= length_of(across);
+  for (std::size_t k = 1; k + 1 < run.node.size(); ++k) {
+    if (held[run.node[k]]) continue;
+    const double angle = 2 * pi * run.at[k];
+    at(position.data(), run.node[k]) =
+        end + rope.length / (2 * pi) * ((1 - std::cos(angle)) * down + std::sin(angle) * across);
+  }
+}
+
 // Buoyant nodes, which a free surface prevents from rising.
 std::vector<char> buoyant_nodes(const std::vector<double>& load) {
   std::vector<char> out;
@@ -216,6 +235,10 @@ std::vector<double> first_shape(const Gear& gear, const PartMap& map, bool shot,
   }
   for (double& tension : strings.tension) tension *= total;
   lay_out(strings, position.data());
+  for (std::size_t r = 0; r < gear.ropes.size(); ++r) {
+    const GearRope& rope = gear.ropes[r];
+    if (rope.ring() && rope.strut) open_ring(rope, skeleton.ropes[r], supports.held, position);
+  }
   // No node may start above the surface.
   for (std::size_t k = 2; k < position.size() && gear.free_surface; k += 3) {
     position[k] = std::min(position[k], 0.0);

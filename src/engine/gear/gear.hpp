@@ -89,6 +89,7 @@ struct GearRope {
   std::vector<double> friction;  // along and across its axis; empty: as the ground
 
   bool laced() const { return !along.empty(); }
+  bool ring() const { return from >= 0 && from == to && through.empty(); }
   template <class Visit>
   void fields(Visit& visit) {
     visit("from", from, {1, Among::places, Per::element, true});

@@ -405,7 +405,7 @@ class Measuring {
     const std::size_t bar = static_cast<std::size_t>(bar_at(of.ropes[0], of.at));
     const Three<T> d =
         three(points_, model_.bars.node[2 * bar + 1]) - three(points_, model_.bars.node[2 * bar]);
-    if (of.angle == MeasureAngle::divergence) return atan2(abs(d.y), d.x);
+    if (of.angle == MeasureAngle::divergence) return atan2(abs(along(d, across_)), along(d, flow_));
     return atan2(-d.z, sqrt(d.x * d.x + d.y * d.y));
   }
   T tension(const AskedMeasure& of) const {

@@ -16,8 +16,8 @@
 
 namespace codend {
 
-// Location on a rope. Angle: of a rope's bar below the horizontal (declination) or from the x axis
-// (divergence), or of a plate.
+// Location on a rope. Angle: of a rope's bar below the horizontal (declination) or from the flow in
+// plan view (divergence, see flow_axis()), or of a plate.
 enum class MeasureAt { none, start, middle, end, max };
 constexpr std::array<const char*, 5> names_of(MeasureAt) {
   return {"none", "start", "middle", "end", "max"};
