@@ -3,8 +3,10 @@ run_share <- function(plan, options) {
   check_place(file, NULL, ".html")
   asked <- slider_options(options$slider)
   check_can_share()
-  options$nodes <- requested_nodes(read_gear(plan[1L]), options$nodes)
-  share(settle_changed(plan[1L], options), file, asked$sliders, asked$ranges)
+  gear <- read_changed(plan[1L], options)
+  options$nodes <- requested_nodes(gear, options$nodes)
+  state <- do.call(settle, c(list(gear), settle_arguments(options)))
+  share(state, file, asked$sliders, asked$ranges)
   write_output(0L, "Written: ", file)
 }
 
