@@ -1,5 +1,6 @@
-# Returns list(programs, standard). `programs` lists kind, unit, size, words, value, relative error
-# and definition of each measure; `standard` the kinds of measures that every gear has.
+# Returns list(programs, standard, order). `programs` lists kind, unit, size, words, value, relative
+# error and definition of each measure; `standard` the kinds of measures that every gear has;
+# `order` the names in the engine's order: those of the gear's plan, then the standard ones.
 shared_measures <- function(state) {
   found <- measures(state)
   unit <- attr(found, "unit")
@@ -15,5 +16,9 @@ shared_measures <- function(state) {
     )
   })
   own <- vapply(state$si$measures, `[[`, "", "column")
-  list(programs = programs, standard = unname(attr(found, "kind")[!names(found) %in% own]))
+  standard <- !names(found) %in% own
+  list(
+    programs = programs, standard = unname(attr(found, "kind")[standard]),
+    order = c(own, names(found)[standard])
+  )
 }

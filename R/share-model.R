@@ -31,7 +31,7 @@ shared_model <- function(state, fields) {
     head = packed$head, body = packed$body, nodes = state$mesh$nodes,
     tolerance = settle_tolerance, steps = settle_iterations,
     fields = lapply(series$fields, slider_field), terms = terms, touched = I(touched),
-    programs = measured$programs, order = I(names(measured$programs)), scene = scene,
+    programs = measured$programs, order = I(measured$order), scene = scene,
     names = I(vapply(gsub("_", " ", state$mesh$parts$name), capital, "", USE.NAMES = FALSE)),
     boards = I(vapply(gsub("_", " ", names(boards)), capital, "", USE.NAMES = FALSE)),
     fallen_heel = fallen_heel, knot = plan_units$speed[["knot"]],
