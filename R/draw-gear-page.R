@@ -53,8 +53,8 @@ best_draft <- function(figure, columns, size, look, true_size, least = 0) {
 
 # ---- lists, ropes laid straight and rigging as blocks --------------------------------------------
 
-# Returns the blocks in drawing order: list(wide, high (mm), grows, draw = function(sheet, left,
-# top, wide, high)).
+# Returns the blocks in drawing order: list(wide, high (mm), grows (in height), widens, draw =
+# function(sheet, left, top, wide, high)).
 info_blocks <- function(figure, columns, look) {
   straight <- if (!is.null(figure$ropes)) straight_ropes(figure)
   blocks <- list(
@@ -72,7 +72,7 @@ chunks <- function(n, most) unname(split(seq_len(n), (seq_len(n) - 1L) %/% most)
 straight_block <- function(straight, look) {
   each <- vapply(straight, straight_height, 0, look = look)
   list(
-    wide = straight_width(look), high = sum(each), grows = FALSE,
+    wide = straight_width(look), high = sum(each), grows = FALSE, widens = TRUE,
     draw = function(sheet, left, top, wide, high) {
       tops <- top - cumsum(c(0, each))
       for (k in seq_along(straight)) draw_straight(sheet, straight[[k]], left, tops[k], wide, look)
@@ -83,7 +83,7 @@ straight_block <- function(straight, look) {
 rigging_block <- function(figure, look) {
   size <- rigging_size(figure$rigging, look)
   list(
-    wide = size[1], high = size[2], grows = TRUE,
+    wide = size[1], high = size[2], grows = TRUE, widens = TRUE,
     draw = function(sheet, left, top, wide, high) {
       draw_rigging(sheet, figure, c(left, top - high, left + wide, top), look)
     }
@@ -120,7 +120,7 @@ text_block <- function(words, columns, refs, look, pitch = look$line, first = 0,
   n <- length(wide)
   list(
     wide = first + sum(wide) + (n - 1) * gap, high = 1.5 * look$line + pitch * ncol(words),
-    grows = FALSE,
+    grows = FALSE, widens = FALSE,
     draw = function(sheet, left, top, wide_given, high) {
       at <- left + first + cumsum(c(0, wide[-n] + gap)) + columns$across * wide
       on_sheet(sheet, component = "heading", layer = "TABLES", draw = {
@@ -172,7 +172,7 @@ piece_list <- function(rows, figure, look) {
   })
   pitch <- pmax(lengths(lines) * look$line, 2 * look$balloon) + 0.6
   list(
-    wide = wide, high = 1.5 * look$line + sum(pitch), grows = FALSE,
+    wide = wide, high = 1.5 * look$line + sum(pitch), grows = FALSE, widens = FALSE,
     draw = function(sheet, left, top, wide_given, high) {
       on_sheet(sheet, component = "heading", layer = "TABLES", draw = sheet_text(sheet, left,
         top - look$line / 2, "Floats, weights, boards (of each)", look$t, bold = TRUE))
@@ -189,8 +189,8 @@ piece_list <- function(rows, figure, look) {
 
 # ---- arrangements --------------------------------------------------------------------------------
 
-# Distributes blocks over n columns of equal width in their order. Returns list(column (of each
-# block), high) with the least possible height.
+# Distributes blocks over at most n columns in their order. Returns list(column (of each block),
+# wide (of each column), high) with the least possible height.
 packed_blocks <- function(blocks, n, gap) {
   high <- vapply(blocks, `[[`, 0, "high")
   fill <- function(most) {
@@ -212,16 +212,19 @@ packed_blocks <- function(blocks, n, gap) {
   sums <- sort(unique(as.vector(outer(ends, c(0, ends), "-"))) - gap)
   for (most in sums[sums >= max(high) - 1e-6]) {
     column <- fill(most)
-    if (max(column) <= n) return(list(column = column, high = most))
+    if (max(column) > n) next
+    wide <- as.vector(tapply(vapply(blocks, `[[`, 0, "wide"), column, max))
+    return(list(column = column, wide = wide, high = most))
   }
 }
+
+packed_width <- function(pack, gap) sum(pack$wide) + (length(pack$wide) - 1) * gap
 
 # Returns the arrangement with the highest worth above `least`, NULL if no such arrangement fits:
 # list(worth, scale, net, blocks, place, packed). `net` and `place` are the areas of netting and
 # blocks (left, bottom, right, top).
 best_arrangement <- function(figure, columns, blocks, inner, look, true_size, least = 0) {
   gap <- 2 * look$line
-  wide <- if (length(blocks)) max(vapply(blocks, `[[`, 0, "wide")) else 0
   room <- inner[3:4] - inner[1:2]
   found <- NULL
   add <- function(worth, scale, net, place, pack) {
@@ -236,12 +239,11 @@ best_arrangement <- function(figure, columns, blocks, inner, look, true_size, le
   }
   if (is.null(columns)) {
     for (n in 1:4) {
-      if (!length(blocks) || n * wide + (n - 1) * gap > room[1]) next
-      pack <- packed_blocks(blocks, n, gap)
-      if (is.null(pack) || pack$high > room[2]) next
-      # Prefer blocks that fill the width, without counting empty columns.
-      used <- max(pack$column)
-      add(1 / (1 + abs(room[1] / used / wide - 1)), NULL, NULL, inner, pack)
+      pack <- if (length(blocks)) packed_blocks(blocks, n, gap)
+      whole <- packed_width(pack, gap)
+      if (is.null(pack) || pack$high > room[2] || whole > room[1]) next
+      # Prefer blocks that fill the width.
+      add(whole / room[1], NULL, NULL, inner, pack)
     }
     return(found)
   }
@@ -251,10 +253,9 @@ best_arrangement <- function(figure, columns, blocks, inner, look, true_size, le
     return(found)
   }
   for (n in 1:4) {
-    whole <- n * wide + (n - 1) * gap
-    if (whole > room[1]) next
     pack <- packed_blocks(blocks, n, gap)
-    if (is.null(pack) || max(pack$column) < n) next
+    whole <- packed_width(pack, gap)
+    if (is.null(pack) || max(pack$column) < n || whole > room[1]) next
     if (pack$high <= room[2]) {
       scale <- fitting(room[1] - whole - gap, room[2])
       if (!is.null(scale)) {
@@ -300,15 +301,19 @@ draw_draft <- function(draft, figure, columns) {
   sheet
 }
 
-# Draws the blocks. Columns share the available width equally. Growing blocks and the gaps between
-# blocks take up the remaining height.
+# Draws the blocks. Columns with blocks that widen, if any, share the spare width. Growing blocks
+# and the gaps between blocks take up the remaining height.
 draw_blocks <- function(sheet, draft) {
   if (is.null(draft$packed)) return(invisible())
   gap <- 2 * draft$look$line
   column <- draft$packed$column
   n <- max(column)
   place <- draft$place
-  wide <- (place[3] - place[1] - (n - 1) * gap) / n
+  widens <- tapply(vapply(draft$blocks, `[[`, NA, "widens"), column, any)
+  widens <- if (any(widens)) widens / sum(widens) else 1 / n
+  spare <- place[3] - place[1] - packed_width(draft$packed, gap)
+  wide <- draft$packed$wide + as.vector(spare * widens)
+  left <- place[1] + cumsum(c(0, wide + gap))
   # Without netting, the rigging is the main drawing and may grow without limit.
   most <- if (is.null(draft$net)) Inf else 0.8
   for (c in seq_len(n)) {
@@ -317,11 +322,10 @@ draw_blocks <- function(sheet, draft) {
     spare <- place[4] - place[2] - sum(high) - (length(mine) - 1) * gap
     grows <- vapply(mine, `[[`, NA, "grows")
     if (any(grows)) high[grows] <- high[grows] + min(spare, most * sum(high[grows])) / sum(grows)
-    left <- place[1] + (c - 1) * (wide + gap)
     top <- place[4]
     rest <- place[4] - place[2] - sum(high) - (length(mine) - 1) * gap
     for (k in seq_along(mine)) {
-      mine[[k]]$draw(sheet, left, top, wide, high[k])
+      mine[[k]]$draw(sheet, left[c], top, wide[c], high[k])
       top <- top - high[k] - gap - rest / max(1, length(mine) - 1) * 0.6
     }
   }
