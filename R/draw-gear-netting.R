@@ -192,16 +192,17 @@ netting_items <- function(columns) {
 # Draws all columns from the left. scale: mm of sheet per metre of gear, along and deep; top: y of
 # their top. Returns x of the right end, mm.
 draw_columns <- function(sheet, columns, figure, scale, left, top, look, use) {
-  for (k in seq_along(columns)) {
-    column <- columns[[k]]
-    if (!column$joined) {
-      left <- left - column_reach(column, figure, scale, look)[1L]
-    }
-    draw_column(sheet, column, figure, scale, c(left, top), look, use)
-    following <- if (k < length(columns)) columns[[k + 1L]]
-    if (!isTRUE(following$joined)) {
-      left <- left + column_reach(column, figure, scale, look)[2L] + 4 * look$gap
-    }
+  at <- vapply(seq_along(columns), function(k) {
+    reach <- column_reach(columns[[k]], figure, scale, look)
+    if (!columns[[k]]$joined) left <<- left - reach[1L]
+    here <- left
+    joined <- k < length(columns) && columns[[k + 1L]]$joined
+    if (!joined) left <<- left + reach[2L] + 4 * look$gap
+    here
+  }, 0)
+  # All netting comes first, because labels of one half must not cover the other half.
+  for (part in list(draw_netting, label_netting)) {
+    for (k in seq_along(columns)) part(sheet, columns[[k]], figure, scale, c(at[k], top), look, use)
   }
   left - 4 * look$gap
 }
@@ -254,7 +255,9 @@ column_reach <- function(column, figure, scale, look) {
 
 drawn_reach <- function(column, figure, scale, look) {
   scratch <- new_sheet(c(1, 1))
-  draw_column(scratch, column, figure, scale, c(0, 0), look, new_page_use())
+  use <- new_page_use()
+  draw_netting(scratch, column, figure, scale, c(0, 0), look, use)
+  label_netting(scratch, column, figure, scale, c(0, 0), look, use)
   boxes <- vapply(scratch$items, item_box, numeric(4))
   c(min(boxes[1, ]), max(boxes[3, ]))
 }
@@ -263,7 +266,7 @@ drawn_reach <- function(column, figure, scale, look) {
 # head.
 heading_lines <- 4.2
 
-draw_column <- function(sheet, column, figure, scale, at, look, use) {
+draw_netting <- function(sheet, column, figure, scale, at, look, use) {
   panels <- column$panels
   x <- function(m) at[1] + scale[1] * m
   y <- function(m) at[2] - scale[2] * m
@@ -293,6 +296,12 @@ draw_column <- function(sheet, column, figure, scale, at, look, use) {
       draw = sheet_line(sheet, c(laced$x0[k], laced$x1[k]), c(laced$y0[k], laced$y1[k]),
         sheet_width[["thick"]]))
   }
+}
+
+label_netting <- function(sheet, column, figure, scale, at, look, use) {
+  panels <- column$panels
+  x <- function(m) at[1] + scale[1] * m
+  y <- function(m) at[2] - scale[2] * m
   if (column$wall) {
     label_wall(sheet, column, figure, x, y, look, use)
     draw_heading(sheet, column, x(min(panels$ul, panels$ll)), 0, at[2] + 7 * look$line, look,
@@ -300,7 +309,7 @@ draw_column <- function(sheet, column, figure, scale, at, look, use) {
   } else {
     label_column(sheet, column, figure, scale, at, look, use)
   }
-  place_balloons(sheet, laced, look, use)
+  place_balloons(sheet, drawn_laced(column$laced, x, y), look, use)
 }
 
 # Draws the heading at the centre line of a half column, or at the left edge of a whole column.
