@@ -433,7 +433,8 @@ column_strings <- function(names) {
   # Keeps the order of the first.
   shared <- function(lists) Reduce(function(a, b) a[a %in% b], lists)
   own <- lapply(names, function(each) {
-    grep("^[0-9]+$", shared(strsplit(each, "_", fixed = TRUE)), invert = TRUE, value = TRUE)
+    common <- unique(shared(strsplit(each, "_", fixed = TRUE)))
+    grep("^[0-9]+$", common, invert = TRUE, value = TRUE)
   })
   common <- shared(own)
   if (!length(common)) {
