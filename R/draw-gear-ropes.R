@@ -87,67 +87,95 @@ place_balloons <- function(sheet, lines, look, use) {
 
 # ---- ropes laid straight -------------------------------------------------------------------------
 
-# Returns the ropes along the netting that are also drawn straight, at most five. Each is a list.
-# `item`, `name`: its row of the rope list and its name. `parts`: data frame of words and length
-# (m), one row per part of the net. `pieces`: data frame of the pieces along it (`pieces_along()`),
-# or NULL.
+# Returns the ropes along the netting that are also drawn straight, at most five. A line in sections
+# is one of them. Each is a list. `name`, `length` (m), `words`: of the whole. `items`: its rows of
+# the rope list. `ropes`: names of its sections in order. `parts`: data frame of words and length
+# (m), one row per section, or per part of the net along a single rope. `pieces`: data frame of the
+# pieces along it (`pieces_along()`), or NULL.
 straight_ropes <- function(figure) {
   si <- figure$si
-  found <- lapply(which(figure$ropes$laced), function(k) {
-    item <- figure$ropes[k, ]
-    parts <- rope_parts(item$first, si)
-    pieces <- pieces_along(item$first, figure)
-    mouth <- grepl("headline|footrope|ground gear|float line|lead line", item$name)
-    if (is.null(pieces) && (!mouth || nrow(parts) < 2L)) return(NULL)
-    list(item = item, name = item$first, parts = parts, pieces = pieces)
+  found <- lapply(rope_chains(si, figure$layout$joints), function(ropes) {
+    items <- figure$ropes[match(vapply(ropes, rope_kind, "", si = si), figure$ropes$kind), ]
+    parts <- if (length(ropes) == 1L) rope_parts(ropes, si) else {
+      data.frame(words = "", length = items$length)
+    }
+    pieces <- pieces_along(ropes, figure)
+    if (is.null(pieces) && (!si$ropes[[ropes[1L]]]$role %in% mouth_lines || nrow(parts) < 2L)) {
+      return(NULL)
+    }
+    list(items = items[!duplicated(items$item), ], ropes = ropes, parts = parts, pieces = pieces)
   })
-  utils::head(Filter(Negate(is.null), found), 5L)
+  found <- Filter(Negate(is.null), found)
+  # Identical ropes, such as those on both sides, are drawn once.
+  utils::head(found[!duplicated(lapply(found, function(rope) rope$items$item))], 5L)
 }
 
-# Returns the lengths (m) of a rope along consecutive parts of the net. Edges of the same part are
-# merged.
+mouth_lines <- c("headline", "footrope", "ground_gear", "float_line", "lead_line")
+
+# Returns the names of the ropes along netting as a list of chains. A rope continues the previous
+# one if both have the same role and it starts at the same panel, or at one that is joined to it.
+rope_chains <- function(si, joints) {
+  laced <- Filter(function(name) !is.null(si$ropes[[name]]$along), names(si$ropes))
+  role <- vapply(laced, function(name) si$ropes[[name]]$role, "")
+  first <- vapply(laced, function(name) si$ropes[[name]]$along[[1L]]$panel, "")
+  last <- vapply(laced, function(name) rev(si$ropes[[name]]$along)[[1L]]$panel, "")
+  n <- length(laced)
+  follows <- vapply(seq_len(n)[-1L], function(k) {
+    met <- c(last[k - 1L], joints$other[joints$panel == last[k - 1L]])
+    identical(role[[k]], role[[k - 1L]]) && !is.na(role[k]) && first[k] %in% met
+  }, NA)
+  unname(split(laced, cumsum(c(TRUE, !follows)[seq_len(n)])))
+}
+
+# Returns the lengths (m) of a rope along consecutive panels. Edges of one panel are merged. The
+# bosom is along the edges ahead of or behind netting between two wings.
 rope_parts <- function(name, si) {
   rope <- si$ropes[[name]]
   along <- rope$along
   netting <- vapply(seq_along(along), function(k) chain_length(along[k], si$panels), 0)
   share <- if (is.null(rope$shares)) netting / sum(netting) else rope$shares
   panel <- vapply(along, `[[`, "", "panel")
-  edge <- vapply(along, `[[`, "", "edge")
-  part <- vapply(panel, function(p) first_of(si$panels[[p]]$part, NA_character_), "")
-  words <- ifelse(part %in% "wings", "wing",
-    ifelse(edge %in% c("upper", "lower") & any(part %in% "wings"), "bosom", ""))
-  key <- paste(words, ifelse(nzchar(words), sub("^[^_]*_", "", panel), ""))
+  side <- which(vapply(along, `[[`, "", "edge") %in% c("left", "right"))
+  k <- seq_along(along)
+  bosom <- k > min(side, Inf) & k < max(side, -Inf) & !k %in% side
+  words <- if (any(bosom)) ifelse(bosom, "bosom", "wing") else rep("", length(along))
+  key <- if (any(bosom)) ifelse(bosom, "bosom", panel) else words
   run <- cumsum(c(TRUE, key[-1L] != key[-length(key)]))
   data.frame(
     words = words[!duplicated(run)], length = as.vector(tapply(share * rope$length, run, sum))
   )
 }
 
-pieces_along <- function(rope, figure) {
-  rows <- lapply(names(figure$si$pieces), function(name) {
-    piece <- figure$si$pieces[[name]]
-    if (!identical(piece$along$kind, "rope") || !identical(piece$along$name, rope)) return(NULL)
+# Returns the pieces along the ropes of a chain, one row per group. `at`, `apart`: position of the
+# first one and distance to the next (m); `high`, `wide`: size across and along the rope (m), `size`
+# in words.
+pieces_along <- function(ropes, figure) {
+  si <- figure$si
+  length <- vapply(si$ropes[ropes], `[[`, 0, "length")
+  start <- cumsum(c(0, length))
+  rows <- lapply(names(si$pieces), function(name) {
+    piece <- si$pieces[[name]]
+    k <- if (identical(piece$along$kind, "rope")) match(piece$along$name, ropes) else NA
+    if (is.na(k)) return(NULL)
     item <- which(vapply(figure$pieces$parts, function(parts) name %in% parts, NA))[1]
-    disc <- figure$discs[[name]]
+    # From end to end, or each in the middle of its own stretch, as in the mesh.
+    apart <- diff(piece$extent) * length[[k]] / (piece$number - piece$end_to_end)
+    # Discs are cylinders, other pieces spheres.
+    is_disc <- piece$role %in% "disc"
+    high <- if (is_disc) 4 / pi * piece$volume / piece$area else (6 / pi * piece$volume)^(1 / 3)
     data.frame(
-      letter = figure$pieces$item[item], number = piece$number, from = piece$extent[1],
-      to = piece$extent[2], name = figure$pieces$name[item], ref = paste0("pieces.", name),
-      ends = piece$end_to_end, diameter = first_of(disc$diameter, NA_real_),
-      width = first_of(disc$width, NA_real_)
+      letter = figure$pieces$item[item], number = piece$number,
+      at = start[k] + piece$extent[1] * length[[k]] + if (piece$end_to_end) 0 else apart / 2,
+      apart = apart, name = figure$pieces$name[item], ref = paste0("pieces.", name),
+      disc = is_disc, high = high, wide = if (is_disc) piece$area / high else high,
+      size = if (piece$role %in% c("disc", "float")) {
+        paste0(" \u00d8", short_number(in_unit(high, "mm"), 3))
+      } else {
+        ""
+      }
     )
   })
   do.call(rbind, rows)
-}
-
-# Returns diameter and width (m) of the discs on a plan's ground gear, by the names of their pieces
-# (`grouped_pieces()`).
-plan_discs <- function(plan) {
-  groups <- plan$ground_gear$discs
-  if (is.null(groups)) return(list())
-  if (!is.null(names(groups))) groups <- list(discs = groups) else {
-    names(groups) <- paste0("discs_", seq_along(groups))
-  }
-  lapply(groups, function(group) lapply(group[c("diameter", "width")], quantity_si, "length"))
 }
 
 straight_width <- function(look) 34 * look$t
@@ -156,16 +184,22 @@ straight_height <- function(rope, look) {
 }
 
 draw_straight <- function(sheet, rope, x, top, wide, look) {
-  on_sheet(sheet, component = "rope", ref = paste0("ropes.", rope$name), layer = "ROPES", draw = {
-    draw_balloon(sheet, x + look$balloon, top - look$line / 2, rope$item$item, look)
-    sheet_text(sheet, x + 2 * look$balloon + look$gap, top - look$line / 2,
-      cut_text(straight_text(rope), wide - 2 * look$balloon - look$gap, look$t), look$t)
-  })
+  refs <- paste0("ropes.", rope$ropes)
+  left <- x
+  for (k in seq_len(nrow(rope$items))) {
+    on_sheet(sheet, component = "rope", ref = paste0("ropes.", rope$items$first[k]),
+      layer = "ROPES", draw = draw_balloon(sheet, left + look$balloon, top - look$line / 2,
+        rope$items$item[k], look))
+    left <- left + 2 * look$balloon + look$gap
+  }
+  on_sheet(sheet, component = "rope", ref = refs[1L], layer = "ROPES", draw = sheet_text(sheet,
+    left, top - look$line / 2, cut_text(straight_text(rope), x + wide - left, look$t), look$t))
   y <- top - 3.4 * look$line
-  end <- x + wide
-  bounds <- x + wide * c(0, cumsum(rope$parts$length)) / sum(rope$parts$length)
-  on_sheet(sheet, component = "rope", ref = paste0("ropes.", rope$name), layer = "ROPES", draw = {
-    sheet_line(sheet, c(x, end), c(y, y), sheet_width[["thick"]])
+  # Pieces at the ends are within the width.
+  line <- x + look$t + c(0, wide - 2 * look$t)
+  bounds <- line[1] + diff(line) * c(0, cumsum(rope$parts$length)) / sum(rope$parts$length)
+  on_sheet(sheet, component = "rope", ref = refs[1L], layer = "ROPES", draw = {
+    sheet_line(sheet, line, c(y, y), sheet_width[["thick"]])
     for (b in bounds) sheet_line(sheet, c(b, b), y + c(-0.6, 0.6) * look$t)
   })
   shown <- short_number(round(rope$parts$length, 2), 6)
@@ -175,73 +209,61 @@ draw_straight <- function(sheet, rope, x, top, wide, look) {
   long[tight] <- shown[tight]
   if (any(text_width(long, look$t) + look$gap >= diff(bounds))) {
     long <- cut_text(paste(shown, collapse = " + "), wide, look$t)
-    centre <- (x + end) / 2
+    centre <- mean(line)
+    refs <- refs[1L]
   }
-  on_sheet(sheet, component = "length", ref = paste0("ropes.", rope$name, ".length"),
-    layer = "TABLES", draw = {
-      for (k in seq_along(long)) {
-        sheet_text(sheet, centre[k], y + 1.2 * look$line, long[k], look$t, 0.5)
-      }
-    })
-  draw_pieces_along(sheet, rope, x, y, wide, look)
+  for (k in seq_along(long)) {
+    on_sheet(sheet, component = "length", ref = paste0(rep_len(refs, length(long))[k], ".length"),
+      layer = "TABLES", draw = sheet_text(sheet, centre[k], y + 1.2 * look$line, long[k], look$t,
+        0.5))
+  }
+  if (is.null(rope$pieces)) return(invisible())
+  draw_pieces_along(sheet, rope$pieces, line[1], y, diff(line) / sum(rope$parts$length), look)
+  on_sheet(sheet, component = "piece", ref = rope$pieces$ref[1], layer = "PIECES",
+    draw = sheet_lines(sheet, x, y - 1.3 * look$line, piece_lines(rope, wide, look), look))
 }
 
 straight_text <- function(rope) {
-  item <- rope$item
-  make <- trimws(paste0(item$material, " \u00d8", short_number(in_unit(item$diameter, "mm"))))
-  paste0(item$name, "  ", short_number(round(item$length, 2), 6), " m  ", make,
-    if (!is.na(item$hanging)) sprintf("  E %.2f", item$hanging))
+  items <- rope$items
+  make <- unique(trimws(paste0(items$material, " \u00d8",
+    short_number(in_unit(items$diameter, "mm")))))
+  paste0(items$name[1], "  ", short_number(round(sum(rope$parts$length), 2), 6), " m",
+    if (length(make) == 1L) paste0("  ", make),
+    if (nrow(items) == 1L && !is.na(items$hanging)) sprintf("  E %.2f", items$hanging))
 }
 
-# Draws a disc as seen from ahead, in proportion to the largest on its rope. step: mm to the next
-# disc.
-draw_disc <- function(sheet, x, y, disc, largest, step, look) {
-  high <- 0.95 * look$t * disc$diameter / largest
-  half <- max(min(high * disc$width / disc$diameter, step / 3), 0.2)
-  sheet_polygon(sheet, x + half * c(-1, 1, 1, -1), y + high * c(-1, -1, 1, 1), fill = "white",
-    width = sheet_width[["thin"]])
-}
-
-# Draws the pieces along a rope, each separately if space allows, with number and spacing below.
-draw_pieces_along <- function(sheet, rope, x, y, wide, look) {
-  pieces <- rope$pieces
-  if (is.null(pieces)) return(invisible())
+# Draws the pieces along a rope as seen from ahead: floats as circles, discs as bars. All have the
+# same scale, at which the largest is as high as two letters, or less to keep them apart. `scale`:
+# mm of sheet per metre of rope.
+draw_pieces_along <- function(sheet, pieces, x, y, scale, look) {
+  apart <- ifelse(pieces$number > 1, pieces$apart, Inf)
+  # Pieces without a volume, such as a canvas, look like the largest.
+  pieces[pieces$high == 0, c("high", "wide")] <- max(pieces$high, 1e-3)
+  half <- min(0.95 * look$t / pieces$high, scale * apart / pieces$wide / 2.5)
   for (k in seq_len(nrow(pieces))) {
     p <- pieces[k, ]
-    apart <- share_apart(p)
-    share <- p$from + apart * (seq_len(p$number) - if (p$ends) 1 else 0.5)
-    step <- wide * apart
-    radius <- min(0.8 * look$t, step / 2.5)
-    shown <- if (radius < 0.3) share[unique(round(seq(1, p$number, length.out = 40)))] else share
-    is_disc <- !is.na(p$diameter)
-    on_sheet(sheet, component = "piece", ref = p$ref, layer = "PIECES", draw = {
-      for (s in shown) {
-        if (is_disc) {
-          draw_disc(sheet, x + s * wide, y, p, max(pieces$diameter, na.rm = TRUE), step, look)
-        } else {
-          sheet_circle(sheet, x + s * wide, y, max(radius, 0.3))
-        }
+    at <- x + scale * (p$at + p$apart * (seq_len(p$number) - 1))
+    size <- pmax(half * c(p$wide, p$high), if (p$disc) 0.2 else 0.3)
+    # Floats that are too small to see stand for several.
+    if (!p$disc && size[1] == 0.3) at <- at[unique(round(seq(1, p$number, length.out = 40)))]
+    on_sheet(sheet, component = "piece", ref = p$ref, layer = "PIECES", draw = for (one in at) {
+      if (p$disc) {
+        sheet_polygon(sheet, one + size[1] * c(-1, 1, 1, -1), y + size[2] * c(-1, -1, 1, 1),
+          fill = "white")
+      } else {
+        sheet_circle(sheet, one, y, size[1])
       }
     })
   }
-  lines <- piece_lines(rope, wide, look)
-  on_sheet(sheet, component = "piece", ref = pieces$ref[1], layer = "PIECES",
-    draw = sheet_lines(sheet, x, y - 1.3 * look$line, lines, look))
 }
-
-# Returns the spacing of pieces as a fraction of the rope: from end to end, or each in the middle of
-# its own stretch, as in the mesh.
-share_apart <- function(pieces) (pieces$to - pieces$from) / (pieces$number - pieces$ends)
 
 piece_lines <- function(rope, wide, look) {
   pieces <- rope$pieces
   if (is.null(pieces)) return(character())
-  size <- ifelse(is.na(pieces$diameter), "",
-    paste0(" \u00d8", short_number(in_unit(pieces$diameter, "mm"))))
-  each <- ifelse(pieces$number > 1, paste0(", ", pieces$number, " off, ",
-    short_number(rope$item$length * share_apart(pieces), 3), " m apart"), "")
+  each <- ifelse(pieces$number > 1,
+    paste0(", ", pieces$number, " off, ", short_number(pieces$apart, 3), " m apart"), "")
   # Merge identical groups, such as those on both wings.
-  said <- paste0(pieces$letter, ": ", pieces$name, size, each)
+  said <- paste0(pieces$letter, ": ", pieces$name, pieces$size, each)
   alike <- table(factor(said, unique(said)))
   said <- paste0(names(alike), ifelse(alike > 1, paste0(", ", alike, " groups"), ""))
   wrap_text(paste(said, collapse = "; "), wide, look$t)

@@ -28,6 +28,8 @@
 #'   9(1N2B)+1(1N3B).
 #' - Ropes have numbers and pieces have letters, which the lists explain. E is a rope's hanging
 #'   ratio.
+#' - Headline, footrope and ground gear are also drawn straight, with all sections. Their floats
+#'   and discs have one scale, larger than the rope's.
 #' - The rigging is not to scale. Both sides are drawn once. A rope to its mirror image, such as a
 #'   tickler chain from shoe to shoe, ends in an open circle.
 #' - Text heights follow ISO 3098, with at least 1.8 mm and more on larger sheets.
@@ -78,7 +80,7 @@ drawing_svg <- function(gear, page = "A4") {
 
 # Returns the content of the drawing, independent of the page. Elements: title, si, layout (NULL
 # without netting), ropes and pieces (items, or NULL), rigging (or NULL), panels (checked fields),
-# discs, source, reaches (cache).
+# source, reaches (cache).
 plan_figure <- function(gear) {
   si <- gear_si(gear)
   # Struts without mass are edges of stiff pieces, not ropes.
@@ -91,7 +93,7 @@ plan_figure <- function(gear) {
     title = gear$plan$name, si = si,
     layout = if (length(si$panels)) flat_layout(si),
     ropes = ropes, pieces = pieces, rigging = plan_rigging(si, ropes, pieces, frames),
-    panels = gear_fields(gear)$panels, discs = plan_discs(gear$plan), source = plan_source(gear),
+    panels = gear_fields(gear)$panels, source = plan_source(gear),
     reaches = new.env(parent = emptyenv())
   )
 }

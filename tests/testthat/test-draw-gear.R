@@ -182,8 +182,10 @@ test_that("lines_cross_box() detects only lines through a box", {
 })
 
 test_that("drawings of shipped gears have no overlap and ISO 3098 letters", {
-  nets <- c("eastern_trawl", "four_seam_trawl", "myctophid_trawl", "penaeid_trawl", "survey_trawl")
-  gears <- c(lapply(gears()$name, read_gear), lapply(nets, plan_of_net))
+  nets <- c("eastern_trawl", "four_seam_trawl", "myctophid_trawl", "penaeid_trawl", "survey_trawl",
+    "two_seam_trawl")
+  random <- lapply(c(80009, 80016, 80020), random_net)
+  gears <- c(lapply(gears()$name, read_gear), lapply(nets, plan_of_net), random)
   for (k in seq_along(gears)) {
     gear <- gears[[k]]
     # the smallest page, and for every third gear a larger one
@@ -263,10 +265,13 @@ test_that("cutting rates come from the plan or are the simplest match", {
   expect_identical(drawn_rates(panel, list(cutting = "2N3B"))[["right"]], "2N3B")
 })
 
+straight_rope <- function(figure, name) {
+  Find(function(rope) rope$items$name[1] == name, straight_ropes(figure))
+}
+
 test_that("straight rope shows wing, bosom, wing and its floats", {
   figure <- plan_figure(read_gear("poly_noreastern_trawl"))
-  ropes <- straight_ropes(figure)
-  headline <- ropes[[match("headline", vapply(ropes, function(r) r$item$name, ""))]]
+  headline <- straight_rope(figure, "headline")
   given <- figure$si$ropes$headline
   expect_identical(headline$parts$words, c("wing", "bosom", "wing"))
   expect_equal(sum(headline$parts$length), given$length)
@@ -276,12 +281,34 @@ test_that("straight rope shows wing, bosom, wing and its floats", {
   expect_equal(sum(headline$pieces$number), sum(floats$count))
 })
 
+test_that("straight rope joins the sections of a line and their pieces", {
+  gear <- plan_of_net("two_seam_trawl")
+  figure <- plan_figure(gear)
+  headline <- straight_rope(figure, "headline")
+  expect_equal(headline$parts$length, c(8, 4, 6, 4, 8))
+  expect_equal(headline$pieces$number, c(11, 9, 20, 9, 11))
+  expect_equal(headline$pieces$high, rep(0.2, 5))
+  # symmetric, each float in the middle of its own stretch
+  last <- with(headline$pieces, at + apart * (number - 1))
+  expect_equal(headline$pieces$at[1], 8 / 11 / 2)
+  expect_equal(headline$pieces$at, 30 - rev(last))
+  ground <- straight_rope(figure, "ground gear")
+  expect_equal(ground$parts$length, c(10, 5, 6, 5, 10))
+  expect_equal(ground$pieces$high, c(0.2, 0.3, 0.2))
+  expect_equal(ground$pieces$wide, c(0.08, 0.1, 0.08))
+  # every float on the sheet has the same size
+  circles <- Filter(function(i) i$kind == "circle" && grepl("floats", i$ref),
+    gear_sheet(gear, "A4")$items)
+  expect_length(circles, 60)
+  expect_length(unique(vapply(circles, `[[`, 0, "radius")), 1)
+})
+
 test_that("drawing shows discs of the ground gear in proportion", {
   gear <- plan_of_net("four_seam_trawl")
   figure <- plan_figure(gear)
-  rope <- Find(function(r) r$item$name == "ground gear", straight_ropes(figure))
-  expect_equal(rope$pieces$diameter, c(0.406, 0.356, 0.356))
-  expect_equal(rope$pieces$width, rep(0.076, 3))
+  rope <- straight_rope(figure, "ground gear")
+  expect_equal(rope$pieces$high, c(0.406, 0.356, 0.356))
+  expect_equal(rope$pieces$wide, rep(0.076, 3))
   given <- figure$si$pieces[paste0("discs_", 1:3)]
   expect_equal(rope$pieces$number, unname(vapply(given, `[[`, 0, "number")))
   sheet <- gear_sheet(gear, "A3")
