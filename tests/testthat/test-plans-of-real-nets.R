@@ -7,7 +7,7 @@ real_net <- function(name) {
 }
 
 test_that("plans of real nets fit one page, mark assumptions and settle", {
-  for (name in c("eastern", "four_seam", "myctophid")) {
+  for (name in c("eastern", "four_seam", "myctophid", "nordic")) {
     text <- readLines(real_net(name))
     expect_lte(length(text), 60)
     expect_match(text, "[assumed]", fixed = TRUE, all = FALSE)
@@ -52,10 +52,20 @@ test_that("lantern fish trawl has the published netting and drag", {
   expect_lt(max(abs(tonnes / c(4.9, 7.3) - 1)), 0.2)
 })
 
+test_that("Nordic trawl floats, with its published length and a mouth below its largest", {
+  found <- measures(settle(read_gear(real_net("nordic")), nodes = 400))
+  expect_equal(found[["net_length_m"]], 198, tolerance = 0.1)
+  expect_lt(found[["headline_depth_m"]], 1)
+  expect_lt(found[["wing_end_spread_m"]], 30)
+  expect_gt(found[["wing_end_spread_m"]], 30 / 2)
+  expect_lt(found[["net_mouth_height_m"]], 18)
+  expect_gt(found[["net_mouth_height_m"]], 18 / 2)
+})
+
 test_that("plans of real nets have their published particulars", {
   sheets <- utils::read.csv(system.file("extdata", "published_nets.csv", package = "codend"),
     comment.char = "#")
-  expect_gte(length(unique(sheets$plan)), 5)
+  expect_gte(length(unique(sheets$plan)), 6)
   for (name in unique(sheets$plan)) {
     all <- summary(read_gear(if (name == "poly_noreastern") "poly_noreastern_trawl" else {
       real_net(name)
