@@ -1,11 +1,16 @@
 # Entry point of `make random-gears`: counts how many random gears settle. Named arguments:
 # count=300, seed=1 (of the first), nodes=1500, netting=, law=, kind= (each empty: the default of
-# the gear; kind=rig: random rigs). Writes to bench/results/: random-gears.csv (a row per gear),
-# random-gears.md, and in random-gears-failed/ the plan of each gear that did not settle.
+# the gear; kind=rig: random rigs; kind=net: random nets). Writes to bench/results/:
+# random-gears.csv (a row per gear), random-gears.md, and in random-gears-failed/ the plan of each
+# gear that did not settle.
 library(codend)
 for (script in c("random-gears", "own-process", "sizes", "results")) {
   source(file.path("bench", paste0(script, ".R")))
 }
+
+# The tests settle a few of the random nets.
+nets <- new.env(parent = asNamespace("codend"))
+sys.source("tests/testthat/helper-net.R", nets)
 
 asked <- list(count = "300", seed = "1", nodes = "1500", netting = "", law = "", kind = "")
 for (one in strsplit(commandArgs(TRUE), "=", fixed = TRUE)) {
@@ -19,7 +24,8 @@ dir.create(failed_folder, recursive = TRUE)
 
 of_number <- function(number) {
   is_rig <- asked$kind == "rig"
-  gear <- if (is_rig) random_rig(number) else random_gear(number, given("kind"), given("law"))
+  gear <- switch(asked$kind, rig = random_rig(number), net = nets$random_net(number),
+    random_gear(number, given("kind"), given("law")))
   seconds <- cpu(found <- tryCatch(
     suppressWarnings(settle(gear, as.numeric(asked$nodes), given("netting"))), error = identity
   ))
