@@ -123,7 +123,30 @@ define_range("twine over bar", "plan",
   "Check the unit: a number without a unit is in metres.", "twine"
 )
 
+# Steel wire and aramid break at 2 to 4 %, polyamide at 20 % or more.
+define_range("breaking strain", "plan",
+  "The breaking load of a rope over its axial stiffness is below 0.2 % or above 60 %.",
+  "breaking load over axial stiffness", 0.2, 60, "%",
+  function(gear, state) {
+    numbers_of_parts(gear_si(gear)$ropes, "rope", function(rope) {
+      100 * positive_ratio(rope$strength, rope$axial_stiffness)
+    })
+  },
+  "Check the strength, the stiffness or modulus, and their units."
+)
+
 # Ropes and bodies of shipped and published gears have 205 to 11,300 kg/m3.
+# Fresh to very salty water has 990 to 1,050 kg/m3; tests in air have about 1.2.
+define_range("water density", "plan",
+  "The density of the water is below 950 kg/m3 or above 1,100 kg/m3.",
+  "density", 950, 1100, "kg/m3",
+  function(gear, state) {
+    density <- gear_si(gear)$water$density
+    c(water.density = if (density > 2) density else NA_real_)
+  },
+  "Check the density and its unit."
+)
+
 define_range("density", "plan",
   "The density of a rope or body (its mass over its volume) is below 30 kg/m3 or above 13,000 kg/m3.
   Foam has 100 kg/m3 or more, lead 11,340 kg/m3.",
@@ -161,6 +184,32 @@ define_range("panel depth", "plan",
     numbers_of_parts(gear_si(gear)$panels, "panel", function(panel) panel$deep * panel$mesh_size)
   },
   "Check the mesh counts of the panel.", "meshes"
+)
+
+# The narrowest panels of shipped and published nets have 0.19.
+define_range("narrow panel", "plan",
+  "A panel has less than 2 % as many meshes across as it is deep.",
+  "meshes across over meshes deep", 0.02, Inf, "",
+  function(gear, state) {
+    numbers_of_parts(gear_si(gear)$panels, "panel", function(panel) {
+      max(panel$upper, panel$lower) / panel$deep
+    })
+  },
+  "Check the mesh counts of the panel.", "meshes"
+)
+
+# The bridles of shipped and published nets are at most five times as long as the headline.
+define_range("long bridle", "plan",
+  "A bridle is more than 20 times as long as the longest rope along the netting.",
+  "length of the bridle over that of the rope", -Inf, 20, "",
+  function(gear, state) {
+    si <- gear_si(gear)
+    along <- Filter(function(rope) !is.null(rope$along), si$ropes)
+    longest <- max(0, vapply(along, `[[`, 0, "length"))
+    bridles <- Filter(function(rope) rope$role %in% "bridle", si$ropes)
+    numbers_of_parts(bridles, "rope", function(rope) positive_ratio(rope$length, longest))
+  },
+  "Check the lengths and their units.", "length"
 )
 
 # Ropes along netting of shipped and published gears are at least as thick as the twine.
@@ -203,9 +252,9 @@ define_range("body size", "plan",
 
 # Bodies of shipped and published gears have up to 15 (boards).
 define_range("body drag", "plan",
-  "The drag area of a body is too large for its volume: its ratio to volume^(2/3) is above 60. A
-  sphere has 0.57, boards have up to 15.",
-  "drag area over volume^(2/3)", -Inf, 60, "",
+  "The drag area of a body does not fit its volume: its ratio to volume^(2/3) is below 0.05 or above
+  60. A sphere has 0.57, boards have up to 15.",
+  "drag area over volume^(2/3)", 0.05, 60, "",
   function(gear, state) {
     numbers_of_parts(gear_si(gear)$pieces, "piece", function(piece) {
       positive_ratio(piece$drag_area, piece$volume^(2 / 3))
@@ -247,19 +296,38 @@ for (along in names(coefficient_ranges)) local({
     "Check the coefficient and its reference area.", paste0("coefficients.", name), rank = 2L)
 })
 
-# Roles of bodies that float (-1) or sink (1).
-sinking_roles <- c(float = -1, weight = 1, sinker = 1, anchor = 1, ring = 1, disc = 1, hammer = 1)
+# Roles of bodies and ropes that float (-1) or sink (1).
+sinking_roles <- c(
+  float = -1, weight = 1, sinker = 1, anchor = 1, ring = 1, disc = 1, hammer = 1, hook = 1,
+  shoe = 1, shoe_end = 1, ground_gear = 1, lead_line = 1, tickler = 1
+)
 
 define_range("weight that floats", "plan",
-  "A weight floats, or a float sinks.",
+  "A weight, a lead line or a ground gear floats, or a float sinks.",
   "weight in water over mass", 0, Inf, "",
   function(gear, state) {
     si <- gear_si(gear)
-    numbers_of_parts(si$pieces, "piece", function(piece) {
-      way <- unname(sinking_roles[first_of(piece$role, "")])
-      if (!isTRUE(piece$mass > 0)) return(NA_real_)
-      way * (1 - si$water$density * piece$volume / piece$mass)
-    })
+    sinking <- function(part, mass, volume) {
+      way <- unname(sinking_roles[first_of(part$role, "")])
+      if (!isTRUE(mass > 0)) return(NA_real_)
+      way * (1 - si$water$density * volume / mass)
+    }
+    # A rope counts with the pieces mounted on it.
+    of_rope <- function(name) {
+      rope <- si$ropes[[name]]
+      on <- Filter(function(piece) identical(piece$along$name, name), si$pieces)
+      sum_of <- function(field) {
+        sum(vapply(on, function(piece) piece$number * piece[[field]], 0))
+      }
+      sinking(rope, rope$length * rope$mass_per_length + sum_of("mass"),
+        rope$length * rope$volume_per_length + sum_of("volume"))
+    }
+    c(
+      numbers_of_parts(si$pieces, "piece", function(piece) {
+        sinking(piece, piece$mass, piece$volume)
+      }),
+      numbers_of_parts(setNames(nm = names(si$ropes)), "rope", of_rope)
+    )
   },
   "Check the mass, the volume or the buoyancy, and their units."
 )
@@ -315,12 +383,27 @@ define_range("stretched rope", "state",
   "Use a thicker or a stronger rope, or find the cause of the high load.", "diameter"
 )
 
+# Netting of shipped gears is stretched by up to 5.8 %. Netting yarns of polyamide and polyethylene
+# break at 20 % or more.
+define_range("stretched twine", "state",
+  "A twine is stretched by more than 20 % of its length. Many twines break before that.",
+  "stretch", -Inf, 20, "%",
+  function(gear, state) {
+    panels <- state$si$panels
+    table <- tension_table(state)
+    table <- table[table$part %in% names(panels), ]
+    stiffness <- vapply(panels[table$part], `[[`, 0, "axial_stiffness")
+    setNames(100 * 1000 * table$max_kN / stiffness, paste("panel", table$part, recycle0 = TRUE))
+  },
+  "Use a thicker or double twine, or find the cause of the high load.", "twine"
+)
+
 # The shortest distance between the ends of a free rope of shipped and published gears is 57 % of
 # its length (tickler chains), except for purse lines, which run through rings.
 define_range("slack rope", "state",
-  "The ends of a free rope are closer together than 20 % of its length. This check omits ropes that
+  "The ends of a free rope are closer together than half of its length. This check omits ropes that
   run through rings, ropes that end where they start, and moments of a tow.",
-  "distance between the ends over the length", 20, Inf, "%",
+  "distance between the ends over the length", 50, Inf, "%",
   function(gear, state) {
     if (!is.null(state$time)) return(numeric())
     free <- Filter(function(rope) {

@@ -34,8 +34,9 @@
 #' - A contribution is a sensitivity times a standard uncertainty. Contributions are added in
 #'   quadrature, with their correlations. A range that is not
 #'   centred on its value shifts the interval.
-#' - [sensitivities()] describes the derivatives. Here they have few digits, cover both sides, and
-#'   use a single factorised matrix.
+#' - [sensitivities()] describes the derivatives. Here they have few digits, cover both sides, use a
+#'   single factorised matrix, and a mesh of at most 600 nodes per net: a contribution changes by
+#'   few percent of itself with more nodes.
 #' - Counts of parts, such as slack netting or rope on the seabed, change in steps. Their derivative
 #'   counts the lines and contacts that reach zero force within one standard uncertainty.
 #' - The limits of the interval are quantiles of the sum of all contributions, for 2,000 draws of
@@ -105,7 +106,7 @@ uncertainty <- function(state, of = NULL, level = 0.9, method = c("linear", "sam
   of <- chosen_measures(of, names(base))
   sources <- uncertainty_sources(state$gear)
   if (!is.null(fit)) sources <- calibrated_sources(sources, fit)
-  spread <- source_contributions(state, sources, fit)
+  spread <- source_contributions(coarse_state(state), sources, fit)
   warn_of_uncovered(sources, spread$covered)
   by_measure <- c("spread", "below", "above", "off", "rough")
   found <- c(
@@ -145,6 +146,20 @@ side_reach <- c(normal = stats::qnorm(0.95), uniform = sqrt(3))
 most_uneven <- 0.5
 # Smallest scale for differences of contributions, as a fraction of the measure.
 least_contribution <- 0.01
+
+# Contributions need few digits, so meshes have at most this number of nodes per net.
+most_budget_nodes <- 600
+
+# Returns the gear of a state, settled from it on a mesh for contributions; the state itself if its
+# mesh is not finer or if the gear does not settle on the other mesh.
+coarse_state <- function(state) {
+  nodes <- most_budget_nodes * net_count(state$gear)
+  if (state$mesh$nodes <= least_ratio * nodes) return(state)
+  tryCatch(
+    settled_state(state$gear, nodes, requested_netting(state), state),
+    codend_error_not_converged = function(e) state
+  )
+}
 
 # Returns list(spread, below, above, off, rough, correlation, factorisations, covered); the first
 # five are measures x sources.

@@ -28,7 +28,7 @@
 #'   as `speed` or `warp_out.port`), `value` and its `unit`, which is the unit of the schedule. It
 #'   lists functions every 0.1 s, or at 5,001 times if `until` is above 500 s. It omits `control`,
 #'   `breaking` and the response to waves.
-#' @seealso [tow_schedule()], [tow()]; [plot()][plot.codend_schedule] for a chart.
+#' @seealso [tow_schedule()], [tow()]; [codend_charts] for a chart.
 #' @examples
 #' faster <- tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))
 #' turning <- tow_schedule(course = data.frame(time = c(60, 240), value = c("0 deg", "90 deg")))

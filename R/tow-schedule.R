@@ -56,7 +56,7 @@
 #' @return A schedule of class `codend_schedule`: a list of the arguments. [tow()] checks them
 #'   against the gear. A wrong argument is an error of class `codend_error_argument`.
 #' @seealso [tow()]; [schedules] to change, combine and store schedules;
-#'   [plot()][plot.codend_schedule] for a chart; [track_schedule()] for the schedule of a vessel's
+#'   [codend_charts] for a chart; [track_schedule()] for the schedule of a vessel's
 #'   track; `vignette("motion", "codend")`.
 #' @examples
 #' faster <- tow_schedule(speed = data.frame(time = c(0, 30), value = c("4 knot", "5 knot")))

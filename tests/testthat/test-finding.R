@@ -69,7 +69,15 @@ test_that("findings() reports numbers that no gear has", {
     list("towed_cable", "ropes.cable.coefficients.tangential", 3,
       "tangential drag coefficient of ropes", "rope cable"),
     list("pair_trawl", "sections.codend.twine.diameter", "0.2 mm", "twines at a seam", NULL),
-    list("midwater_trawl", "canvas.drag_coefficient", 0.002, "drag coefficient", NULL)
+    list("midwater_trawl", "canvas.drag_coefficient", 0.002, "drag coefficient", NULL),
+    list("longline", "hooks.drag_area", "0.1 cm2", "body drag", "piece hook_1_1"),
+    list("longline", "hooks.volume", "1 litre", "weight that floats", "piece hook_1_1"),
+    list("purse_seine", "sinkers.mass", "0.4 g", "weight that floats", "rope lead_line"),
+    list("longline", "materials.monofilament.modulus", "0.1 GPa", "breaking strain", NULL),
+    list("purse_seine", "panels.bunt.meshes", list(upper = 7, lower = 7, deep = 2000),
+      "narrow panel", "panel bunt"),
+    list("stow_net", "bridles.length", "12 km", "long bridle", NULL),
+    list("model_cage", "water.density", "30 kg/m3", "water density", "water.density")
   )
   for (case in cases) {
     gear <- do.call(update, c(list(read_gear(case[[1]])), setNames(case[3], case[[2]])))
@@ -81,7 +89,7 @@ test_that("findings() reports numbers that no gear has", {
   }
 })
 
-test_that("findings() reports stretched and slack ropes and great depths", {
+test_that("findings() reports stretched twines and ropes, slack ropes and great depths", {
   # 1,135 t on a cable of 12.7 MN: Hooke's law, with the weight in water of the sphere
   heavy <- quiet(update(read_gear("towed_cable"), pieces.sphere.mass = "1135 t"))
   found <- expect_finding(heavy, "stretched rope", "rope cable")
@@ -92,6 +100,10 @@ test_that("findings() reports stretched and slack ropes and great depths", {
     towing.speed = "1 knot"))
   found <- expect_finding(deep, "depth", findings(deep)$location[findings(deep)$check == "depth"])
   expect_equal(found$value, -min(deep$position[3, ]))
+  # The weight hangs on the apex of the netting.
+  cage <- quiet(update(read_gear("cage"), centre_weight.mass = "100 t"), nodes = 500)
+  expect_finding(cage, "stretched twine", paste("panel",
+    with(tension_table(cage), part[which.max(max_kN * (kind == "netting"))])))
   loose <- quiet(update(read_gear("beam_trawl"), ticklers.tickler_2.length = "123 m"), nodes = 500)
   found <- findings(loose)
   expect_true("slack rope" %in% found$check)
