@@ -20,7 +20,8 @@ grid_modulus <- 2e9
 #' the difference in depth between back and belly that inclines the grid by this angle. Both are
 #' divided into three strips for this purpose. The measure `<name>_angle` of a state is the angle of
 #' the middle bar below the horizontal. Loaded meshes close and lengthen the short sides of the
-#' netting, so grids settle steeper: 48 degrees became 57 in `sorting_grid.yaml`.
+#' netting, so grids settle steeper and may roll: 48 degrees became 59 in `sorting_grid.yaml`,
+#' with a roll of 13 degrees.
 #'
 #' The frame and five model bars have the mass of the grid, and are as stiff as polyamide rods of
 #' their diameters.
