@@ -35,9 +35,12 @@ class Settling {
       if (report_.iterations == 0) {
         report_.first_residual = report_.residual;
         take_start();
-      } else if (closing_in_ && (steps_ == control_.settled.steps || iteration_.lost() ||
-                                 !std::isfinite(report_.residual))) {
+      } else if (closing_in_ && !std::isfinite(report_.residual)) {
         if (!go_back()) return;
+      } else if (closing_in_ && iteration_.wanders()) {
+        iteration_.relax();
+        closing_in_ = false;
+        steps_ = 0;
       } else if (!closing_in_ && !careful_ && steps_ >= control_.pseudo_time.direct_steps) {
         restart_with_care();
       }

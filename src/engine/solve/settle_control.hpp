@@ -18,7 +18,7 @@ struct SettleProgress {
 
 // Type of the initial guess: any shape; near the result, such as a shape from another mesh; or a
 // solution for the same mesh with other input values. A settled start takes undamped Newton steps
-// with its stored tensions. If they do not converge, the start is rejected and x is restored.
+// with its stored tensions.
 enum class Start { crude, near, settled };
 constexpr std::array<const char*, 3> names_of(Start) { return {"crude", "near", "settled"}; }
 
@@ -67,8 +67,6 @@ struct PathControl {
   // The same factorisation corrects it, for corrections below this fraction of the step (Mehrotra
   // 1992, On the implementation of a primal-dual interior point method, SIAM J. Optim. 2, 575-601).
   double most_correction = 0.5;
-  // Factor of mu from a settled state, once the shape has converged.
-  double settled_factor = 1e-3;
 };
 
 // Trials of the constitutive law. A trial fails if the shape is no longer converged, or if `steps`
@@ -90,14 +88,13 @@ struct LinearControl {
   double tolerance = 1e-4, limit = 0.1;
 };
 
-// Limits of iterations from a settled shape under changed loads: the number of steps, the rotation
-// of any step after the first, and the number of steps in which the smallest rotation must fall by
-// `contraction`. Slack netting that wanders does not contract.
+// Iterations from a settled shape under changed loads. If the smallest rotation does not fall by
+// `contraction` in `contracting_steps` steps, slack netting wanders. The iteration then continues
+// from its present shape with mu = `relaxed_by_turn` times the square of the last rotation.
 struct SettledControl {
-  int steps = 30;
-  double rotation = 1.0;
   int contracting_steps = 4;
   double contraction = 0.5;
+  double relaxed_by_turn = 1e-5;
 };
 
 // Wakes. They are updated on every settled shape until no point's flow speed changes by more than

@@ -79,7 +79,7 @@ void SettleIteration::begin_settled() {
   settled_steps_ = 0;
   follow(TensionPath::settled_parameter);
   pseudo_time_.set_step(control_.pseudo_time.longest);
-  if (report_.residual < control_.law.residual) pseudo_time_.assume_rotation(0.0);
+  pseudo_time_.assume_rotation(0.0);
 }
 
 void SettleIteration::resume() {
@@ -158,11 +158,16 @@ void SettleIteration::perturb(const GrowingMotion& motion, bool backwards) {
   pseudo_time_.hold(pseudo_step, how.steps);
 }
 
-bool SettleIteration::lost() const {
-  const SettledControl& limits = control_.settled;
-  return closing_in_ && settled_steps_ > 1 &&
-         (pseudo_time_.rotation() > limits.rotation ||
-          settled_steps_ - contracted_step_ >= limits.contracting_steps);
+bool SettleIteration::wanders() const {
+  return closing_in_ && settled_steps_ - contracted_step_ >= control_.settled.contracting_steps;
+}
+
+void SettleIteration::relax() {
+  const double rotation = pseudo_time_.rotation();
+  closing_in_ = begun_ = false;
+  assembly_.strain(strain_);
+  path_.follow(strain_, control_.settled.relaxed_by_turn * rotation * rotation);
+  pseudo_time_.begin(1.0, std::min(1.0, rotation));
 }
 
 void SettleIteration::step() {
@@ -230,13 +235,11 @@ double SettleIteration::reduction() {
     begun_ = true;
     return 1.0;
   }
-  if (closing_in_ && pseudo_time_.found()) return control_.path.settled_factor;
   return std::clamp(pseudo_time_.rotation(), control_.path.least_factor, 1.0);
 }
 
-// Lower bound of mu in this step; 0 from a settled state.
+// Lower bound of mu in this step.
 double SettleIteration::least_parameter() const {
-  if (closing_in_) return 0.0;
   const double rotation = pseudo_time_.rotation();
   return std::min(control_.path.least_by_turn * rotation * rotation,
                   control_.path.most_rise * path_.parameter());
@@ -244,7 +247,6 @@ double SettleIteration::least_parameter() const {
 
 // Returns the tensions of the step's matrix: the path's, plus the stabilisation against rotation.
 const DualTension& SettleIteration::matrix_tension() {
-  if (closing_in_) return path_.current();
   if (drag_across_.empty()) assembly_.drag_across(drag_across_);
   held_ = path_.current();
   const HeldControl& held = control_.held;

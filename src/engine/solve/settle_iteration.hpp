@@ -44,8 +44,10 @@ class SettleIteration {
   bool far_on_path() const;
   // Reports the residual of every part, as measured.
   void judge_parts();
-  // True if steps from a settled shape diverge or do not contract.
-  bool lost() const;
+  // True if steps from a settled shape do not contract.
+  bool wanders() const;
+  // Continues from the present shape with new tensions at a larger mu, and damped.
+  void relax();
   // Takes one Newton step. After a singular matrix it only increases the damping of the next step.
   void step();
 
