@@ -83,9 +83,10 @@
 #'   for the front meshes of a midwater trawl.
 #' - Solidity counts each knot as a sphere, and crossings of knotless netting once (2d/a - (d/a)^2
 #'   in square meshes).
-#' - Parallel to the flow, screens have a drag coefficient of 0 to 0.04 on their whole area.
-#'   `multipliers.screen_friction` adds a coefficient on the twine area (default 0). [uncertainty()]
-#'   includes its uncertainty.
+#' - Parallel to the flow, `loland` and `aarsnes` have a drag coefficient of 0.04 on their whole
+#'   area. `blended` and `kristiansen_faltinsen` have skin friction there: the coefficient `skin` of
+#'   the twine if it is above 0, otherwise 0.02 on the twine area (S. F. Hoerner, Fluid-Dynamic
+#'   Drag, 1965, 3-11). `multipliers.twine_tangential_drag` scales it.
 #' - A mesh that closes loses its area and its screen drag.
 #' - In netting of `bars`, the screens are sheets between the rows of knots.
 #' - Hexagonal netting supports screens, but not `blended`. If the plan has `blended`, hexagonal

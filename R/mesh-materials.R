@@ -1,15 +1,21 @@
 # Returns the engine's table of materials, as columns: one row per rope and per panel's twine.
-# `alone`: TRUE excludes the drag of netting with a screen or blended model, which its cells carry.
+# `alone`: the lines of netting with a screen or blended model carry only its friction, because its
+# cells carry the other drag. FALSE: the twines of its cells, without this friction.
 twine_materials <- function(lines, alone = TRUE) {
   number <- function(field) vapply(lines, `[[`, 0, field, USE.NAMES = FALSE)
   laws <- lapply(lines, `[[`, "coefficients")
-  screens <- alone & vapply(lines, function(line) !is.null(line$netting_drag) &&
-    line$netting_drag != "morison", NA)
+  drag <- vapply(lines, function(line) first_of(line$netting_drag, "morison"), "")
+  screens <- alone & drag != "morison"
   coefficient <- function(field) {
     given <- vapply(laws, `[[`, 0, field, USE.NAMES = FALSE)
-    given[is.na(given) | screens] <- 0
-    given
+    replace(given, is.na(given), 0)
   }
+  skin <- coefficient("skin")
+  # Friction along the flow that the drag model of the netting lacks.
+  friction <- as.numeric(drag_model_column("skin", "netting")[drag])
+  own <- !is.na(friction) & skin > 0
+  friction[own] <- skin[own]
+  friction[is.na(friction)] <- 0
   law <- vapply(laws, `[[`, "", "law", USE.NAMES = FALSE)
   law[screens] <- "constant"
   added_mass <- function(way) {
@@ -27,8 +33,10 @@ twine_materials <- function(lines, alone = TRUE) {
     volume_per_length = number("volume_per_length"),
     added_mass_normal = added_mass("normal"), added_mass_tangential = added_mass("tangential"),
     law = law, strut = vapply(lines, function(line) isTRUE(line$strut), NA, USE.NAMES = FALSE),
-    normal = coefficient("normal"), tangential = coefficient("tangential"),
-    skin = coefficient("skin"), tangential_share = rep(1, length(lines)),
+    normal = replace(coefficient("normal"), screens, 0),
+    tangential = replace(coefficient("tangential"), screens, 0),
+    skin = if (alone) replace(skin, screens, friction[screens]) else skin - friction,
+    tangential_share = rep(1, length(lines)),
     solidity = vapply(lines, function(line) {
       if (is.null(line$mesh_size)) 0 else panel_solidity(line)
     }, 0, USE.NAMES = FALSE)

@@ -1,6 +1,5 @@
 # Multipliers of force components, for uncertain drag, lift and friction coefficients. Forces are
-# linear in each multiplier. Screen models have little or no drag parallel to the flow, which a
-# factor cannot correct: `screen_friction` is instead an added coefficient with the neutral value 0.
+# linear in each multiplier.
 
 # Description of each multiplier, in schema order.
 force_multipliers <- c(
@@ -10,7 +9,6 @@ force_multipliers <- c(
   twine_tangential_drag = "drag of netting along its twines",
   screen_drag = "drag of netting as a screen",
   screen_lift = "lift of netting as a screen",
-  screen_friction = "friction of netting as a screen along the flow",
   knot_drag = "drag of knots",
   mesh_opening = "opening stiffness of meshes",
   float_drag = "drag of floats",
@@ -21,11 +19,6 @@ force_multipliers <- c(
   ground_gear_weight = "weight of ground gear in water"
 )
 
-# TRUE for each multiplier that changes the force.
-is_multiplied <- function(by) {
-  mapply(function(value, name) any(value != (name != "screen_friction")), by, names(by))
-}
-
 # Roles of ropes and pieces that count as ground gear.
 ground_roles <- c("ground_gear", "footrope_extension", "tickler", "disc", "bobbin")
 
@@ -33,7 +26,7 @@ ground_roles <- c("ground_gear", "footrope_extension", "tickler", "disc", "bobbi
 # multipliers named as in `force_multipliers`, by default the gear's. Neutral multipliers return the
 # numbers unchanged, bit for bit.
 multiplied_numbers <- function(numbers, si, by = unlist(si$multipliers)) {
-  if (length(by)) by <- by[is_multiplied(by)]
+  if (length(by)) by <- by[by != 1]
   if (!length(by)) return(numbers)
   factor <- function(name) if (name %in% names(by)) by[[name]] else 1
   gear <- numbers$gear
@@ -61,8 +54,7 @@ multiplied_numbers <- function(numbers, si, by = unlist(si$multipliers)) {
   model$multipliers <- list(
     normal = by_line("rope_normal_drag", "twine_normal_drag"),
     blended_normal = factor("twine_normal_drag"),
-    screen_drag = factor("screen_drag"), screen_lift = factor("screen_lift"),
-    screen_friction = if ("screen_friction" %in% names(by)) by[["screen_friction"]] else 0
+    screen_drag = factor("screen_drag"), screen_lift = factor("screen_lift")
   )
   model$materials$tangential_share <- model$materials$tangential_share *
     by_line("rope_tangential_drag", "twine_tangential_drag")

@@ -198,7 +198,7 @@ model_numbers <- function(si, like = NULL) {
       plates = lapply(unname(si$otter_boards), engine_board, 1:3, si$water$density),
       multipliers = list(
         normal = rep(1, sum(lengths(si[lines]))), blended_normal = 1, screen_drag = 1,
-        screen_lift = 1, screen_friction = 0
+        screen_lift = 1
       ),
       drag_coefficient = first_of(si$catch$drag_coefficient, 0)
     )

@@ -8,10 +8,6 @@
 #' # Sources of uncertainty
 #' - **Coefficients**: the `multipliers` of force components in the plan. Their standard deviations
 #'   are the spread of published values.
-#' - **Skin friction of netting**: screen drag models (`blended`, `kristiansen_faltinsen`) have no
-#'   friction of netting parallel to the flow. `multipliers.screen_friction` adds it, as a drag
-#'   coefficient on the area of the twine. It is 0 by default, with a standard uncertainty of 0.02,
-#'   upward only.
 #' - **Plan**: numbers with their own uncertainty, `{value: 4 mm, uncertainty: 10 %}` or the uniform
 #'   distribution `{range: [3.8 mm, 4.2 mm]}`. Other numbers have the uncertainty of their kind. The
 #'   table with sources is `system.file("extdata", "uncertainty.csv", package = "codend")`. Products
@@ -21,12 +17,6 @@
 #' - **Model**: effects that no parameter covers, such as stiff twine or an uneven bed. They have
 #'   the standard deviation and degrees of freedom of this kind of measure for a net that was not
 #'   used in the fit (`validation/conditioning.md`).
-#'
-#' # Why skin friction is 0.02
-#' This is Hoerner's friction of twine along the flow; Morison-type models use 0 to 0.1. Nets of
-#' fish farms had more: 0.3 of the drag across the flow (Nino et al. 2020). Without any friction,
-#' the 90 % intervals still contain \resultIntervalsCovered{} of the measured values
-#' (`validation/conditioning.md`).
 #'
 #' # Method
 #' The method is JCGM 100:2008 (GUM).

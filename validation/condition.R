@@ -254,9 +254,8 @@ all_slopes <- function() {
 
 kinds <- c("spread", "height", "force", "angle")
 
-# Multipliers specific to a gear or a ground, and `screen_friction`, which is not a factor.
-own_multipliers <- c("board_lift", "board_drag", "ground_friction", "ground_gear_weight",
-  "screen_friction")
+# Multipliers specific to a gear or a ground.
+own_multipliers <- c("board_lift", "board_drag", "ground_friction", "ground_gear_weight")
 
 # All rows together, with the covariance of each type of source.
 stacked <- function(rows) {

@@ -374,8 +374,8 @@ TEST_CASE("force multipliers have derivatives equal to differences") {
 
 // Drag forces are linear in every multiplier, and their components sum to the total.
 TEST_CASE("force multipliers scale only their own forces") {
-  // of normal drag, blended netting, a screen's drag, lift and friction, and tangential drag
-  auto forces = [](const std::array<double, 6>& of) {
+  // of normal drag, blended netting, a screen's drag and lift, and tangential drag
+  auto forces = [](const std::array<double, 5>& of) {
     Random random(20260413);
     Ingredients wanted;
     wanted.bars = 6;
@@ -383,13 +383,12 @@ TEST_CASE("force multipliers scale only their own forces") {
     wanted.blended = 4;
     wanted.axial_stiffness = 1e-15;
     wanted.law = cylinder_laws().back();
-    wanted.law.tangential_share = of[5];
+    wanted.law.tangential_share = of[4];
     Specimen s(random, wanted);
     s.model.multipliers.normal.assign(s.model.materials.size(), of[0]);
     s.model.multipliers.blended_normal = of[1];
     s.model.multipliers.screen_drag = of[2];
     s.model.multipliers.screen_lift = of[3];
-    s.model.multipliers.screen_friction = of[4];
     s.model.load.assign(s.model.load.size(), 0.0);
     s.model.prepare();
     Assembly assembly(s.model);
@@ -398,17 +397,17 @@ TEST_CASE("force multipliers scale only their own forces") {
     assembly.residual(out.data());
     return Eigen::VectorXd(Eigen::Map<Eigen::VectorXd>(out.data(), static_cast<int>(out.size())));
   };
-  const Eigen::VectorXd one = forces({1, 1, 1, 1, 1, 1}), two = forces({2, 2, 2, 2, 2, 2});
+  const Eigen::VectorXd one = forces({1, 1, 1, 1, 1}), two = forces({2, 2, 2, 2, 2});
   const double size = one.cwiseAbs().maxCoeff();
   REQUIRE(size > 0.0);
   // rounding of sums of some hundred terms; the pull of bars of 1e-15 N is far below it
   CHECK((two - 2.0 * one).cwiseAbs().maxCoeff() < 1e-12 * size);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(one.size());
-  for (std::size_t k = 0; k < 6; ++k) {
-    std::array<double, 6> m = {1, 1, 1, 1, 1, 1};
+  for (std::size_t k = 0; k < 5; ++k) {
+    std::array<double, 5> m = {1, 1, 1, 1, 1};
     m[k] = 2.0;
     const Eigen::VectorXd component = forces(m) - one;
-    if (k != 5) CHECK(component.cwiseAbs().maxCoeff() > 1e-6 * size);
+    if (k != 4) CHECK(component.cwiseAbs().maxCoeff() > 1e-6 * size);
     sum += component;
   }
   CHECK((sum - one).cwiseAbs().maxCoeff() < 1e-12 * size);

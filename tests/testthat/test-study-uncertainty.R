@@ -97,39 +97,6 @@ test_that("derivatives by multipliers equal differences without a new mesh", {
   }
 })
 
-test_that("uncertainty() counts netting friction that screen models omit", {
-  state <- settled("poly_noreastern_trawl", nodes = 400)
-  gear <- state$gear
-  name <- force_multipliers[["screen_friction"]]
-  expect_identical(gear_si(gear)$multipliers$screen_friction, 0)
-  source <- Find(function(source) source$name == name, multiplier_sources(gear))
-  expect_identical(source$share, 0.02)
-  main <- c("total_drag_kN", "headline_height_m", "door_spread_m")
-  # the derivative equals differences of settled gears: 1e-6 of the tension over a step of 1e-3, and
-  # curvature
-  slope <- field_sensitivities(tangent_work(state), source_field(source, gear$plan),
-    secants = FALSE)$slope
-  rubbed <- function(friction) {
-    rubs <- update(gear, multipliers = list(screen_friction = friction))
-    plain_measures(measures(settle(rubs, nodes = 400, from = state)))[main]
-  }
-  expect_equal(slope[main], (rubbed(1e-3) - plain_measures(measures(state))[main]) / 1e-3,
-    tolerance = 2e-2)
-  # the budget has the change of a gear with this friction, to the 10 % of its curvature
-  found <- uncertainty(state, main)$sources
-  found <- found[found$source == name, ]
-  change <- rubbed(0.02) - plain_measures(measures(state))[main]
-  expect_equal(found$contribution, unname(change[found$measure]), tolerance = 0.1)
-  expect_gt(found$contribution[found$measure == "total_drag_kN"], 0)
-  # with twine-by-twine drag there is no such source, and the plan's uncertainty counts
-  cable <- tangent_work(settled("towed_cable"))
-  summed <- quick_derivatives(cable, source_field(source, gear$plan), 0.02)
-  expect_true(all(summed$slope == 0))
-  known <- update(gear, uncertain = list(multipliers.screen_friction = "0.03"))
-  source <- Find(function(source) source$name == name, multiplier_sources(known))
-  expect_identical(source$share, 0.03)
-})
-
 test_that("kinks of slack netting contribute as in settled gears", {
   state <- settled("cage", nodes = 400)
   sources <- uncertainty_sources(state$gear)

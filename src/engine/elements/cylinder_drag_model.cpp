@@ -75,6 +75,7 @@ Slope choo_casarella_normal(Slope re) {
 CylinderCoefficients cylinder_coefficients(const CylinderLaw& law, double q_n, double q_t, double d,
                                            double viscosity) {
   CylinderCoefficients k;
+  k.c = law.skin;
   auto set_normal = [&](Slope c_n) {
     k.a = c_n.value * q_n;
     k.a_n = c_n.value + c_n.slope * q_n;
@@ -87,7 +88,6 @@ CylinderCoefficients cylinder_coefficients(const CylinderLaw& law, double q_n, d
     case CylinderLawKind::constant:
       set_normal(Slope{law.normal, 0.0});
       set_tangential(law.tangential);
-      k.c = law.skin;
       break;
     case CylinderLawKind::takagi:
       set_normal(takagi_normal(reynolds(q_n, d, viscosity)));

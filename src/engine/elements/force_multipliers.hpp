@@ -16,9 +16,6 @@ struct ForceMultipliers {
   double blended_normal = 1.0;  // force normal to the twines of blended netting
   // Screen drag models, including the screen force of blended netting.
   double screen_drag = 1.0, screen_lift = 1.0;
-  // Friction coefficient along the flow, referred to the twine area. It is added to C_D and is not
-  // a factor.
-  double screen_friction = 0.0;
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -26,7 +23,6 @@ struct ForceMultipliers {
     visit("blended_normal", blended_normal);
     visit("screen_drag", screen_drag);
     visit("screen_lift", screen_lift);
-    visit("screen_friction", screen_friction);
   }
   bool present() const { return !normal.empty(); }
 };

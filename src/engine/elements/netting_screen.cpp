@@ -45,13 +45,7 @@ ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double tw
   ScreenForce out;
   const Vector &s = flow.area, &u = flow.u;
   const double area = s.norm(), speed = u.norm();
-  if (speed == 0.0) return out;
-  // Friction depends on the twine area only, not on the orientation of the cell.
-  const double rubs = 0.5 * water.density * multipliers.friction * twine_area;
-  out.value = rubs * speed * u;
-  out.by_velocity = rubs / speed * u * u.transpose();
-  out.by_velocity.diagonal().array() += rubs * speed;
-  if (area == 0.0) return out;
+  if (area == 0.0 || speed == 0.0) return out;
   const double along = s.dot(u), sign = along < 0.0 ? -1.0 : 1.0;
   const double cosine = std::min(1.0, std::abs(along) / (area * speed));
   const double twine = twine_area / (multiplicity * area);
@@ -79,11 +73,11 @@ ScreenForce screen_force(NettingScreenLaw law, const ScreenFlow& flow, double tw
                                            k.drag.by_reynolds * re_per_speed * way -
                                            cosine * g_by_velocity - g.value * cosine_by_velocity;
   const double c = 0.5 * water.density * multiplicity;
-  out.value += c * (p * area * speed * u + g.value * speed * speed * sign * s);
+  out.value = c * (p * area * speed * u + g.value * speed * speed * sign * s);
   out.by_area =
       c * (speed * u * (area * p_by_area + p * normal) + speed * speed * sign * s * g_by_area);
   out.by_area.diagonal().array() += c * g.value * speed * speed * sign;
-  out.by_velocity +=
+  out.by_velocity =
       c * (area * speed * u * p_by_velocity + p * area * u * way +
            speed * speed * sign * s * g_by_velocity + 2.0 * g.value * speed * sign * s * way);
   out.by_velocity.diagonal().array() += c * p * area * speed;

@@ -33,10 +33,8 @@ struct ScreenCoefficients {
   ScreenCoefficient lift_per_sine;  // C_L / sin theta
 };
 
-// Factors of drag and lift, and an added friction coefficient along the flow, on the area of twine
-// and knots.
 struct ScreenMultipliers {
-  double drag = 1.0, lift = 1.0, friction = 0.0;
+  double drag = 1.0, lift = 1.0;
 };
 
 // cosine: of theta, 0 to 1; reynolds: U d / nu of a twine.

@@ -139,8 +139,7 @@ struct Model {
     for (TwineMaterial& material : blended.materials) {
       material.law.normal_share = multipliers.blended_normal;
     }
-    screens.multipliers = {multipliers.screen_drag, multipliers.screen_lift,
-                           multipliers.screen_friction};
+    screens.multipliers = {multipliers.screen_drag, multipliers.screen_lift};
     blended.multipliers = screens.multipliers;
     cells.first_line = bars.count();
     cells.prepare();
