@@ -130,7 +130,7 @@ results <- unlist(c(
   lane_results()
 ))
 
-documents <- c("README.md", "CONTRIBUTING.md", Sys.glob("vignettes/*.Rmd"))
+documents <- c("README.md", "CONTRIBUTING.md", Sys.glob(c("vignettes/*.Rmd", "vignettes/articles/*.Rmd")))
 macros_file <- "man/macros/results.Rd"
 marker <- "<!-- result: ([a-z-]+) -->((?s:.*?))<!-- end -->"
 
