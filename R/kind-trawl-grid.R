@@ -307,9 +307,6 @@ rear_seams <- function(joint) {
     ranged(list(joint$left$edge, rear[[1L]], joint$right$edge),
       c(first_of(joint$left$width, 0), cell$mesh_size * cell$counts$lower,
         first_of(joint$right$width, 0)), after, "upper", behind$counts$upper)
-  } else if (!is.null(cell$across) && !is.null(behind$across)) {
-    joint$name <- paste0(joint$name, c("_left", "", "_right"))
-    Map(c, rear[[1L]], front[[1L]])
   } else if (!is.null(cell$across)) {
     ranged(rear[[1L]], cell$across$lower, after, "upper", behind$counts$upper)
   } else if (!is.null(behind$across)) {
