@@ -130,7 +130,8 @@ results <- unlist(c(
   lane_results()
 ))
 
-documents <- c("README.md", "CONTRIBUTING.md", Sys.glob(c("vignettes/*.Rmd", "vignettes/articles/*.Rmd")))
+guides <- Sys.glob(c("vignettes/*.Rmd", "vignettes/articles/*.Rmd"))
+documents <- c("README.md", "CONTRIBUTING.md", guides)
 macros_file <- "man/macros/results.Rd"
 marker <- "<!-- result: ([a-z-]+) -->((?s:.*?))<!-- end -->"
 
