@@ -110,7 +110,7 @@ class Specimen {
       for (int p = 0; p < model.points(); ++p) model.wake.push_back(random.between(0.3, 1.0));
     }
     if (wanted.multiplied) {
-      model.multipliers = {std::vector<double>(model.materials.size(), 1.3), 0.8, 1.2, 0.7, 0.3};
+      model.multipliers = {std::vector<double>(model.materials.size(), 1.3), 0.8, 1.2, 0.7};
     }
     model.prepare();
     stretch(random);
