@@ -9,7 +9,6 @@ expand_bottom_trawl <- function(fields, plan) {
   check_bottom_trawl(fields)
   rig <- bottom_trawl_rig(fields, plan)
   out <- rigged_net(fields, plan, rig)
-  out$otter_boards <- rig$otter_boards
   out$measures <- bottom_trawl_measures(fields, names(rig$otter_boards))
   out
 }
@@ -21,12 +20,17 @@ rigged_net <- function(fields, plan, rig) {
   if (!is.null(fields$bridles$middle) || !is.null(fields$wings$jib)) {
     net$points <- c(net$points, middle_points(net, fields))
   }
+  trawl_assembly(fields, plan, net, rig)
+}
+
+# Returns the assembly of a trawl from its net and its rig.
+trawl_assembly <- function(fields, plan, net, rig) {
   out <- shared_fields(plan, fields)
   out$points <- c(rig$points, net$points)
   out$ropes <- c(rig$ropes, net$ropes)
-  out$panels <- net$panels
-  out$seams <- net$seams
+  out[c("panels", "seams")] <- net[c("panels", "seams")]
   out$pieces <- c(rig$pieces, trawl_fittings(fields, plan, net))
+  out$otter_boards <- rig$otter_boards
   out
 }
 
@@ -301,13 +305,8 @@ bottom_trawl_rig <- function(fields, plan) {
       fields$seabed$depth - tow$height)
     return(trawl_legs(plan, fields, list(points = points), paste0("board_", trawl_sides)))
   }
-  free <- fields$otter_boards$attitude == "free"
-  boards <- trawl_boards(plan, free)
+  rig <- boards_on_warps(fields, plan)
   start <- paste0("board_", trawl_sides)
-  rig <- list(
-    points = c(towing_points(paste0("block_", trawl_sides), fields$warps$spacing), boards$points),
-    ropes = trawl_warps(plan), pieces = boards$pieces, otter_boards = boards$otter_boards
-  )
   if (!is.null(plan$backstrops)) {
     start <- paste0("backstrop_end_", trawl_sides)
     rig$points[start] <- list(nothing)
@@ -315,7 +314,7 @@ bottom_trawl_rig <- function(fields, plan) {
       for (tier in c("upper", "lower")) {
         name <- paste("backstrop", tier, side, sep = "_")
         # A board of fixed attitude is a point, from which both backstrops lead.
-        from <- if (free) name else paste0("board_", side)
+        from <- if (length(rig$otter_boards)) name else paste0("board_", side)
         rig$ropes[[name]] <- rope_between(from, paste0("backstrop_end_", side),
           of_side(plan$backstrops, side), "backstrop")
       }

@@ -5,13 +5,7 @@ expand_midwater_trawl <- function(fields, plan) {
   grid <- if (is.null(fields$net)) midwater_trawl_grid(fields, plan) else net_grid(fields, plan)
   net <- trawl_net(grid, fields, plan)
   rig <- trawl_rig(fields, plan, net)
-  out <- shared_fields(plan, fields)
-  out$points <- c(rig$points, net$points)
-  out$ropes <- c(rig$ropes, net$ropes)
-  out$panels <- net$panels
-  out$seams <- net$seams
-  out$pieces <- rig$pieces
-  out$otter_boards <- rig$otter_boards
+  out <- trawl_assembly(fields, plan, net, rig)
   out$measures <- trawl_measures(fields, names(rig$otter_boards))
   out
 }
@@ -48,36 +42,27 @@ midwater_trawl_grid <- function(fields, plan) {
 }
 
 trawl_rig <- function(fields, plan, net) {
-  free <- fields$otter_boards$attitude == "free"
-  boards <- trawl_boards(plan, free)
-  points <- c(
-    towing_points(paste0("block_", trawl_sides), fields$warps$spacing), boards$points
-  )
-  ropes <- trawl_warps(plan)
-  pieces <- boards$pieces
+  rig <- boards_on_warps(fields, plan)
+  free <- length(rig$otter_boards) > 0L
   for (side in trawl_sides) {
     for (tier in c("upper", "lower")) {
-      ropes[[paste("hand_rope", tier, side, sep = "_")]] <- part_with_role(
+      rig$ropes[[paste("hand_rope", tier, side, sep = "_")]] <- part_with_role(
         of_side(plan$hand_ropes[[tier]], side), "hand_rope",
         from = if (free) paste0("backstrop_", tier, "_", side) else paste0("board_", side),
         to = paste(tier, side, sep = "_")
       )
     }
-    pieces[[paste0("hammer_", side)]] <- part_with_role(plan$hammers, "hammer",
+    rig$pieces[[paste0("hammer_", side)]] <- part_with_role(plan$hammers, "hammer",
       at = paste0("lower_", side))
     if (!"side_lines" %in% names(net$lines)) {
       if (!is.null(plan$side_lines$sections)) {
         abort_field("side_lines.sections", "given", "omitted in a net with gathered wing tips")
       }
-      ropes[[paste0("side_line_", side)]] <- part_with_role(plan$side_lines, "side_line",
+      rig$ropes[[paste0("side_line_", side)]] <- part_with_role(plan$side_lines, "side_line",
         from = paste0("upper_", side), to = paste0("lower_", side))
     }
   }
-  list(
-    points = points, ropes = ropes,
-    pieces = c(pieces, trawl_fittings(fields, plan, net)),
-    otter_boards = boards$otter_boards
-  )
+  rig
 }
 
 trawl_measures <- function(fields, free_boards) {

@@ -60,7 +60,6 @@ check_ends <- function(grid) {
   }
 }
 
-
 # Largest ratio of the stretched widths that are joined.
 most_taken_up <- 2
 

@@ -26,25 +26,26 @@ trawl_warps <- function(plan, to = "board") {
   stats::setNames(warps, paste0("warp_", trawl_sides))
 }
 
-# Returns the otter boards at the points `board_*`: list(points, pieces, otter_boards). A free board
-# also has the points `backstrop_upper_*` and `backstrop_lower_*`.
-trawl_boards <- function(plan, free) {
-  points <- pieces <- otter_boards <- list()
+# Returns warps with otter boards at the points `board_*`: list(points, ropes, pieces,
+# otter_boards). A free board also has the points `backstrop_upper_*` and `backstrop_lower_*`.
+boards_on_warps <- function(fields, plan) {
+  rig <- list(points = towing_points(paste0("block_", trawl_sides), fields$warps$spacing),
+    ropes = trawl_warps(plan))
   for (side in trawl_sides) {
     board <- paste0("board_", side)
-    points[[board]] <- nothing
+    rig$points[[board]] <- nothing
     name <- paste0("otter_board_", side)
-    if (free) {
-      otter_boards[[name]] <- free_board(plan, side)
-      points[paste0(c("backstrop_upper_", "backstrop_lower_"), side)] <- list(nothing)
+    if (fields$otter_boards$attitude == "free") {
+      rig$otter_boards[[name]] <- free_board(plan, side)
+      rig$points[paste0(c("backstrop_upper_", "backstrop_lower_"), side)] <- list(nothing)
     } else {
-      pieces[[name]] <- c(
+      rig$pieces[[name]] <- c(
         list(at = board), plan$otter_boards[setdiff(names(plan$otter_boards), "attitude")],
         list(lift_direction = side, role = "otter_board")
       )
     }
   }
-  list(points = points, pieces = pieces, otter_boards = otter_boards)
+  rig
 }
 
 free_board <- function(plan, side) {
