@@ -135,7 +135,6 @@ define_range("breaking strain", "plan",
   "Check the strength, the stiffness or modulus, and their units."
 )
 
-# Ropes and bodies of shipped and published gears have 205 to 11,300 kg/m3.
 # Fresh to very salty water has 990 to 1,050 kg/m3; tests in air have about 1.2.
 define_range("water density", "plan",
   "The density of the water is below 950 kg/m3 or above 1,100 kg/m3.",
@@ -147,6 +146,7 @@ define_range("water density", "plan",
   "Check the density and its unit."
 )
 
+# Ropes and bodies of shipped and published gears have 205 to 11,300 kg/m3.
 define_range("density", "plan",
   "The density of a rope or body (its mass over its volume) is below 30 kg/m3 or above 13,000 kg/m3.
   Foam has 100 kg/m3 or more, lead 11,340 kg/m3.",
