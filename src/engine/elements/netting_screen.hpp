@@ -5,8 +5,8 @@
 // makes n.U >= 0. U is the mean velocity of the water relative to the cell, cos th = n.U/|U|, and
 // Sn its solidity from twine area / A (base/solidity.hpp). Then
 //   F = 1/2 rho A |U|^2 (C_D U/|U| + C_L l),  l = n - cos th U/|U|, made a unit vector.
-// The corners share F and U as an evenly distributed load (cell_shape.hpp). The area of a closing cell vanishes: Sn is bounded by
-// the range of the drag model, and the force tends to zero.
+// The corners share F and U as an evenly distributed load (cell_shape.hpp). The area of a closing
+// cell vanishes: Sn is bounded by the range of the drag model, and the force tends to zero.
 #pragma once
 
 #include "cell_shape.hpp"
