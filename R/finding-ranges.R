@@ -198,7 +198,7 @@ define_range("narrow panel", "plan",
   "Check the mesh counts of the panel.", "meshes"
 )
 
-# The bridles of shipped and published nets are at most five times as long as the headline.
+# The bridles of shipped and published nets are at most 1.9 times as long as that rope.
 define_range("long bridle", "plan",
   "A bridle is more than 20 times as long as the longest rope along the netting.",
   "length of the bridle over that of the rope", -Inf, 20, "",
@@ -299,7 +299,7 @@ for (along in names(coefficient_ranges)) local({
 # Roles of bodies and ropes that float (-1) or sink (1).
 sinking_roles <- c(
   float = -1, weight = 1, sinker = 1, anchor = 1, ring = 1, disc = 1, hammer = 1, hook = 1,
-  shoe = 1, shoe_end = 1, ground_gear = 1, lead_line = 1, tickler = 1
+  shoe_end = 1, ground_gear = 1, lead_line = 1, tickler = 1
 )
 
 define_range("weight that floats", "plan",
