@@ -425,11 +425,11 @@ merge_ranges <- function(laced) {
 }
 
 # Returns c(heading, alike) for identical columns. `heading`: the words common to their panels'
-# names, otherwise the panel names of the first column. `alike`: the words that differ ("starboard,
-# port") or the number ("16 alike").
+# names, otherwise the panel names of the first column. `alike`: the number, and the words that
+# differ between two ("2 off: starboard, port").
 column_strings <- function(names) {
   n <- length(names)
-  numbered <- if (n > 1L) paste(n, "alike") else ""
+  numbered <- if (n > 1L) paste(n, "off") else ""
   # Keeps the order of the first.
   shared <- function(lists) Reduce(function(a, b) a[a %in% b], lists)
   own <- lapply(names, function(each) {
@@ -446,6 +446,6 @@ column_strings <- function(names) {
   told <- n == 2L && all(nzchar(apart)) && apart[1L] != apart[2L]
   c(
     heading = paste(common, collapse = " "),
-    alike = if (told) paste(apart, collapse = ", ") else numbered
+    alike = if (told) paste0(numbered, ": ", toString(apart)) else numbered
   )
 }

@@ -41,10 +41,17 @@ general_name <- function(name) {
   paste(if (length(kept)) kept else words, collapse = " ")
 }
 
+# Returns the name of a part in its gear of a rig.
+name_in_gear <- function(name, si) {
+  own <- si$names_in_gears[name]
+  if (is.null(own) || is.na(own)) name else own[[1L]]
+}
+
 # Returns a string that is equal for ropes in the same list item: same name and make.
 rope_kind <- function(name, si) {
   rope <- si$ropes[[name]]
-  words <- if (is.na(rope$role)) general_name(name) else rope_text(name, rope$role)
+  own <- name_in_gear(name, si)
+  words <- if (is.na(rope$role)) general_name(own) else rope_text(own, rope$role)
   make <- sprintf("%.6g", c(rope$length, rope$diameter, rope$axial_stiffness, rope$mass_per_length))
   paste(c(words, make), collapse = "|")
 }
@@ -111,7 +118,8 @@ piece_items <- function(si) {
   pick <- function(field, type) vapply(each, `[[`, type, field)
   role <- pick("role", "")
   part <- pick("part", "")
-  name <- ifelse(is.na(role), vapply(part, general_name, ""), gsub("_", " ", role))
+  own <- vapply(part, function(one) general_name(name_in_gear(one, si)), "")
+  name <- ifelse(is.na(role), own, gsub("_", " ", role))
   kind <- paste(name, pick("words", ""), sep = "|")
   first <- which(!duplicated(kind))
   data.frame(

@@ -59,9 +59,9 @@ info_blocks <- function(figure, columns, look) {
   straight <- if (!is.null(figure$ropes)) straight_ropes(figure)
   blocks <- list(
     if (length(straight)) straight_block(straight, look),
-    if (!is.null(figure$rigging)) rigging_block(figure, look),
     if (length(columns) && columns[[1L]]$named) netting_list(netting_items(columns), look)
   )
+  blocks <- append(blocks, lapply(figure$riggings, rigging_block, figure, look), 1L)
   ropes <- lapply(chunks(NROW(figure$ropes), 20L), rope_list, figure, look)
   pieces <- lapply(chunks(NROW(figure$pieces), 12L), piece_list, figure, look)
   Filter(length, c(blocks, ropes, pieces))
@@ -80,12 +80,12 @@ straight_block <- function(straight, look) {
   )
 }
 
-rigging_block <- function(figure, look) {
-  size <- rigging_size(figure$rigging, look)
+rigging_block <- function(rigging, figure, look) {
+  size <- rigging_size(rigging, look)
   list(
     wide = size[1], high = size[2], grows = TRUE, widens = TRUE,
     draw = function(sheet, left, top, wide, high) {
-      draw_rigging(sheet, figure, c(left, top - high, left + wide, top), look)
+      draw_rigging(sheet, figure, rigging, c(left, top - high, left + wide, top), look)
     }
   )
 }

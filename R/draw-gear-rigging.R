@@ -1,12 +1,51 @@
 # Rigging of a plan drawing: a schematic of the ropes between points. Identical ropes are drawn
 # once.
 
-# Returns the rigging as a graph with identical nodes merged, or NULL without ropes between points.
-# `nodes`: data frame of layer, order, held, motion (text), netting, letters (of pieces). `ropes`:
-# data frame of from, to (rows of nodes), item (NA for a frame), length.
+# Greatest number of points side by side in the rigging between the nets of a rig. If there are
+# more, identical points are drawn once.
+most_side_by_side <- 5L
+
+# Returns the schematics of a gear's rigging. A rig has one of the ropes between its nets, and one
+# of the ropes of each kind of net.
+plan_riggings <- function(gears, si, ropes, pieces, frames) {
+  nets <- Filter(function(one) length(one$parts$panels), gears)
+  if (!length(nets)) return(Filter(length, list(plan_rigging(si, ropes, pieces, frames))))
+  of_nets <- unlist(lapply(nets, function(one) one$parts[drawn_groups]), use.names = FALSE)
+  others <- function(group) setdiff(names(si[[group]]), of_nets)
+  between <- plan_rigging(with_parts(si, others), ropes, pieces,
+    frames[setdiff(names(frames), of_nets)], nets = nets)
+  each <- lapply(nets, function(one) {
+    mine <- function(group) intersect(names(si[[group]]), one$parts[[group]])
+    plan_rigging(with_parts(si, mine), ropes, pieces,
+      frames[intersect(names(frames), one$parts$ropes)], start = one$joined)
+  })
+  each <- Filter(length, each)
+  kinds <- vapply(each, `[[`, "", "kind")
+  each <- lapply(unique(kinds), function(kind) {
+    names <- names(each)[kinds == kind]
+    c(each[[names[1L]]], list(of = names))
+  })
+  Filter(length, c(list(between), each))
+}
+
+drawn_groups <- c("ropes", "pieces", "otter_boards")
+
+# Returns the SI numbers with the parts of `drawn_groups` that `named(group)` returns.
+with_parts <- function(si, named) {
+  for (group in drawn_groups) si[[group]] <- si[[group]][named(group)]
+  si
+}
+
+# Returns the rigging as a graph, or NULL without ropes between points.
 #
-# frames: struts that the rope list omits, such as the shoes of a beam trawl.
-plan_rigging <- function(si, ropes, pieces, frames = list()) {
+# `kind`: a string that is equal for identical graphs. `separate`: TRUE if identical nodes are not
+# merged. `nodes`: data frame of layer, order, held,
+# motion (text), netting, letters (of pieces), net (names of nets in a rig, or ""). `ropes`: data
+# frame of from, to (rows of nodes), item (NA for a frame or joint), length, joint (to a net).
+#
+# frames: struts that the rope list omits, such as the shoes of a beam trawl. start: points that a
+# rig joins to others. nets: gears that are drawn as boxes.
+plan_rigging <- function(si, ropes, pieces, frames = list(), start = character(), nets = list()) {
   free <- Filter(function(rope) !is.null(rope$from), si$ropes)
   if (!length(free)) return(NULL)
   found <- rigging_places(si)
@@ -32,23 +71,50 @@ plan_rigging <- function(si, ropes, pieces, frames = list()) {
   free <- c(free, list(list(length = NA_real_)))
   item <- c(item, NA)
   stretches$rope[is.na(stretches$rope)] <- length(free)
-  from <- match(found$of(stretches$from), found$places)
-  to <- match(found$of(stretches$to), found$places)
-  item <- item[stretches$rope]
-  letters <- piece_letters(found, pieces, si)
-  kind <- place_kinds(found, letters, from, to, item)
-  class <- match(kind, unique(kind))
-  first <- match(unique(class), class)
-  edges <- data.frame(from = class[from], to = class[to], item = item,
-    length = vapply(free, `[[`, 0, "length")[stretches$rope])
+  edges <- data.frame(from = match(found$of(stretches$from), found$places),
+    to = match(found$of(stretches$to), found$places), item = item[stretches$rope],
+    length = vapply(free, `[[`, 0, "length")[stretches$rope], joint = rep(FALSE, nrow(stretches)))
+  edges <- rbind(edges, net_joints(nets, found))
+  boxes <- length(nets)
+  nodes <- data.frame(
+    held = c(found$held, logical(boxes)), motion = c(found$motion, character(boxes)),
+    netting = c(found$netting, logical(boxes)),
+    letters = c(piece_letters(found, pieces, si), character(boxes)),
+    start = c(found$held | found$places %in% found$of(start), logical(boxes)),
+    net = c(rep("", length(found$places)), names(nets))
+  )
+  alike <- match(lapply(nets, `[[`, "plan"), lapply(nets, `[[`, "plan"))
+  kind <- place_kinds(nodes, c(rep(0L, length(found$places)), alike), edges)
+  separate <- boxes > 0L && max(table(rigging_layers(nodes, edges))) <= most_side_by_side
+  c(list(kind = paste(sort(unique(kind)), collapse = "\n"), separate = separate),
+    merged_rigging(nodes, edges, if (separate) seq_along(kind) else match(kind, unique(kind))))
+}
+
+# Returns the joints of the nets of a rig: edges to the boxes, which follow the places.
+net_joints <- function(nets, found) {
+  named <- vapply(lapply(found$places, parse_place), `[[`, "", "name")
+  do.call(rbind, lapply(seq_along(nets), function(k) {
+    parts <- nets[[k]]$parts
+    met <- found$places %in% found$of(parts$points) | named %in% unlist(parts[c("ropes", "panels")])
+    data.frame(from = which(met), to = rep(length(found$places) + k, sum(met)),
+      item = rep(NA_integer_, sum(met)), length = rep(NA_real_, sum(met)),
+      joint = rep(TRUE, sum(met)))
+  }))
+}
+
+# Returns list(nodes, ropes) of a graph in which the nodes of each class are one node.
+merged_rigging <- function(nodes, edges, class) {
+  edges$from <- class[edges$from]
+  edges$to <- class[edges$to]
   flip <- edges$from > edges$to
   edges[flip, c("from", "to")] <- edges[flip, c("to", "from")]
   edges <- edges[!duplicated(edges[c("from", "to", "item")]), ]
   edges <- edges[!is.na(edges$item) | edges$from != edges$to, ]
-  nodes <- data.frame(
-    held = found$held[first], motion = found$motion[first], netting = found$netting[first],
-    letters = letters[first]
-  )
+  net <- vapply(split(nodes$net, class), function(of) {
+    if (length(of) > 1L && nzchar(of[1L])) sprintf("net, %d off", length(of)) else of[1L]
+  }, "")
+  nodes <- nodes[!duplicated(class), ]
+  nodes$net <- unname(net)
   nodes$layer <- rigging_layers(nodes, edges)
   nodes$order <- rigging_order(nodes, edges)
   list(nodes = nodes, ropes = edges)
@@ -71,9 +137,12 @@ rigging_places <- function(si) {
   }))
   of <- function(texts) {
     vapply(texts, function(text) {
-      if (text %in% names(board_of)) return(board_of[[text]])
-      at <- si$points[[text]]$at
-      if (is.null(at)) text else at
+      repeat {
+        if (text %in% names(board_of)) return(board_of[[text]])
+        at <- si$points[[text]]$at
+        if (is.null(at)) return(text)
+        text <- at
+      }
     }, "", USE.NAMES = FALSE)
   }
   ends <- unlist(lapply(si$ropes, function(rope) c(rope$from, rope$through, rope$to)),
@@ -109,19 +178,22 @@ piece_letters <- function(found, pieces, si) {
   letters
 }
 
-# Returns a string per position that is equal for identical positions. It contains the position's
-# properties and the ropes that meet there with the properties at their other ends.
-place_kinds <- function(found, letters, from, to, item) {
-  own <- paste(found$held, found$netting, letters)
-  met <- split(c(paste(item, own[to]), paste(item, own[from])),
-    factor(c(from, to), levels = seq_along(own)))
+# Returns a string per node that is equal for identical nodes. It contains the node's properties and
+# the ropes that meet there with the properties at their other ends. `alike`: 0, or the first net
+# with the same plan.
+place_kinds <- function(nodes, alike, edges) {
+  own <- paste(nodes$held, nodes$start, nodes$netting, nodes$letters, alike)
+  met <- split(c(paste(edges$item, own[edges$to]), paste(edges$item, own[edges$from])),
+    factor(c(edges$from, edges$to), levels = seq_along(own)))
   paste(own, vapply(met, function(m) paste(sort(unique(m)), collapse = ";"), ""))
 }
 
-# Returns the number of ropes between each node and the nearest fixed node, or the first node if
-# none is fixed.
+# Returns the number of ropes between each node and the nearest start, or the first node if there is
+# none. Nets are in the last layer.
 rigging_layers <- function(nodes, edges) {
-  layer <- ifelse(nodes$held, 0, Inf)
+  net <- nzchar(nodes$net)
+  edges <- edges[!edges$joint, ]
+  layer <- ifelse(nodes$start, 0, Inf)
   if (all(layer > 0)) layer[1L] <- 0
   repeat {
     known <- layer
@@ -132,6 +204,7 @@ rigging_layers <- function(nodes, edges) {
     if (identical(known, layer)) break
   }
   # Nodes without a path to them, such as pieces on the netting, go into the last layer.
+  layer[net] <- max(layer[is.finite(layer)]) + 1
   ifelse(is.finite(layer), layer, max(layer[is.finite(layer)]) + 1)
 }
 
@@ -204,19 +277,20 @@ next_space <- function(rigging, look) {
 }
 
 # frame: left, bottom, right, top.
-draw_rigging <- function(sheet, figure, frame, look) {
-  rigging <- figure$rigging
+draw_rigging <- function(sheet, figure, rigging, frame, look) {
   nodes <- rigging$nodes
   ropes <- rigging$ropes
   on_sheet(sheet, component = "heading", layer = "NAMES", draw = {
-    sheet_text(sheet, frame[1], frame[4] - look$line / 2, "Rigging", look$t, bold = TRUE)
-    sheet_text(sheet, frame[1] + text_width("Rigging  ", look$t, TRUE), frame[4] - look$line / 2,
-      "not to scale; identical parts are drawn once", look$t, italic = TRUE)
+    heading <- rigging_heading(rigging)
+    sheet_text(sheet, frame[1], frame[4] - look$line / 2, heading[1L], look$t, bold = TRUE)
+    sheet_text(sheet, frame[1] + text_width(paste0(heading[1L], "  "), look$t, TRUE),
+      frame[4] - look$line / 2, heading[2L], look$t, italic = TRUE)
   })
   netting <- any(nodes$netting)
   last <- max(nodes$layer)
-  bag <- text_width("netting", look$t) + 3 * look$gap
-  right <- frame[3] - if (netting) bag + 4 * look$gap else 5 * look$t
+  boxes <- nzchar(nodes$net)
+  bag <- max(text_width(if (netting) "netting" else nodes$net, look$t)) + 3 * look$gap
+  right <- frame[3] - if (netting) bag + 4 * look$gap else if (any(boxes)) bag else 5 * look$t
   left <- frame[1] + text_width("towing point", look$t) / 2
   x <- if (last == 0L) rep(left, nrow(nodes)) else left + (right - left) * nodes$layer / last
   beyond <- next_space(rigging, look)
@@ -227,13 +301,21 @@ draw_rigging <- function(sheet, figure, frame, look) {
   use <- new_page_use()
   if (netting) draw_net_box(sheet, nodes, x, y, frame[3], bag, look, use)
   for (k in seq_len(nrow(nodes))) {
-    take_box(use, c(x[k], y[k], x[k], y[k]) + c(-1, -1, 1, 1) * 0.8 * look$t)
+    if (boxes[k]) {
+      draw_box(sheet, x[k], y[k] + c(-1, 1) * look$line, bag, nodes$net[k], look, use)
+    } else {
+      take_box(use, c(x[k], y[k], x[k], y[k]) + c(-1, -1, 1, 1) * 0.8 * look$t)
+    }
   }
   frames <- is.na(ropes$item)
   within <- which(nodes$layer[ropes$from] == nodes$layer[ropes$to] & !frames)
   lines <- lapply(seq_len(nrow(ropes)), function(k) {
     a <- ropes$from[k]
     b <- ropes$to[k]
+    if (ropes$joint[k]) {
+      higher <- 0.6 * look$line * sign(y[a] - y[b])
+      return(rbind(c(x[a], y[a]), c(x[b], y[b] + higher)))
+    }
     number <- sum(ropes$from[seq_len(k)] == a & ropes$to[seq_len(k)] == b)
     if (a == b) {
       turn <- if (nodes$order[a] < 0) 1 else -1
@@ -246,8 +328,12 @@ draw_rigging <- function(sheet, figure, frame, look) {
     take_lines(use, line[, 1], line[, 2])
     ref <- if (frames[k]) "" else paste0("ropes.", rope_of(ropes$item[k], figure))
     on_sheet(sheet, component = if (frames[k]) "piece" else "rope", ref = ref, layer = "RIGGING",
-      draw = sheet_line(sheet, line[, 1], line[, 2],
-        sheet_width[[if (frames[k]) "thick" else "middle"]]))
+      draw = if (ropes$joint[k]) {
+        sheet_line(sheet, line[, 1], line[, 2], dash = c(1.5, 1))
+      } else {
+        sheet_line(sheet, line[, 1], line[, 2],
+          sheet_width[[if (frames[k]) "thick" else "middle"]])
+      })
   }
   for (k in which(!frames)) {
     if (ropes$from[k] == ropes$to[k]) {
@@ -256,7 +342,18 @@ draw_rigging <- function(sheet, figure, frame, look) {
       label_rope(sheet, lines[[k]], ropes[k, ], figure, frame, look, use)
     }
   }
-  for (k in seq_len(nrow(nodes))) draw_node(sheet, nodes[k, ], x[k], y[k], figure, look, use)
+  for (k in which(!boxes)) draw_node(sheet, nodes[k, ], x[k], y[k], figure, look, use)
+}
+
+# Returns the heading of a schematic and its remark.
+rigging_heading <- function(rigging) {
+  number <- length(rigging$of)
+  if (!number) {
+    return(c("Rigging", paste0("not to scale",
+      if (!rigging$separate) "; identical parts are drawn once")))
+  }
+  c(if (number > 1L) "Rigging of each net" else paste("Rigging of", gsub("_", " ", rigging$of)),
+    if (number > 1L) paste(number, "off:", toString(gsub("_", " ", rigging$of))) else "")
 }
 
 rope_of <- function(item, figure) figure$ropes$first[match(item, figure$ropes$item)]
@@ -264,22 +361,25 @@ rope_of <- function(item, figure) figure$ropes$first[match(item, figure$ropes$it
 draw_net_box <- function(sheet, nodes, x, y, right, wide, look, use) {
   on <- nodes$netting
   left <- right - wide
-  span <- range(y[on]) + c(-1.5, 1.5) * look$t
-  middle <- mean(span)
-  narrow <- max(0.9 * look$t, min(1.6 * look$t, diff(span) / 2))
-  cx <- c(left, right, right, left)
-  cy <- c(span[2], middle + narrow, middle - narrow, span[1])
-  on_sheet(sheet, component = "netting", layer = "RIGGING", draw = {
-    sheet_polygon(sheet, cx, cy, sheet_fill)
-    sheet_text(sheet, (left + right) / 2, middle, "netting", look$t, 0.5)
-  })
-  take_box(use, c(left, span[1], right, span[2]))
+  draw_box(sheet, left, range(y[on]) + c(-1.5, 1.5) * look$t, wide, "netting", look, use)
   for (k in which(on)) {
     if (left - x[k] < 0.5) next
     take_lines(use, c(x[k], left), c(y[k], y[k]))
     on_sheet(sheet, component = "netting", layer = "RIGGING",
       draw = sheet_line(sheet, c(x[k], left), c(y[k], y[k]), dash = c(1.5, 1)))
   }
+}
+
+# Draws a box with a label, which is narrower aft. `span`: y of its lower and upper corner ahead.
+draw_box <- function(sheet, left, span, wide, label, look, use) {
+  middle <- mean(span)
+  narrow <- max(0.9 * look$t, min(1.6 * look$t, diff(span) / 2))
+  on_sheet(sheet, component = "netting", layer = "RIGGING", draw = {
+    sheet_polygon(sheet, left + c(0, wide, wide, 0),
+      c(span[2], middle + narrow, middle - narrow, span[1]), sheet_fill)
+    sheet_text(sheet, left + wide / 2, middle, label, look$t, 0.5)
+  })
+  take_box(use, c(left, span[1], left + wide, span[2]))
 }
 
 # Returns a straight line, or an arc within a layer or between nodes with several ropes.

@@ -32,6 +32,8 @@
 #'   and discs have one scale, larger than the rope's.
 #' - The rigging is not to scale. Both sides are drawn once. A rope to its mirror image, such as a
 #'   tickler chain from shoe to shoe, ends in an open circle.
+#' - A rig of several nets has a schematic of the ropes between its nets, and one of the ropes of
+#'   each kind of net ("2 off").
 #' - Text heights follow ISO 3098, with at least 1.8 mm and more on larger sheets.
 #'
 #' @section Files:
@@ -79,10 +81,14 @@ drawing_svg <- function(gear, page = "A4") {
 }
 
 # Returns the content of the drawing, independent of the page. Elements: title, si, layout (NULL
-# without netting), ropes and pieces (items, or NULL), rigging (or NULL), panels (checked fields),
+# without netting), ropes and pieces (items, or NULL), riggings, panels (checked fields),
 # source, reaches (cache).
 plan_figure <- function(gear) {
   si <- gear_si(gear)
+  si$names_in_gears <- do.call(c, unname(Map(function(one, name) {
+    parts <- unlist(one$parts[c("panels", drawn_groups)], use.names = FALSE)
+    stats::setNames(substring(parts, nchar(name) + 2L), parts)
+  }, gear$checked$gears, names(gear$checked$gears))))
   # Struts without mass are edges of stiff pieces, not ropes.
   stiff <- vapply(si$ropes, function(rope) rope$strut && rope$mass_per_length == 0, NA)
   frames <- si$ropes[stiff]
@@ -92,7 +98,8 @@ plan_figure <- function(gear) {
   list(
     title = gear$plan$name, si = si,
     layout = if (length(si$panels)) flat_layout(si),
-    ropes = ropes, pieces = pieces, rigging = plan_rigging(si, ropes, pieces, frames),
+    ropes = ropes, pieces = pieces,
+    riggings = plan_riggings(gear$checked$gears, si, ropes, pieces, frames),
     panels = gear_fields(gear)$panels, source = plan_source(gear),
     reaches = new.env(parent = emptyenv())
   )

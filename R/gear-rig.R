@@ -11,8 +11,9 @@ part_references <- list(
 # Expands a rig. `fields`, `plan`: its checked fields and the plan as given; `last`: the gears of
 # another result of this function, or NULL.
 #
-# Returns list(expanded, gears): the assembly, and by name of each gear list(plan, checked, parts):
-# its plan as if it were alone, the result of its check, and the names of its parts by group.
+# Returns list(expanded, gears): the assembly, and by name of each gear list(plan, checked, parts,
+# joined): its plan as if it were alone, the result of its check, the names of its parts by group,
+# and those of its joined points.
 expand_rig <- function(fields, plan, last = NULL) {
   rig <- plan[setdiff(names(plan), c("gears", "uncertain", "kind"))]
   groups <- names(part_references)
@@ -34,7 +35,8 @@ expand_rig <- function(fields, plan, last = NULL) {
     part <- part_tree(checked, copy, is.null(plan$netting_drag))
     rig <- with_part(rig, part, copy)
     parts <- lapply(part[groups], names)
-    gears[[copy$name]] <- list(plan = alone, checked = checked, parts = parts)
+    joined <- paste0(copy$name, "_", names(copy$tree$joined), recycle0 = TRUE)
+    gears[[copy$name]] <- list(plan = alone, checked = checked, parts = parts, joined = joined)
   }
   for (group in groups) {
     twice <- intersect(names(rig[[group]]), names(own[[group]]))

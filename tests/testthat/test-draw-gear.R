@@ -9,7 +9,7 @@ layout_of <- function(plan) {
 test_that("drawing shows a trawl's panels in columns and identical ones once", {
   layout <- layout_of("midwater_trawl")
   expect_identical(layout$columns$heading, c("back", "side", "belly"))
-  expect_identical(layout$columns$alike, c("", "starboard, port", ""))
+  expect_identical(layout$columns$alike, c("", "2 off: starboard, port", ""))
   expect_identical(layout$columns$count, c(1L, 2L, 1L))
   expect_true(all(layout$columns$symmetric))
   back <- layout$panels[layout$panels$column == 1, ]
@@ -68,7 +68,7 @@ test_that("drawing joins straight panels to a wall and equal rings to one", {
   expect_equal(sort(wall$panels$x), c(0, 0.5, 1))
   ring <- layout_of(add_nail(wall_plan(paste0("side_", 1:4), closed = TRUE)))
   expect_identical(ring$columns$heading, "side")
-  expect_identical(ring$columns$alike, "4 alike")
+  expect_identical(ring$columns$alike, "4 off")
   expect_identical(ring$columns$count, 4L)
 })
 
@@ -106,8 +106,8 @@ test_that("lists contain every rope and piece once with a count", {
 
 test_that("rigging shows one side from the towing points to the netting", {
   figure <- plan_figure(read_gear("midwater_trawl"))
-  nodes <- figure$rigging$nodes
-  ropes <- figure$rigging$ropes
+  nodes <- figure$riggings[[1L]]$nodes
+  ropes <- figure$riggings[[1L]]$ropes
   named <- figure$ropes$name[ropes$item]
   expect_setequal(named, c("warp", "upper hand rope", "lower hand rope"))
   layers <- cbind(nodes$layer[ropes$from], nodes$layer[ropes$to])
@@ -118,8 +118,38 @@ test_that("rigging shows one side from the towing points to the netting", {
   expect_equal(nodes$layer[nodes$letters == letter("otter board")], 1)
 })
 
+example_rig <- function(name) {
+  read_gear(system.file("examples", paste0(name, ".yaml"), package = "codend", mustWork = TRUE))
+}
+
+test_that("rigging of a rig shows each net with its joints, and one net of each kind", {
+  figure <- plan_figure(example_rig("quad_rig"))
+  between <- figure$riggings[[1L]]
+  nodes <- between$nodes
+  joints <- between$ropes[between$ropes$joint, ]
+  expect_identical(nodes$net[nzchar(nodes$net)], c("one", "two", "three", "four"))
+  # Pieces at both ends of each net, from port to starboard.
+  masses <- lapply(which(nzchar(nodes$net)), function(net) {
+    sort(nodes$letters[joints$from[joints$to == net]])
+  })
+  expect_identical(masses, list(c("B", "D"), c("C", "D"), c("C", "D"), c("B", "D")))
+  expect_identical(sum(nodes$held), 3L)
+  expect_length(figure$riggings, 2L)
+  expect_identical(figure$riggings[[2L]]$of, c("one", "two", "three", "four"))
+  # All four nets have equal netting, so it is drawn once.
+  expect_identical(unique(figure$layout$columns$alike), "4 off")
+  # The net in the middle differs from the others only by its name.
+  expect_identical(unique(plan_figure(example_rig("triple_rig"))$layout$columns$count), 3L)
+})
+
+test_that("rigging of a farm merges equal cages", {
+  farm <- plan_figure(example_rig("cage_farm"))$riggings
+  expect_identical(setdiff(farm[[1L]]$nodes$net, ""), "net, 4 off")
+  expect_identical(farm[[2L]]$of, paste0("cage_", 1:4))
+})
+
 test_that("rigging draws ropes between identical parts with an open end", {
-  rigging <- plan_figure(read_gear("beam_trawl"))$rigging
+  rigging <- plan_figure(read_gear("beam_trawl"))$riggings[[1L]]
   ropes <- rigging$ropes
   # three tickler chains from shoe to shoe; the two halves of the beam are identical
   expect_identical(sum(ropes$from == ropes$to), 3L)
@@ -149,7 +179,7 @@ test_that("drawing labels an inner liner once when both panels use it", {
   columns <- net_columns(plan_figure(plan_of_net("eastern_trawl")))
   expect_identical(vapply(columns, `[[`, "", "heading"),
     c("upper panel", "lower panel", "codend liner"))
-  expect_identical(columns[[3]]$remark, "upper, lower")
+  expect_identical(columns[[3]]$remark, "2 off: upper, lower")
   codend <- columns[[1]]$panels[columns[[1]]$panels$name == "back_codend", ]
   expect_equal(columns[[3]]$panels$y, codend$y)
 })
