@@ -81,8 +81,15 @@ requires_rope_place <- function(asked, path, known) {
   list(rope = at$name, place = at$place)
 }
 
+# One angle at the same end of one or several ropes.
 requires_rope_angle <- function(asked, path, known) {
-  c(requires_rope_place(names(asked), path, known), angle = asked[[1]])
+  at <- lapply(names(asked), requires_rope_place, path, known)
+  place <- unique(vapply(at, `[[`, "", "place"))
+  angle <- unique(unlist(asked))
+  if (length(place) > 1L || length(angle) > 1L) {
+    abort_field(path, names(asked), "one angle at the same end of every rope")
+  }
+  list(rope = vapply(at, `[[`, "", "rope"), place = place, angle = angle)
 }
 
 requires_board_angle <- function(asked, path, known) {

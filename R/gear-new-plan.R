@@ -36,6 +36,7 @@ read_new_plans <- function() {
 #' | `bottom_trawl` | `headline`, `mesh_size`, `codend_mesh_size`, `speed`, `depth` |
 #' | `midwater_trawl` | the same; `mesh_size` is the front mesh |
 #' | `pair_trawl` | as `bottom_trawl` |
+#' | `twin_trawl`, `triple_rig`, `quad_rig` | as `bottom_trawl`; `headline` of each net |
 #' | `demersal_seine` | the same and `rope`, the length of each of the two ropes |
 #' | `beam_trawl` | `beam`, `mesh_size`, `codend_mesh_size`, `speed`, `depth` |
 #' | `gillnet` | `length`, `height` (hung), `mesh_size`, `depth`, `current` |
@@ -183,7 +184,9 @@ new_from_numbers <- function(about, given) {
       "sea bed, {.val {si$shown$depth}}."
     ))
   }
-  text <- paste(about$plan, collapse = "")
+  text <- paste(vapply(about$plan, function(part) {
+    if (is.list(part)) gsub("(?m)^(?=.)", "    ", part$indented, perl = TRUE) else part
+  }, ""), collapse = "")
   text <- with_plain_numbers(filled_text(text, known_numbers(about, si)))
   gear_of_bytes(charToRaw(enc2utf8(text)), "new plan")
 }

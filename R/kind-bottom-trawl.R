@@ -347,7 +347,8 @@ bottom_trawl_measures <- function(fields, free_boards, joint = "board",
     headline_depth = list(depth = "headline.middle"),
     wing_end_height = list(height = paste0(c("upper", lower), "_port")),
     mouth_area = list(area = mouth_ropes(fields)),
-    bridle_angle = angle(first, "divergence")
+    bridle_angle = list(angle = stats::setNames(list("divergence", "divergence"),
+      paste0(pair(first), ".start")))
   )
   names(out)[1L] <- measure
   if (!is.null(fields$seabed)) {

@@ -237,3 +237,18 @@ test_that("rigs in the folder of examples settle with symmetric results", {
   expect_equal(pair[["swept_area_km2_per_h"]], 2 * alone[["swept_area_km2_per_h"]],
     tolerance = 0.01)
 })
+
+test_that("bridle angle of a net is the mean angle of its two sweeps", {
+  side <- function(name) list(angle = stats::setNames(list("divergence"), paste0(name, ".start")))
+  rig <- update(read_gear("twin_trawl"), measures = list(
+    outer = side("port_sweep_port"), inner = side("port_sweep_starboard")
+  ))
+  m <- measures(settle(rig, nodes = 300))
+  expect_gt(abs(m[["outer_deg"]] - m[["inner_deg"]]), 0.1)
+  expect_equal(m[["port_bridle_angle_deg"]], (m[["outer_deg"]] + m[["inner_deg"]]) / 2)
+  expect_equal(m[["port_bridle_angle_deg"]], m[["starboard_bridle_angle_deg"]], tolerance = 1e-6)
+  ends <- paste0("port_sweep_port.", c("start", "end"))
+  both <- list(angle = stats::setNames(list("divergence", "divergence"), ends))
+  expect_error(update(rig, measures = list(mixed = both)), "same end of every rope",
+    class = "codend_error_plan")
+})

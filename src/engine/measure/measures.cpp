@@ -398,11 +398,17 @@ class Measuring {
     }
     return last;
   }
+  // Returns the mean angle of the ropes.
   T angle(const AskedMeasure& of) const {
+    T sum(0.0);
+    for (const int rope : of.ropes) sum += rope_angle(rope, of);
+    return sum / T(static_cast<double>(of.ropes.size()));
+  }
+  T rope_angle(int rope, const AskedMeasure& of) const {
     using std::abs;
     using std::atan2;
     using std::sqrt;
-    const std::size_t bar = static_cast<std::size_t>(bar_at(of.ropes[0], of.at));
+    const std::size_t bar = static_cast<std::size_t>(bar_at(rope, of.at));
     const Three<T> d =
         three(points_, model_.bars.node[2 * bar + 1]) - three(points_, model_.bars.node[2 * bar]);
     if (of.angle == MeasureAngle::divergence) return atan2(abs(along(d, across_)), along(d, flow_));
