@@ -35,16 +35,21 @@ define_finding("warp end", "plan",
 trawls_of_panels <- c("bottom_trawl", "pair_trawl", "midwater_trawl")
 
 # Seams take up a few percent. A larger ratio means gathered netting, as at a bosom, or a wrong
-# count.
+# count. Netting that is hung on a rope has its own hanging ratio.
 greatest_seam_ratio <- 1.2
 
 define_finding("seam", "plan",
-  "A seam joins edges that differ in stretched length by more than 20 %.",
+  "A seam joins edges that differ in stretched length by more than 20 %. This check omits seams
+  along ropes.",
   function(gear, state) {
     si <- gear_si(gear)
+    hung <- edge_keys(lapply(si$ropes, `[[`, "along"))
     lapply(names(si$seams), function(name) {
       seam <- si$seams[[name]]
-      if (!is.null(seam$gathered_at) || length(seam$edges) < 2L) return(NULL)
+      if (!is.null(seam$gathered_at) || length(seam$edges) < 2L ||
+        any(edge_keys(seam$edges) %in% hung)) {
+        return(NULL)
+      }
       long <- vapply(seam$edges, chain_length, 0, panels = si$panels)
       if (min(long) <= 0 || max(long) <= greatest_seam_ratio * min(long)) return(NULL)
       ratio <- max(long) / min(long)
@@ -55,5 +60,11 @@ define_finding("seam", "plan",
     })
   }
 )
+
+# Returns the panels and edges of chains of edges as strings.
+edge_keys <- function(chains) {
+  edges <- unlist(unname(chains), recursive = FALSE)
+  vapply(edges, function(edge) paste(edge$panel, edge$edge), "")
+}
 
 unless_na <- function(x) if (is.na(x)) NULL else x

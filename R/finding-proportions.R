@@ -122,12 +122,8 @@ define_band("ground gear weight", "plan",
   function(si, state) {
     name <- ropes_of_role(si, "ground_gear")
     if (!length(name)) return(NULL)
-    rope <- si$ropes[[name[1L]]]
-    discs <- Filter(function(piece) identical(piece$role, "disc"), si$pieces)
-    of_discs <- sum(vapply(discs, function(piece) {
-      first_of(piece$number, 1) * (piece$mass - si$water$density * piece$volume)
-    }, 0))
-    rope$mass_per_length - si$water$density * rope$volume_per_length + of_discs / rope$length
+    gear <- loaded_parts(si)$ropes[[name[1L]]]
+    (gear$mass - si$water$density * gear$volume) / si$ropes[[name[1L]]]$length
   },
   location = "ground_gear", low = "Check its mass in water and the unit.",
   high = "Check its mass in water and the unit."

@@ -2,14 +2,19 @@
 
 # Defines a check of numbers. `least`, `greatest`: limits of usual numbers; `unit`: their unit, as
 # text. `values(gear, state)`: numbers, named by location as in finding(). `quantity`: name of the
-# number in messages. Other arguments: as in define_finding() and finding().
+# number in messages. Numbers with the attributes `least` and `greatest` have their own limits.
+# `field`: as in finding(), or fields by kind of part. Other arguments: as in define_finding() and
+# finding().
 define_range <- function(name, of, message, quantity, least, greatest, unit, values, advice,
                          field = NULL, rank = 1L) {
   define_finding(name, of, message, function(gear, state) {
     found <- values(gear, state)
-    odd <- found[is.finite(found) & (found < least | found > greatest)]
-    lapply(names(odd), function(location) {
-      unusual_number(quantity, odd[[location]], unit, least, greatest, location, advice, field)
+    least <- rep_len(first_of(attr(found, "least"), least), length(found))
+    greatest <- rep_len(first_of(attr(found, "greatest"), greatest), length(found))
+    lapply(which(is.finite(found) & (found < least | found > greatest)), function(k) {
+      location <- names(found)[k]
+      own <- if (length(field) > 1L) field[[sub(" .*", "", location)]] else field
+      unusual_number(quantity, found[[k]], unit, least[k], greatest[k], location, advice, own)
     })
   }, rank = rank)
 }
@@ -46,14 +51,56 @@ define_range("body diameter", "plan",
   "Check the unit: a number without a unit is in metres.", "diameter"
 )
 
-# The fastest towed survey instruments run at 12 knots; no fishing gear reaches 10 knots. Other
-# kinds of gears have a band.
+# Returns the usual ranges of parts by role and quantity.
+known_role_ranges <- remembered(function() {
+  utils::read.csv(system.file("extdata", "role_ranges.csv", package = "codend"))
+})
+
+# Returns the numbers of parts that have a range for their role, with the limits as attributes.
+numbers_by_role <- function(parts, kind, quantity, unit) {
+  rows <- known_role_ranges()
+  rows <- rows[rows$quantity == quantity, ]
+  row <- match(vapply(parts, function(part) first_of(part$role, ""), ""), rows$role)
+  found <- numbers_of_parts(parts[!is.na(row)], kind, function(part) {
+    as.double(in_unit(part[[quantity]], unit))
+  })
+  row <- row[!is.na(row)]
+  structure(found, least = rows$least[row], greatest = rows$greatest[row])
+}
+
+define_range("length for its role", "plan",
+  "The length of a rope without netting is outside the range of its role. Range:
+  `role_ranges.csv`.",
+  "length", -Inf, Inf, "m",
+  function(gear, state) {
+    free <- Filter(function(rope) is.null(rope$along), gear_si(gear)$ropes)
+    numbers_by_role(free, "rope", "length", "m")
+  },
+  "Check the number and its unit.", "length"
+)
+
+define_range("diameter for its role", "plan",
+  "The diameter of a rope is outside the range of its role. Range: `role_ranges.csv`.",
+  "diameter", -Inf, Inf, "mm",
+  function(gear, state) numbers_by_role(gear_si(gear)$ropes, "rope", "diameter", "mm"),
+  "Check the number and its unit.", "diameter"
+)
+
+define_range("mass for its role", "plan",
+  "The mass of a body is outside the range of its role. Range: `role_ranges.csv`.",
+  "mass", -Inf, Inf, "kg",
+  function(gear, state) numbers_by_role(gear_si(gear)$pieces, "piece", "mass", "kg"),
+  "Check the number and its unit.", "mass"
+)
+
+# The fastest towed survey instruments run at 12 knots; no fishing gear reaches 10 knots. Models in
+# flume tanks are tested from about 0.2 m/s. Other kinds of gears have a band.
 define_range("speed", "plan",
-  "The towing speed is above 12 knot. Fishing gear is towed at up to 7 knot.",
-  "towing speed", -Inf, 12, "knot",
+  "The towing speed is above 12 knot or below 0.25 knot. Fishing gear is towed at 1 to 7 knot.",
+  "towing speed", 0.25, 12, "knot",
   function(gear, state) {
     si <- gear_si(gear)
-    if (is.null(band_of("towing speed", si_by_net(si)[[1L]]))) {
+    if (si$towing$speed > 0 && is.null(band_of("towing speed", si_by_net(si)[[1L]]))) {
       c(towing.speed = in_unit(si$towing$speed, "knot"))
     }
   },
@@ -123,10 +170,11 @@ define_range("twine over bar", "plan",
   "Check the unit: a number without a unit is in metres.", "twine"
 )
 
-# Steel wire and aramid break at 2 to 4 %, polyamide at 20 % or more.
+# Steel wire ropes and chains have 1.3 %, fibre ropes of HMPE 1.8 %, polyamide 20 % or more.
 define_range("breaking strain", "plan",
-  "The breaking load of a rope over its axial stiffness is below 0.2 % or above 60 %.",
-  "breaking load over axial stiffness", 0.2, 60, "%",
+  "The breaking load of a rope over its axial stiffness is below 1.2 % or above 60 %. Steel wire has
+  1.3 %.",
+  "breaking load over axial stiffness", 1.2, 60, "%",
   function(gear, state) {
     numbers_of_parts(gear_si(gear)$ropes, "rope", function(rope) {
       100 * positive_ratio(rope$strength, rope$axial_stiffness)
@@ -148,24 +196,52 @@ define_range("water density", "plan",
 
 # Ropes and bodies of shipped and published gears have 205 to 11,300 kg/m3.
 define_range("density", "plan",
-  "The density of a rope or body (its mass over its volume) is below 30 kg/m3 or above 13,000 kg/m3.
-  Foam has 100 kg/m3 or more, lead 11,340 kg/m3.",
+  "The density of a pipe, float line or body (its mass over its volume) is below 30 kg/m3 or above
+  13,000 kg/m3. Foam has 100 kg/m3 or more, lead 11,340 kg/m3.",
   "density", 30, 13000, "kg/m3",
   function(gear, state) {
     si <- gear_si(gear)
     c(
-      numbers_of_parts(si$ropes, "rope", function(rope) {
-        positive_ratio(rope$mass_per_length, rope$volume_per_length)
-      }),
+      numbers_of_parts(Filter(is_hollow, si$ropes), "rope", rope_density),
       numbers_of_parts(si$pieces, "piece", function(piece) positive_ratio(piece$mass, piece$volume))
     )
   },
   "Check the mass, the dimensions and their units.", "mass_per_length"
 )
 
+rope_density <- function(rope) positive_ratio(rope$mass_per_length, rope$volume_per_length)
+
+# TRUE for ropes that may contain air or foam.
+is_hollow <- function(rope) rope$strut || rope$role %in% "float_line"
+
+# The lightest material of ropes, polypropylene, has 910 kg/m3.
+define_range("rope density", "plan",
+  "The density of a rope other than a float line (its mass over its volume) is below 600 kg/m3 or
+  above 13,000 kg/m3. Polypropylene has 910 kg/m3, lead 11,340 kg/m3.",
+  "density", 600, 13000, "kg/m3",
+  function(gear, state) {
+    numbers_of_parts(Filter(Negate(is_hollow), gear_si(gear)$ropes), "rope", rope_density)
+  },
+  "Check the mass, the dimensions and their units.", "mass_per_length"
+)
+
+# An all-bar cut on both sides changes the count by two meshes per mesh of depth. The steepest
+# panels of published nets, the wings of rope trawls, have five.
+define_range("taper", "plan",
+  "The mesh counts of a panel's upper and lower edge differ by more than six meshes per mesh of
+  depth. All-bar cuts on both sides give two.",
+  "change of the mesh count per mesh of depth", -Inf, 6, "",
+  function(gear, state) {
+    numbers_of_parts(gear_si(gear)$panels, "panel", function(panel) {
+      abs(panel$upper - panel$lower) / panel$deep
+    })
+  },
+  "Check the mesh counts of the panel.", "meshes"
+)
+
 define_range("mesh count", "plan",
-  "A panel is less than half a mesh deep, or has less than half a mesh along an edge.",
-  "mesh count", 0.5, Inf, "",
+  "A panel is less than one mesh deep, or has less than one mesh along an edge.",
+  "mesh count", 1, Inf, "",
   function(gear, state) {
     numbers_of_parts(gear_si(gear)$panels, "panel", function(panel) {
       along <- c(panel$upper, panel$lower)
@@ -188,8 +264,8 @@ define_range("panel depth", "plan",
 
 # The narrowest panels of shipped and published nets have 0.19.
 define_range("narrow panel", "plan",
-  "A panel has less than 2 % as many meshes across as it is deep.",
-  "meshes across over meshes deep", 0.02, Inf, "",
+  "A panel has less than 10 % as many meshes across as it is deep.",
+  "meshes across over meshes deep", 0.1, Inf, "",
   function(gear, state) {
     numbers_of_parts(gear_si(gear)$panels, "panel", function(panel) {
       max(panel$upper, panel$lower) / panel$deep
@@ -212,13 +288,32 @@ define_range("long bridle", "plan",
   "Check the lengths and their units.", "length"
 )
 
-# Ropes along netting of shipped and published gears are at least as thick as the twine.
-define_range("rope thinner than twine", "plan",
-  "A rope along netting is less than half as thick as the twine.",
-  "rope diameter over twine diameter", 0.5, Inf, "",
+# Branch lines of shipped longlines have 0.3 to 0.8.
+define_range("branch lines", "plan",
+  "A branch line is more than three times as long as the line between it and the next one, so that
+  branch lines tangle.",
+  "length over the distance to the next branch line", -Inf, 3, "",
   function(gear, state) {
     si <- gear_si(gear)
-    numbers_of_parts(si$ropes, "rope", function(rope) {
+    lines <- si$ropes[ropes_of_role(si, "main_line")]
+    numbers_of_parts(si$ropes[ropes_of_role(si, "branch_line")], "rope", function(branch) {
+      next_to <- Filter(function(line) branch$from %in% c(line$from, line$to), lines)
+      if (!length(next_to)) return(NA_real_)
+      branch$length / max(vapply(next_to, `[[`, 0, "length"))
+    })
+  },
+  "Shorten the branch lines, or set them farther apart.", "length"
+)
+
+# Ropes along netting of shipped and published gears have 1 to 32 times the diameter of the twine.
+define_range("rope over twine", "plan",
+  "A rope along netting is less than half or more than 60 times as thick as the twine. This check
+  omits poles and pipes.",
+  "rope diameter over twine diameter", 0.5, 60, "",
+  function(gear, state) {
+    si <- gear_si(gear)
+    ropes <- Filter(function(rope) !rope$strut, si$ropes)
+    numbers_of_parts(ropes, "rope", function(rope) {
       panels <- intersect(sub("[.].*", "", unlist(rope$along)), names(si$panels))
       if (!length(panels)) return(NA_real_)
       rope$diameter / max(vapply(si$panels[panels], `[[`, 0, "twine_diameter"))
@@ -227,10 +322,10 @@ define_range("rope thinner than twine", "plan",
   "Check the diameter of the rope and of the twine, and their units.", "diameter"
 )
 
-# The shortest ropes of shipped and published gears have 25 diameters.
+# EN 13414-1 requires 20 diameters of plain wire rope between the ends of a sling.
 define_range("short rope", "plan",
-  "The length of a rope is less than five diameters.",
-  "length over diameter", 5, Inf, "",
+  "The length of a rope is less than 20 diameters.",
+  "length over diameter", 20, Inf, "",
   function(gear, state) {
     numbers_of_parts(gear_si(gear)$ropes, "rope", function(rope) rope$length / rope$diameter)
   },
@@ -276,8 +371,9 @@ define_range("rope volume", "plan",
   "Check the diameter, the mass and their units.", "diameter"
 )
 
-# Published coefficients across a rope are 0.9 to 2 (strumming cables), along it 0 to 0.1.
-coefficient_ranges <- list(normal = c(0.3, 3), tangential = c(-Inf, 0.5))
+# Published coefficients across a rope are 0.9 to 2 (strumming cables), along it 0 to 0.1. Turbulent
+# friction of a smooth surface, on the circumference, is at least 0.0016 (Re 1e9): 0.005 here.
+coefficient_ranges <- list(normal = c(0.3, 3), tangential = c(0.002, 0.3))
 for (along in names(coefficient_ranges)) local({
   name <- along
   ends <- coefficient_ranges[[name]]
@@ -285,8 +381,8 @@ for (along in names(coefficient_ranges)) local({
     switch(name,
       normal = "The drag coefficient across a rope is below 0.3 or above 3. Published values are 0.9
         to 2.",
-      tangential = "The drag coefficient along a rope is above 0.5. Published values are 0 to
-        0.1."),
+      tangential = "The drag coefficient along a rope is above 0.3 or between 0 and 0.002.
+        Published values are 0 or 0.005 to 0.1."),
     "drag coefficient", ends[1L], ends[2L], "",
     function(gear, state) {
       numbers_of_parts(gear_si(gear)$ropes, "rope", function(rope) {
@@ -302,41 +398,43 @@ sinking_roles <- c(
   shoe_end = 1, ground_gear = 1, lead_line = 1, tickler = 1
 )
 
+# Returns the parts of a gear with their mass and displaced volume: list(ropes, pieces). A rope
+# includes the pieces mounted on it.
+loaded_parts <- function(si) {
+  ropes <- Map(function(rope, name) {
+    on <- Filter(function(piece) identical(piece$along$name, name), si$pieces)
+    sum_of <- function(field) {
+      sum(vapply(on, function(piece) first_of(piece$number, 1) * piece[[field]], 0))
+    }
+    list(role = rope$role, mass = rope$length * rope$mass_per_length + sum_of("mass"),
+      volume = rope$length * rope$volume_per_length + sum_of("volume"))
+  }, si$ropes, names(si$ropes))
+  list(ropes = ropes, pieces = si$pieces)
+}
+
 define_range("weight that floats", "plan",
   "A weight, a lead line or a ground gear floats, or a float sinks.",
   "weight in water over mass", 0, Inf, "",
   function(gear, state) {
     si <- gear_si(gear)
-    sinking <- function(part, mass, volume) {
+    parts <- loaded_parts(si)
+    sinking <- function(part) {
+      if (!isTRUE(part$mass > 0)) return(NA_real_)
       way <- unname(sinking_roles[first_of(part$role, "")])
-      if (!isTRUE(mass > 0)) return(NA_real_)
-      way * (1 - si$water$density * volume / mass)
+      way * (1 - si$water$density * part$volume / part$mass)
     }
-    # A rope counts with the pieces mounted on it.
-    of_rope <- function(name) {
-      rope <- si$ropes[[name]]
-      on <- Filter(function(piece) identical(piece$along$name, name), si$pieces)
-      sum_of <- function(field) {
-        sum(vapply(on, function(piece) piece$number * piece[[field]], 0))
-      }
-      sinking(rope, rope$length * rope$mass_per_length + sum_of("mass"),
-        rope$length * rope$volume_per_length + sum_of("volume"))
-    }
-    c(
-      numbers_of_parts(si$pieces, "piece", function(piece) {
-        sinking(piece, piece$mass, piece$volume)
-      }),
-      numbers_of_parts(setNames(nm = names(si$ropes)), "rope", of_rope)
-    )
+    c(numbers_of_parts(parts$pieces, "piece", sinking),
+      numbers_of_parts(parts$ropes, "rope", sinking))
   },
   "Check the mass, the volume or the buoyancy, and their units."
 )
 
-# Gathered bosoms of footropes have the smallest ratios. A rope can be longer than its netting.
+# Gathered bosoms of footropes have the smallest ratios, 0.35 in shipped gears. A rope can be longer
+# than its netting.
 define_range("hanging ratio", "plan",
-  "The hanging ratio of a rope (its length over the stretched length of its netting) is below 0.2 or
-  above 1.15.",
-  "hanging ratio", 0.2, 1.15, "",
+  "The hanging ratio of a rope (its length over the stretched length of its netting) is below 0.25
+  or above 1.15.",
+  "hanging ratio", 0.25, 1.15, "",
   function(gear, state) {
     si <- gear_si(gear)
     numbers_of_parts(si$ropes, "rope", function(rope) {
@@ -353,66 +451,63 @@ define_range("hanging ratio", "plan",
   "Check the length of the rope and the mesh count along it.", rank = 2L
 )
 
+# Returns the ratio of the largest to the smallest number of the panels at each seam.
+ratios_at_seams <- function(si, field) {
+  numbers_of_parts(si$seams, "seam", function(seam) {
+    panels <- unique(sub("[.].*", "", unlist(seam$edges)))
+    found <- vapply(si$panels[intersect(panels, names(si$panels))], `[[`, 0, field)
+    if (length(found)) max(found) / min(found) else NA_real_
+  })
+}
+
 # Adjacent panels of shipped and published nets have ratios up to 2.9.
 define_range("twines at a seam", "plan",
   "A seam joins netting whose twines differ in diameter by a factor of more than 6. Shipped and
   published nets have factors up to 2.9.",
   "ratio of twine diameters", -Inf, 6, "",
-  function(gear, state) {
-    si <- gear_si(gear)
-    numbers_of_parts(si$seams, "seam", function(seam) {
-      panels <- unique(sub("[.].*", "", unlist(seam$edges)))
-      twine <- vapply(si$panels[intersect(panels, names(si$panels))], `[[`, 0, "twine_diameter")
-      if (length(twine)) max(twine) / min(twine) else NA_real_
-    })
-  },
+  function(gear, state) ratios_at_seams(gear_si(gear), "twine_diameter"),
   "Check the twine diameters on both sides of the seam."
 )
 
-# Ropes of shipped and published gears are stretched by up to 2.4 %. Polyamide breaks at 20 % or
-# more, steel wire at 3 %.
-define_range("stretched rope", "state",
-  "A rope is stretched by more than 10 % of its length. Most ropes break before that.",
-  "stretch", -Inf, 10, "%",
-  function(gear, state) {
-    ropes <- state$si$ropes
-    numbers_of_parts(setNames(nm = names(ropes)), "rope", function(name) {
-      100 * max(state$bar_tension[rope_bars(state$mesh, name)]) / ropes[[name]]$axial_stiffness
-    })
-  },
-  "Use a thicker or a stronger rope, or find the cause of the high load.", "diameter"
-)
-
-# Netting of shipped gears is stretched by up to 5.8 %. Netting yarns of polyamide and polyethylene
-# break at 20 % or more.
-define_range("stretched twine", "state",
-  "A twine is stretched by more than 20 % of its length. Many twines break before that.",
-  "stretch", -Inf, 20, "%",
-  function(gear, state) {
-    panels <- state$si$panels
-    table <- tension_table(state)
-    table <- table[table$part %in% names(panels), ]
-    stiffness <- vapply(panels[table$part], `[[`, 0, "axial_stiffness")
-    setNames(100 * 1000 * table$max_kN / stiffness, paste("panel", table$part, recycle0 = TRUE))
-  },
-  "Use a thicker or double twine, or find the cause of the high load.", "twine"
+# The walls of trammel nets have ratios of about 5.
+define_range("meshes at a seam", "plan",
+  "A seam joins netting whose mesh sizes differ by a factor of more than 10. The walls of trammel
+  nets have factors of about 5.",
+  "ratio of mesh sizes", -Inf, 10, "",
+  function(gear, state) ratios_at_seams(gear_si(gear), "mesh_size"),
+  "Check the mesh sizes on both sides of the seam."
 )
 
 # The shortest distance between the ends of a free rope of shipped and published gears is 57 % of
 # its length (tickler chains), except for purse lines, which run through rings.
 define_range("slack rope", "state",
-  "The ends of a free rope are closer together than half of its length. This check omits ropes that
-  run through rings, ropes that end where they start, and moments of a tow.",
+  "The ends of a free rope or of a main line, in the plan or the settled state, are closer together
+  than half of its length. This check omits ropes that run through rings, ropes that end where they
+  start, and moments of a tow.",
   "distance between the ends over the length", 50, Inf, "%",
   function(gear, state) {
     if (!is.null(state$time)) return(numeric())
     free <- Filter(function(rope) {
       is.null(rope$along) && !rope$strut && !length(rope$through) && rope$from != rope$to
     }, state$si$ropes)
-    numbers_of_parts(setNames(nm = names(free)), "rope", function(name) {
-      node <- state$mesh$ropes[[name]]$node
-      way <- state$position[, node[length(node)]] - state$position[, node[1L]]
-      100 * sqrt(sum(way^2)) / free[[name]]$length
+    distance <- function(from, to) {
+      points <- state$si$points[c(from, to)]
+      planned <- lapply(points, function(point) unlist(first_of(point$position, point$near)))
+      settled <- lapply(c(from, to), function(name) state$position[, state$mesh$places[[name]]])
+      ends <- if (all(lengths(planned) == 3L)) list(settled, planned) else list(settled)
+      min(vapply(ends, function(x) sqrt(sum((x[[2L]] - x[[1L]])^2)), 0))
+    }
+    # The segments of a main line between branch lines count as one rope.
+    main <- free[vapply(free, function(rope) rope$role %in% "main_line", NA)]
+    ends <- unlist(lapply(main, `[`, c("from", "to")))
+    ends <- ends[!ends %in% ends[duplicated(ends)]]
+    if (length(ends) == 2L) {
+      long <- sum(vapply(main, `[[`, 0, "length"))
+      whole <- list(from = ends[[1L]], to = ends[[2L]], length = long)
+      free <- c(free, setNames(list(whole), names(main)[1L]))
+    }
+    numbers_of_parts(free, "rope", function(rope) {
+      100 * distance(rope$from, rope$to) / rope$length
     })
   },
   "Shorten the rope, or check the unit of its length.", "length", rank = 2L
@@ -437,16 +532,46 @@ define_range("mouth blockage", "state",
   "Check the spread and the height of the net mouths, and the ropes in `nets`."
 )
 
-# Towing lines of ships are loaded to at most half; trawl warps are chosen for a third to a fifth.
-define_range("rope load", "state",
-  "A rope carries more than half of its breaking load (from `strength` or its material).",
-  "tension over breaking load", -Inf, 50, "%",
+# Strain (fraction) at which a rope or twine of unknown strength is assumed to break: polyamide and
+# polyethylene break at 20 to 25 %.
+assumed_breaking_strain <- 0.2
+
+# Trawl warps are chosen for a third to a fifth. Shipped gears have up to 34 %. The largest tension
+# of netting at a point load depends on the mesh.
+define_range("load", "state",
+  "A rope, or the most loaded tenth of a panel's twine, carries more than 40 % of its breaking load
+  (from `strength` or its material; if unknown, its load at 20 % elongation).",
+  "tension over breaking load", -Inf, 40, "%",
   function(gear, state) {
+    parts <- c(state$si$ropes, state$si$panels)
     table <- tension_table(state)
-    load <- setNames(table$strength_percent, paste("rope", table$part))
+    strength <- vapply(parts[table$part], function(part) {
+      if (is.na(part$strength)) assumed_breaking_strain * part$axial_stiffness else part$strength
+    }, 0)
+    is_rope <- table$kind == "rope"
+    load <- 100 * 1000 * ifelse(is_rope, table$max_kN, table$most_loaded_kN) / strength
+    names(load) <- paste(ifelse(is_rope, "rope", "panel"), table$part)
     sort(load, decreasing = TRUE)
   },
-  "Use a thicker or a stronger rope, or find the cause of the high load.", "diameter"
+  "Use a thicker or stronger rope or twine, or find the cause of the high load.",
+  c(rope = "diameter", panel = "twine")
+)
+
+# Anchors lie on the bed.
+define_range("below the anchors", "state",
+  "The gear hangs more than 1 m below its deepest anchor, thus below the sea bed.",
+  "depth below the anchors", -Inf, 1, "m",
+  function(gear, state) {
+    moored <- state$si$ropes[ropes_of_role(state$si, c("mooring", "anchor_line"))]
+    held <- Filter(function(point) identical(point$held, "fixed"), state$si$points)
+    anchors <- held[intersect(names(held), unlist(lapply(moored, `[`, c("from", "to"))))]
+    if (!length(anchors)) return(numeric())
+    deepest <- which.min(state$position[3L, ])
+    depth <- min(vapply(anchors, function(point) point$position[3L], 0)) -
+      state$position[3L, deepest]
+    setNames(depth, describe_node(state$mesh, deepest))
+  },
+  "Check the depth and the lengths of the ropes, and their units."
 )
 
 # A wave may lift a float by half a metre.
@@ -483,10 +608,11 @@ define_range("bundle", "state",
 )
 
 define_range("cells finer than meshes", "state",
-  "The elements of a panel of `cells` are smaller than one mesh of the netting. Cells represent many
-  meshes each; use `netting: bars` if the meshes are as large as the elements. On the shipped
-  midwater trawl, with 32 m front meshes, cells give 3.6 % less drag than bars at any resolution.",
-  "number of meshes in a cell", 1, Inf, "",
+  "The elements of a panel of `cells` are smaller than half a mesh of the netting. Cells represent
+  many meshes each; use `netting: bars` if the meshes are as large as the elements. On the shipped
+  midwater trawl, with 32 m front meshes, cells give 3.6 % less drag than bars at any resolution.
+  With 0.8 meshes in a cell, drag differs by up to 2.4 % (examples of a dredge and a trammel net).",
+  "number of meshes in a cell", 0.5, Inf, "",
   function(gear, state) {
     si <- state$si
     cells <- state$mesh$model$cells

@@ -5,7 +5,7 @@ greatest_footrope_share <- 0.25
 
 define_finding("net off the bed", "state",
   "Half of the footrope or ground gear hangs more than 0.5 m, or a quarter of the headline height,
-  above the sea bed. This check omits midwater trawls.",
+  plus the reported error of heights above the sea bed. This check omits midwater trawls.",
   function(gear, state) {
     if (is.null(state$si$ground)) return(list())
     lapply(si_by_net(state$si), function(si) {
@@ -32,7 +32,7 @@ net_off_bed <- function(si, state) {
   above <- max(height_of("headline"), -Inf)
   allowed <- greatest_footrope_height
   if (above > 0) allowed <- min(allowed, greatest_footrope_share * above)
-  if (least <= allowed) return(NULL)
+  if (least <= allowed + height_error(state)) return(NULL)
   label <- paste(figures(least), "m")
   finding(paste("rope", names(low)[which.min(low)]), least, label,
     if (above > 0) {
@@ -43,6 +43,13 @@ net_off_bed <- function(si, state) {
     },
     template("Pay out more warp, tow more slowly, or add weight to the footrope or the boards."),
     field = "warps.length")
+}
+
+# Returns the largest reported error (m) of the heights of a gear, 0 without heights.
+height_error <- function(state) {
+  all <- measures(state)
+  heights <- attr(all, "kind") %in% c("height", "clearance")
+  max(0, attr(all, "error")[heights], na.rm = TRUE)
 }
 
 define_finding("opening", "state",
@@ -91,16 +98,13 @@ define_finding("idle rope", "state",
   }
 )
 
-# Maximum fraction of the tension of all bridles on one side. Two bridles of shipped gear have up to
-# 76 %.
-greatest_bridle_share <- 0.85
-# Minimum tension of a bridle as a fraction of its equal part.
-least_bridle_part <- 0.27
+# Minimum tension of a bridle as a fraction of an equal part.
+least_bridle_part <- 0.2
 
 define_finding("bridles", "state",
-  "One of several bridles or hand ropes from the same point carries more than 85 % of their tension,
-  or less than 27 % of an equal part (9 % for three bridles). This check omits beam trawls: their
-  middle bridle only keeps the beam straight.",
+  "One of several bridles or hand ropes from the same point carries less than 20 % of an equal part
+  of their tension (10 % of the total for two bridles). This check omits beam trawls: their middle
+  bridle only keeps the beam straight.",
   function(gear, state) {
     si <- state$si
     names <- unlist(lapply(unname(si_by_net(si)), function(net) {
@@ -116,19 +120,14 @@ define_finding("bridles", "state",
       }, 0)
       if (sum(pull) <= 0) return(list())
       share <- pull / sum(pull)
-      least <- least_bridle_part / length(share)
-      odd <- if (max(share) > greatest_bridle_share) which.max(share) else which.min(share)
-      if (share[odd] <= greatest_bridle_share && share[odd] >= least) return(list())
+      odd <- which.min(share)
+      if (share[odd] >= least_bridle_part / length(share)) return(list())
       percent <- 100 * share[[odd]]
       label <- paste(figures(percent), "%")
       list(finding(paste("rope", together[odd]), percent, label,
         template("it carries {share} of the total tension of all bridles at this point.",
           share = label),
-        if (share[odd] < least) {
-          "Shorten this bridle, or lengthen the others."
-        } else {
-          "Lengthen this bridle, or shorten the others."
-        }, field = "length"))
+        "Shorten this bridle, or lengthen the others.", field = "length"))
     }), recursive = FALSE, use.names = FALSE)
   }
 )

@@ -318,6 +318,7 @@ si_panel <- function(panel, path, fields, law) {
     damping = line$damping * count,
     mass_per_length = line$mass_per_length * count,
     volume_per_length = line$volume_per_length * count,
+    strength = line$strength * count,
     material = first_of(twine$material, NA_character_),
     orientation = panel$orientation, straight_bar = hexagons,
     lost_left = lost[["left"]], lost_right = lost[["right"]],
