@@ -7,7 +7,8 @@
 #' @details
 #' # Sources of uncertainty
 #' - **Coefficients**: the `multipliers` of force components in the plan. Their standard deviations
-#'   are the spread of published values.
+#'   are the spread of published values. Measurements of whole gears limit the combined effect of
+#'   those that are the same in all gears (`validation/conditioning.md`).
 #' - **Plan**: numbers with their own uncertainty, `{value: 4 mm, uncertainty: 10 %}` or the uniform
 #'   distribution `{range: [3.8 mm, 4.2 mm]}`. Other numbers have the uncertainty of their kind. The
 #'   table with sources is `system.file("extdata", "uncertainty.csv", package = "codend")`. Products
@@ -250,8 +251,17 @@ source_field <- function(source, plan) {
   field
 }
 
+# Returns the covariance of sources, in their standard uncertainties.
 source_correlation <- function(sources, fit = NULL) {
   correlation <- diag(length(sources))
+  # Measurements limit the combined effect of multipliers that are the same in all gears.
+  table <- package_table("uncertainty_multipliers.csv")
+  shared <- which(vapply(sources, function(source) {
+    any(source$multiplier %in% table$multiplier) && is.null(source$given) &&
+      is.null(source$calibrated)
+  }, NA))
+  rows <- match(vapply(sources[shared], `[[`, "", "multiplier"), table$multiplier)
+  correlation[shared, shared] <- as.matrix(table[-1L])[rows, rows]
   # Calibrated fields have the correlation of the fit.
   fitted <- which(vapply(sources, function(source) !is.null(source$calibrated), NA))
   if (length(fitted) > 1L) {
@@ -314,17 +324,18 @@ budget_of <- function(found, level, draws, settled = FALSE) {
 # variance: of each measure in the linear estimate. The percentages of all sources, the mesh and the
 # model add up to 100.
 source_table <- function(found, value, variance) {
+  sd <- sqrt(diag(found$correlation))
   names <- vapply(found$sources, `[[`, "", "name")
   rows <- lapply(seq_along(value), function(m) {
     one <- found$spread[m, ]
-    whole <- sqrt(one^2 + found$off[m, ]^2)
+    whole <- sqrt(one^2 * sd^2 + found$off[m, ]^2)
     order <- order(-whole)
     order <- order[whole[order] > 0]
     own <- one * drop(found$correlation %*% one) + found$off[m, ] * sum(found$off[m, ])
     data.frame(
       measure = rep(names(value)[m], length(order)), source = names[order],
       group = vapply(found$sources[order], `[[`, "", "group"),
-      share = vapply(found$sources[order], `[[`, 0, "share"),
+      share = (vapply(found$sources, `[[`, 0, "share") * sd)[order],
       contribution = sign(one[order]) * whole[order],
       percent = 100 * own[order] / variance[m]
     )

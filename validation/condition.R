@@ -4,8 +4,8 @@
 #   Rscript validation/condition.R          computes everything (about three minutes of CPU time)
 #   Rscript validation/condition.R --fit    uses the derivatives of the last run (temporary file)
 #
-# Writes inst/extdata/uncertainty_residuals.csv, validation/conditioning.csv, conditioning.md and
-# figures/conditioning.png.
+# Writes inst/extdata/uncertainty_residuals.csv and uncertainty_multipliers.csv,
+# validation/conditioning.csv, conditioning.md and figures/conditioning.png.
 #
 # Relative sensitivities are computed at the middle of each series of hauls or tests and apply to
 # the whole series.
@@ -31,8 +31,12 @@
 #
 # The size of e comes from the variation of values about the mean of their quantity in a rig. The
 # sizes of n, g and q come from these means. The standard deviation of n + g + q depends on the
-# kind, and the fractions of n, g and q in its variance are the same for all kinds. The multipliers
+# kind, and the fractions of n, g and q in its variance are the same for all kinds.
+#
+# The multipliers t are the same in all gears, so the measurements limit their combined effect. They
 # keep their published values, because a fit to some nets does not improve the prediction of others.
+# Their covariance about these values is that of the posterior distribution plus the product of its
+# means.
 
 suppressPackageStartupMessages(library(codend))
 room <- new.env(parent = asNamespace("codend"))
@@ -228,7 +232,7 @@ row_slopes <- function(one, slopes) {
       mesh = attr(m, "error")[at] / abs(computed), row.names = NULL),
     slopes = slopes$by[at, , drop = FALSE],
     source = vapply(sources, `[[`, "", "name"), group = vapply(sources, `[[`, "", "group"),
-    multiplier = multiplier
+    share = vapply(sources, `[[`, 0, "share"), multiplier = multiplier
   )
 }
 
@@ -312,12 +316,22 @@ quantity_means <- function(data) {
   c(list(values = values), lapply(data[c("t", "b", "p", "c")], function(part) average %*% part))
 }
 
-# Returns the parts of a model error from unconstrained parameters: list(size, by kind, and fraction
-# of the variance of net, rig and quantity).
+# Returns the parts of a model error from parameters: list(size, by kind, and fraction of the
+# variance of net, rig and quantity).
 model_error <- function(of) {
   weight <- exp(c(of[length(kinds) + 1:2], 0))
-  list(size = stats::setNames(exp(of[seq_along(kinds)]), kinds),
+  list(size = stats::setNames(of[seq_along(kinds)], kinds),
     fraction = stats::setNames(weight / sum(weight), c("net", "rig", "quantity")))
+}
+
+# Returns the covariance of the means of quantities with a model error.
+covariance_of_means <- function(means, error) {
+  v <- means$values
+  size <- error$size[v$kind]
+  part <- error$fraction
+  same_error <- part[["net"]] * same(paste(v$net, v$kind)) +
+    part[["rig"]] * same(paste(v$group, v$kind)) + diag(part[["quantity"]], nrow(v))
+  known_variance(means) + diag(v$mesh^2 + v$scatter^2) + same_error * outer(size, size)
 }
 
 # Priors of a model error: half-normal with this standard deviation for its size (few published
@@ -328,28 +342,23 @@ size_prior <- 0.2
 # The prior of a size counts as this number of nets, rigs or quantities.
 least_freedom <- 4
 
-# Returns the model error of a new net by kind: the posterior mode of n, g and q, and e. The degrees
-# of freedom combine those of the variances (Welch-Satterthwaite).
+# Returns list(residuals, multipliers).
+#   residuals: the model error of a new net by kind, from the posterior mode of n, g and q, and e.
+#     The degrees of freedom combine those of the variances (Welch-Satterthwaite).
+#   multipliers: covariance of the multipliers t about their published values, in published standard
+#     uncertainties
 fit_model_error <- function(data) {
   means <- quantity_means(data)
   v <- means$values
-  known <- known_variance(means) + diag(v$mesh^2 + v$scatter^2)
   minus_log_posterior <- function(of) {
     error <- model_error(of)
-    size <- error$size[v$kind]
-    part <- error$fraction
-    same_error <- part[["net"]] * same(paste(v$net, v$kind)) +
-      part[["rig"]] * same(paste(v$group, v$kind)) + diag(part[["quantity"]], nrow(v))
-    root <- tryCatch(chol(known + same_error * outer(size, size)), error = function(e) NULL)
-    if (is.null(root)) return(1e6)
-    # Parameters are logarithms: the density of the size includes the factor size.
+    root <- chol(covariance_of_means(means, error))
     sum(log(diag(root))) + sum(backsolve(root, v$y, transpose = TRUE)^2) / 2 +
-      sum(error$size^2) / 2 / size_prior^2 - sum(of[seq_along(kinds)]) +
-      sum(of[length(kinds) + 1:2]^2) / 2
+      sum(error$size^2) / 2 / size_prior^2 + sum(of[length(kinds) + 1:2]^2) / 2
   }
-  error <- model_error(
-    stats::nlminb(c(rep(log(0.1), length(kinds)), 0, 0), minus_log_posterior)$par
-  )
+  start <- rep(c(0.1, 0), c(length(kinds), 2))
+  least <- rep(c(0, -Inf), c(length(kinds), 2))
+  error <- model_error(stats::nlminb(start, minus_log_posterior, lower = least)$par)
   by_kind <- function(of) unname(vapply(kinds, function(kind) of(v[v$kind == kind, ]), 0))
   count <- function(name) by_kind(function(rows) length(unique(rows[[name]])))
   freedom <- by_kind(function(rows) max(1, sum(rows$freedom)))
@@ -357,16 +366,21 @@ fit_model_error <- function(data) {
   parts <- outer(unname(error$size), sqrt(error$fraction))
   counts <- cbind(count("net"), count("group"), by_kind(nrow))
   variance <- cbind(parts, value)^2
-  data.frame(
+  residuals <- data.frame(
     kind = kinds, sd = sqrt(rowSums(variance)), parts, value = value,
     freedom = rowSums(variance)^2 /
       rowSums(variance^2 / cbind(pmax(counts - 1, least_freedom), freedom)),
     nets = counts[, 1], rigs = counts[, 2], values = freedom + counts[, 3]
   )
+  gain <- t(solve(covariance_of_means(means, error), means$t))
+  list(residuals = residuals,
+    multipliers = diag(ncol(means$t)) - gain %*% means$t + tcrossprod(gain %*% v$y))
 }
 
 # Relative standard uncertainties of values, and the half width of the interval, as in budget_of().
-interval_of <- function(data, residuals, level = 0.9) {
+interval_of <- function(data, fit, level = 0.9) {
+  residuals <- fit$residuals
+  data$t <- data$t %*% t(chol(fit$multipliers))
   at <- match(data$values$kind, residuals$kind)
   model <- residuals$sd[at]
   u <- sqrt(diag(known_variance(data)) + data$values$mesh^2 + model^2)
@@ -380,9 +394,9 @@ left_out <- function(data) {
   untuned <- !data$values$tuned
   of_net <- paste(data$values$net, data$values$quantity)
   do.call(rbind, lapply(unique(data$values$net), function(net) {
-    residuals <- fit_model_error(some_of(data, which(data$values$net != net & untuned)))
+    fit <- fit_model_error(some_of(data, which(data$values$net != net & untuned)))
     one <- some_of(data, which(data$values$net == net & untuned))
-    found <- interval_of(one, residuals)
+    found <- interval_of(one, fit)
     v <- one$values
     reach <- found$reach * sqrt(found$u^2 + v$scatter^2)
     data.frame(v[c("net", "group", "quantity", "kind", "measured", "computed")],
@@ -443,7 +457,8 @@ coverage_table <- function(by, first) {
   md_table(columns)
 }
 
-write_conditioning <- function(residuals, out) {
+write_conditioning <- function(fit, names, out) {
+  residuals <- fit$residuals
   by_kind <- coverage_by(out, "kind")
   few <- by_kind$of[by_kind$nets < least_nets]
   writeLines(c(
@@ -471,6 +486,14 @@ write_conditioning <- function(residuals, out) {
       `of the value, %` = percent(residuals$value, 1),
       `degrees of freedom` = formatC(residuals$freedom, format = "f", digits = 1),
       nets = residuals$nets, rigs = residuals$rigs, values = residuals$values)), "",
+    "## Multipliers of force", "",
+    paste("The multipliers are the same in all gears, so the measurements of all nets limit their",
+      "combined effect. They keep their published values. The table lists their posterior standard",
+      "deviations about these values, as fractions of the published ones. `uncertainty()` also",
+      "uses their correlations ([table](../inst/extdata/uncertainty_multipliers.csv))."), "",
+    md_table(list(multiplier = codend:::force_multipliers[names],
+      `posterior over published sd` = formatC(sqrt(diag(fit$multipliers)), format = "f",
+        digits = 2))), "",
     "## Leave-one-net-out validation", "",
     paste("Each net is omitted with all its ships and tanks, and the model error is fitted to the",
       "other nets. The tables compare the measured values with the 90 % intervals. Both",
@@ -515,13 +538,19 @@ draw_conditioning <- function(out) {
 
 condition <- function(rows) {
   data <- stacked(rows)
-  residuals <- fit_model_error(some_of(data, which(!data$values$tuned)))
+  fit <- fit_model_error(some_of(data, which(!data$values$tuned)))
+  residuals <- fit$residuals
   out <- left_out(data)
+  multipliers <- structure(fit$multipliers, dimnames = rep(list(colnames(data$t)), 2))
   numbers <- function(x) data.frame(lapply(x, function(y) if (is.numeric(y)) signif(y, 4) else y))
   write_table(numbers(residuals), "inst/extdata/uncertainty_residuals.csv", paste(
     "Standard deviations of the model error of a new net, as fractions, by kind of measure",
     "(validation/condition.R)"))
-  write_conditioning(residuals, out)
+  write_table(numbers(data.frame(multiplier = colnames(data$t), multipliers)),
+    "inst/extdata/uncertainty_multipliers.csv", paste(
+      "Covariance of multipliers of force about their published values, in published standard",
+      "uncertainties (validation/condition.R)"))
+  write_conditioning(fit, colnames(data$t), out)
   draw_conditioning(out)
   print(numbers(residuals))
   print(coverage_by(out, "kind"))

@@ -74,6 +74,31 @@ test_that("uncertainty() warns of a range in which the gear does not settle", {
   expect_match(conditionMessage(warning), "ropes.cable.length: [0-9]+ %")
 })
 
+test_that("uncertainty() uses the covariance of multipliers from measurements", {
+  table <- package_table("uncertainty_multipliers.csv")
+  covariance <- as.matrix(table[-1])
+  expect_identical(names(table)[-1], table$multiplier)
+  expect_true(all(eigen(covariance, TRUE, TRUE)$values > 0))
+  found <- uncertainty(settle(update(read_gear("towed_cable"), ropes.cable.segments = 20)),
+    "body_depth_m")
+  rows <- found$sources[found$sources$group == "coefficients", ]
+  shared <- match(force_multipliers[table$multiplier], rows$source)
+  sd <- sqrt(diag(covariance))
+  # published standard uncertainties (uncertainty.csv): 15 % across ropes, 50 % along them
+  expect_equal(rows$share[shared[1:2]], c(0.15, 0.5) * sd[1:2], ignore_attr = TRUE)
+  effect <- ifelse(is.na(shared), 0, rows$contribution[shared]) / sd
+  own <- rows$contribution[-shared[!is.na(shared)]]
+  row <- row_of(found, "body_depth_m")
+  expect_equal(row$coefficients, sqrt(drop(effect %*% covariance %*% effect) + sum(own^2)))
+  # without covariances the part differs
+  expect_gt(abs(row$coefficients / sqrt(sum(rows$contribution^2)) - 1), 1e-4)
+  # a multiplier with an uncertainty in the plan is independent
+  given <- update(read_gear("towed_cable"), uncertain = list(multipliers.rope_normal_drag = "5 %"))
+  sources <- multiplier_sources(given)
+  at <- which(vapply(sources, `[[`, "", "multiplier") == "rope_normal_drag")
+  expect_identical(source_correlation(sources)[at, ], diag(length(sources))[at, ])
+})
+
 test_that("derivatives by multipliers equal differences without a new mesh", {
   state <- settled("poly_noreastern_trawl", nodes = 400)
   sources <- multiplier_sources(state$gear)
@@ -128,7 +153,7 @@ test_that("uncertainty() intervals contain random truths at their stated rate", 
     fields <- unlist(lapply(sources, function(source) {
       field <- common_field(gear$plan, source$paths)
       share <- max(rnorm(1, source$off, source$share), -0.9)
-      # correlations of the posterior are irrelevant, because one multiplier dominates
+      # correlations of multipliers are irrelevant, because one multiplier dominates
       setNames(lapply(field$parts, function(part) field_text(part$value * (1 + share), part)),
         source$paths)
     }), recursive = FALSE)
