@@ -161,6 +161,7 @@ validate:
 condition:
 	@tools/setup --tests
 	@Rscript validation/condition.R $(if $(FIT),--fit)
+	@Rscript validation/heights.R
 
 wasm:
 	@tools/setup --wasm
