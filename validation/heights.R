@@ -90,8 +90,8 @@ best_changes <- function(set, free, others = TRUE) {
   at(low + found$par * range)
 }
 
-# Returns the largest likelihood ratio of a change of one input within its range, for the mean height
-# of every rig. The covariance contains all other sources and the model error.
+# Returns the largest likelihood ratio of a change of one input within its range, for the mean
+# height of every rig. The covariance contains all other sources and the model error.
 likelihood_ratio <- function(k) {
   opening <- some_of(data, sets$flume | sets$hauls)
   means <- quantity_means(opening)
@@ -143,8 +143,8 @@ writeLines(c(
   "- Shift: change of the mean height (%) at both ends of the admissible range.",
   paste("- Explained: fraction of the mean absolute error (%) that disappears with the best change",
     "in the range for this set alone."),
-  paste("- Likelihood ratio: of the best change for all heights to no change. Values below 3 are no",
-    "evidence."), "",
+  paste("- Likelihood ratio: of the best change for all heights to no change. Values below 3 are",
+    "no evidence."), "",
   md_table(list(input = inputs$label, `range, %` = paste(signed(100 * inputs$low), "to",
     signed(100 * inputs$high)), origin = inputs$origin,
     `sensitivity, flume` = formatC(colMeans(slopes[sets$flume, ]), format = "f", digits = 2),
