@@ -53,7 +53,7 @@
 #'   \item{disc}{Rubber or steel disc on the wire of the ground gear. Bobbins and rollers count as
 #'     discs.}
 #'   \item{cover}{Netting laced over a section: a lifting bag, a chafer or a second layer.}
-#'   \item{grid}{Bars in a frame behind a section, which sort the catch.}
+#'   \item{grid}{Bars in a rigid frame behind a section, which sort the catch ([sorting_grids]).}
 #'   \item{float line, lead line}{Ropes with floats and with weights along the edges of a seine or
 #'     gillnet.}
 #'   \item{belly line, side line, cross rope}{Ropes that strengthen a net along its belly, along its

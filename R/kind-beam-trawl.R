@@ -166,5 +166,5 @@ beam_trawl_measures <- function(fields) {
   for (name in names(fields$ticklers)) {
     out[[paste0(name, "_tension")]] <- list(tension = paste0(name, ".start"))
   }
-  c(out, list(net_length = list(length = c("upper_port", "codline"))))
+  c(out, list(net_length = list(length = c("upper_port", "codline"))), grid_measures(fields))
 }

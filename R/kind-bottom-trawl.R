@@ -380,5 +380,5 @@ bottom_trawl_measures <- function(fields, free_boards, joint = "board",
       list(tension = paste0("bridle_", tier, "_port.end"))
   }
   out$net_length <- list(length = c("upper_port", "codline"))
-  out
+  c(out, grid_measures(fields))
 }

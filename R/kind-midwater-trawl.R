@@ -88,5 +88,5 @@ trawl_measures <- function(fields, free_boards) {
     hand_rope_upper_tension = list(tension = "hand_rope_upper_port.end"),
     hand_rope_lower_tension = list(tension = "hand_rope_lower_port.end"),
     net_length = list(length = c("upper_port", "codline"))
-  ))
+  ), grid_measures(fields))
 }

@@ -79,10 +79,12 @@ wing_counts <- function(meshes, across, path) {
   list(upper = meshes$tip, lower = meshes$base, deep = meshes$deep)
 }
 
-# Returns the net of a trawl: list(panels, seams, points, ropes, lines, columns, headline, fronts).
+# Returns the net of a trawl: list(panels, seams, points, ropes, pieces, lines, columns, headline,
+# fronts).
 # `lines`: names of the ropes of each line, by field; `columns`: rows of the panels; `headline`: its
 # rope or chain; `fronts`: first pieces of the side panels.
 trawl_net <- function(grid, fields, plan) {
+  grid <- with_grid_rows(grid, fields)
   net <- joined_grid(grid)
   mouth <- mouth_chains(grid)
   for (line in intersect(c("headline", "footrope", "side_lines", "ground_gear"), names(plan))) {
@@ -102,7 +104,9 @@ trawl_net <- function(grid, fields, plan) {
   ropes <- lapply(names(chains), function(name) {
     line_ropes(name, chains[[name]], grid, fields, plan)
   })
-  net$ropes <- do.call(c, ropes)
+  devices <- sorting_grids(grid, fields)
+  net$ropes <- c(do.call(c, ropes), devices$ropes)
+  net$pieces <- devices$pieces
   line <- vapply(chains, `[[`, "", "line")
   net$lines <- split(unlist(lapply(ropes, names)), factor(rep(line, lengths(ropes)), unique(line)))
   net$columns <- grid$columns
@@ -134,7 +138,7 @@ line_chains <- function(grid, plan, mouth) {
   }
   for (name in names(plan$cross_ropes)) {
     chains[[name]] <- list(line = "cross_ropes",
-      along = rear_edges(grid$columns, plan$cross_ropes[[name]]$behind))
+      along = rear_edges(grid, plan$cross_ropes[[name]]$behind))
   }
   if (!is.null(plan$ground_gear)) {
     chains$ground_gear <- list(line = "ground_gear", along = mouth$footrope)
@@ -171,27 +175,13 @@ line_ropes <- function(name, chain, grid, fields, plan) {
 # Returns the role of the ropes of a field.
 line_role <- function(line) sub("(line|rope)s$", "\\1", line)
 
-# Returns the rear edges of a row, around the net. `columns`: rows of the panels.
-rear_edges <- function(columns, row) {
-  rows <- unlist(lapply(columns, rear_row, row))
-  paste0(section_panel_name(names(rows), rows), ".lower")
-}
-
-# Number of positions around the net that share a grid's weight and drag.
-places_of_grid <- 12
-
-# `columns`: rows of the panels.
-trawl_grids <- function(fields, columns) {
-  lapply(fields$grids, function(grid) {
-    along <- rear_edges(columns, grid$behind)
-    density <- if (is.null(grid$density) && is.null(grid$material) && is.null(grid$volume)) 7850
-    own <- grid[names(grid) != "behind"]
-    for (field in intersect(c("mass", "volume", "area", "drag_area"), names(own))) {
-      own[[field]] <- own[[field]] / places_of_grid
-    }
-    c(list(along = along, number = places_of_grid), own,
-      if (!is.null(density) && !is.null(grid$mass)) list(density = density), list(role = "grid"))
+# Returns the rear edges of a row, around the net.
+rear_edges <- function(grid, row) {
+  cells <- grid$cells[paste(names(grid$columns), lapply(grid$columns, rear_row, row), sep = "_")]
+  pieces <- lapply(unname(cells), function(cell) {
+    names(cell$pieces)[first_of(cell$across$lower, 1) > 0]
   })
+  paste0(unlist(pieces), ".lower")
 }
 
 # Throws an error if belly lines, cross ropes or grids name an unknown section, or if the first

@@ -220,7 +220,7 @@ trawl_fittings <- function(fields, plan, net) {
     grouped_pieces(disc_group, fields$ground_gear$discs, plan$ground_gear$discs,
       fields$ground_gear, "discs", "ground_gear.discs", "ground_gear"),
     section_pieces("ground_gear", "discs", disc_group, fields, plan, net),
-    trawl_grids(fields, net$columns)
+    net$pieces
   )
   pieces$canvas <- part_with_role(plan$canvas, "canvas", along = headline, lift_direction = "up")
   pieces$catch <- part_with_role(plan$catch, "catch", at = "codline")

@@ -23,7 +23,7 @@ compiled_functions <- c(
   "settle_numbers", "settle_progress", "settled_state", "si_hexagons", "si_of", "si_panel",
   "si_piece", "si_rope", "si_seabed", "si_seam", "si_water", "side_seams", "solidity_of_panels",
   "spaced_group", "split_uncertain", "state_errors", "state_levels", "state_lines", "state_shape",
-  "state_values", "tension_table", "trawl_fittings", "trawl_grids", "trawl_legs",
+  "state_values", "tension_table", "trawl_fittings", "trawl_legs",
   "trawl_measures", "trawl_net", "trawl_rig", "twine_materials", "uncertain_number",
   "uncertain_numbers", "number_distribution", "unit_size", "usual_opening_stiffness", "vessel_path",
   "warn_of_boards", "warn_of_drag_models"

@@ -1,4 +1,4 @@
-# Net makers' terms in the short forms of trawls: discs, covers, grids, half meshes. Also errors for
+# Net makers' terms in the short forms of trawls: discs, covers, half meshes. Also errors for
 # terms that plans do not support.
 
 words_trawl <- function(...) {
@@ -72,18 +72,6 @@ test_that("chafer covers only the belly and accepts half meshes", {
       twine = list(diameter = "4 mm", material = "PE")
     ))), "first section"
   )
-})
-
-test_that("grid has its weight in water and drag behind its section", {
-  gear <- words_trawl(grids = list(nordmore = list(
-    behind = "body", mass = "40 kg", area = "0.6 m2", drag_coefficient = 1.2
-  )))
-  state <- settle(gear, nodes = 300)
-  expect_equal(weight_of(state, "nordmore"), 40 * (1 - 1025 / 7850) * 9.81 / 1000, tolerance = 1e-3)
-  piece <- state$si$pieces$nordmore
-  expect_equal(piece$drag_area * piece$number, 0.72)
-  expect_refused(words_trawl(grids = list(grid = list(behind = "tunnel", drag_area = "1 m2"))),
-    "tunnel")
 })
 
 test_that("unsupported terms throw an error that names the alternative", {
