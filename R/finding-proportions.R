@@ -13,6 +13,8 @@ known_bands <- remembered(read_bands)
 band_of <- function(quantity, si) {
   bands <- known_bands()
   kind <- if (length(si$nets) == 1L) si$nets[[1L]]$kind else "assembly"
+  # Pair trawls off the seabed have the proportions of midwater trawls.
+  if (kind == "pair_trawl" && is.null(si$ground)) kind <- "midwater_trawl"
   row <- which(bands$quantity == quantity & bands$kind == kind)
   if (length(row)) bands[row, ]
 }
