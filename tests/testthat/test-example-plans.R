@@ -56,3 +56,14 @@ test_that("plans of set nets, lift nets and lampara nets settle with positive op
   expect_lt(found_in("lift_net")[["area_of_net_m2"]], 12^2)
   expect_lt(found_in("lampara_net")[["depth_of_lead_line_m"]], 20)
 })
+
+test_that("topless trawl has the bosom of its headline behind the bosom of its footrope", {
+  state <- settled_example("topless_trawl")
+  middle <- vapply(state$mesh$ropes[c("headline", "footrope")], function(rope) {
+    state$position[1, rope$node[ceiling(length(rope$node) / 2)]]
+  }, 0)
+  # The rear wings are 4.8 m deep (stretched) and diverge.
+  behind <- middle[["headline"]] - middle[["footrope"]]
+  expect_gt(behind, 4)
+  expect_lt(behind, 4.8)
+})
