@@ -78,6 +78,11 @@ test_that("haul closes, balances energy and ends at vessel plus winch speed", {
   last <- speed[length(speed)]
   # 1 knot of the vessel and 1 of the winch: 2 knots, the published maximum (Seafood Scotland)
   expect_equal(last, 2 * 1852 / 3600, tolerance = 0.02)
+  # The ground gear, of 60 mm, stays on the bed. Floats lift its ends while the ropes are slack.
+  node <- haul$mesh$ropes$ground_gear$node
+  height <- apply(haul$position[, node, ], 3, height_above_ground, ground = haul$si$ground)
+  expect_lt(max(apply(height, 2, stats::median)), 0.06)
+  expect_lt(max(height[, haul$time >= 720]), 0.5)
   # wing ends separate first and then close
   wide <- series("wing_end_spread_m")
   expect_gt(max(wide), 0.5 * 36)
