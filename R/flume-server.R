@@ -17,7 +17,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
   function(input, output, session) {
     said <- function(what, ...) session$sendCustomMessage(what, list(...))
     request <- session$request
-    if (!same_origin(request)) return(session$close())
+    if (!same_origin(request) || !known_host(request)) return(session$close())
     if (pages >= flume_sessions) {
       said("flume_refused", answers = 0, where = "gallery", path = NULL,
         message = "The tank has reached its maximum number of visitors; try again later.")
@@ -263,6 +263,32 @@ same_origin <- function(request) {
   scheme <- tolower(sub("://.*", "", origin))
   grepl("^https?://", tolower(origin)) &&
     plain(sub("^[^/]*//", "", origin), scheme) == plain(host, scheme)
+}
+
+# TRUE if the address of a connection is localhost, an IP address, or passed on by a proxy. Other
+# names may belong to a page that directs its own name to this computer.
+known_host <- function(request) {
+  # Every browser sends a host.
+  if (is.null(request$HTTP_HOST)) return(TRUE)
+  host <- tolower(sub(":[0-9]+$", "", request$HTTP_HOST))
+  host == "localhost" || grepl("^([0-9.]+|\\[[0-9a-f:]+\\])$", host) ||
+    !is.null(request$HTTP_X_FORWARDED_FOR) || nzchar(Sys.getenv("SHINY_PORT"))
+}
+
+# Headers of every response. RStudio shows the page in a frame of its own origin.
+response_headers <- list(
+  "X-Content-Type-Options" = "nosniff", "Referrer-Policy" = "no-referrer",
+  "Content-Security-Policy" = paste(
+    "default-src 'self'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline';",
+    "img-src 'self' data: blob:; font-src 'self' data:; media-src 'self' blob:;",
+    "connect-src 'self' ws: wss:; worker-src 'self' blob:; object-src 'none'; base-uri 'self';",
+    "frame-ancestors 'self' http://localhost:* http://127.0.0.1:*"
+  )
+)
+
+with_headers <- function(request, response) {
+  response$headers[names(response_headers)] <- response_headers
+  response
 }
 
 # Handles stored designs and designs in an address: `input$keep` = list(name), `input$kept` =

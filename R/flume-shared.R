@@ -1,80 +1,80 @@
-# Designs that visitors of a tank share in a folder of the server: a file for each design and a file
-# for the password of each author. File names are hexadecimal, so that no name leads out of the
-# folder.
+# Designs that visitors of a tank share in a folder of the server, one file each. File names are
+# hexadecimal, so that no name leads out of the folder. A file contains the hash of its owner's key,
+# which the owner's browser draws at random and keeps: only this browser can change the design.
 
-# Limits of a folder: authors, designs, bytes of a design and characters of a name. After
-# `most_wrong_words` wrong passwords an author's designs are locked for `wrong_words_rest` s.
-most_authors <- 300L
+# Limits: designs in a folder, bytes of a design, characters of a name, and changes of the folder by
+# one page within `page_changes_time` s.
 most_shared <- 1000L
 most_shared_bytes <- 3e5
 most_shared_name <- 30L
-most_wrong_words <- 5L
-wrong_words_rest <- 60
+most_page_changes <- 10L
+page_changes_time <- 60
 
 # Returns functions for a folder. list() returns list(author, name, changed) of each design, latest
-# first. The functions put(author, word, name, words), take_out(author, word, name) and
-# words(author, name) write, remove and read a design as from tank$words(). now: clock [s].
-new_shared <- function(folder, now = function() proc.time()[["elapsed"]]) {
-  wrong <- list()
-  # Checks an author's password. A new author gets this password.
-  check_word <- function(author, word) {
-    if (!is_text(word) || !nchar(word) %in% 6:100) {
-      abort_argument("The password must have 6 to 100 characters.")
-    }
-    file <- author_file(folder, author)
-    if (!file.exists(file)) {
-      authors <- list.files(folder, "[.]author$")
-      if (length(authors) >= most_authors) {
-        abort_argument("The folder of shared designs is full: it has the maximum number of
-          authors.")
-      }
-      salt <- digest::digest(list(author, Sys.time(), tempfile(), Sys.getpid()), algo = "sha256")
-      known <- list(salt = salt, check = word_check(word, salt))
-      return(write_text(jsonlite::toJSON(known, auto_unbox = TRUE), file))
-    }
-    key <- basename(file)
-    missed <- wrong[[key]]
-    if (isTRUE(missed$count >= most_wrong_words) && now() - missed$since < wrong_words_rest) {
-      abort_argument("Too many wrong passwords for this author; try again in a minute.")
-    }
-    known <- jsonlite::read_json(file)
-    if (identical(word_check(word, known$salt), known$check)) {
-      wrong[[key]] <<- NULL
-      return(invisible())
-    }
-    wrong[[key]] <<- list(count = first_of(missed$count, 0L) %% most_wrong_words + 1L,
-      since = now())
-    abort_argument("The password of {.val {author}} is wrong. Only {.val {author}} can change these
-      designs.")
-  }
+# first. The functions put(author, key, name, words), take_out(author, key, name) and
+# words(author, name) write, remove and read a design as from tank$words().
+new_shared <- function(folder) {
   list(
     list = function() shared_designs(folder),
-    put = function(author, word, name, words) {
+    put = function(author, key, name, words) {
       file <- design_file(folder, author, name)
-      text <- design_json(words)
+      text <- design_json(c(words, list(owner = owner_of(key))))
       if (nchar(text, "bytes") > most_shared_bytes) {
         abort_argument("The designs are too large to be shared; remove some of the kept designs.")
       }
-      if (!file.exists(file) && length(shared_designs(folder)) >= most_shared) {
+      if (is_there(file)) {
+        check_owner(file, key)
+        return(write_text(c(text, ""), file))
+      }
+      if (length(shared_designs(folder)) >= most_shared) {
         abort_argument("The folder of shared designs is full; remove a design first.")
       }
-      check_word(author, word)
-      write_text(c(text, ""), file)
+      # A link to a complete file neither overwrites a file nor follows a symbolic link.
+      complete <- tempfile(tmpdir = folder)
+      on.exit(unlink(complete))
+      write_text(c(text, ""), complete)
+      if (!suppressWarnings(file.link(complete, file))) abort_other_owner(author)
     },
-    take_out = function(author, word, name) {
+    take_out = function(author, key, name) {
       file <- there(design_file(folder, author, name))
-      check_word(author, word)
+      check_owner(file, key)
       unlink(file)
     },
     words = function(author, name) {
-      file <- there(design_file(folder, author, name))
-      words <- if (file.size(file) <= 2 * most_shared_bytes) {
-        tryCatch(jsonlite::read_json(file), error = function(e) NULL)
-      }
-      if (!is_map(words)) abort_argument("The file of this design is damaged.")
-      words
+      words <- shared_words(there(design_file(folder, author, name)))
+      words[names(words) != "owner"]
     }
   )
+}
+
+# Returns the hash of a key. Nobody can guess a random key of 128 bits, so a fast hash is enough.
+owner_of <- function(key) {
+  if (!is_text(key) || !grepl("^[0-9a-f]{32}$", key)) {
+    abort_argument("This browser has no key for shared designs; reload the page.")
+  }
+  cli::hash_sha256(key)
+}
+
+check_owner <- function(file, key) {
+  if (!identical(shared_words(file)$owner, owner_of(key))) {
+    abort_other_owner(name_of_hex(sub("-.*", "", basename(file))))
+  }
+}
+
+abort_other_owner <- function(author) {
+  abort_argument(paste(
+    "{.val {author}} shared this design from another browser, and only that browser can change it.",
+    "Choose another name."
+  ))
+}
+
+# Returns the content of the file of a design.
+shared_words <- function(file) {
+  words <- if (file.size(file) <= 2 * most_shared_bytes) {
+    tryCatch(jsonlite::read_json(file), error = function(e) NULL)
+  }
+  if (!is_map(words)) abort_argument("The file of this design is damaged.")
+  words
 }
 
 # words: from tank$words().
@@ -96,9 +96,6 @@ shared_designs <- function(folder) {
   })
 }
 
-author_file <- function(folder, author) {
-  file.path(folder, paste0(hex_of_name(author, "author"), ".author"))
-}
 design_file <- function(folder, author, name) {
   words <- c(hex_of_name(author, "author"), hex_of_name(name, "design"))
   file.path(folder, paste0(paste(words, collapse = "-"), ".json"))
@@ -112,6 +109,10 @@ hex_of_name <- function(name, of) {
   if (!length(bytes) || nchar(name) > most_shared_name || length(bytes) > 2L * most_shared_name) {
     abort_argument("The name of the {of} must have 1 to {most_shared_name} characters.")
   }
+  # Two names that look the same would otherwise be different.
+  if (grepl("[\\p{C}\\p{M}]", name, perl = TRUE)) {
+    abort_argument("The name of the {of} must not have invisible or combining characters.")
+  }
   paste(bytes, collapse = "")
 }
 name_of_hex <- function(hex) {
@@ -122,16 +123,22 @@ name_of_hex <- function(hex) {
   if (validUTF8(name)) name else hex
 }
 
-# Returns a hash of a password that is slow to compute, so that many guesses take long.
-word_check <- function(word, salt) {
-  check <- enc2utf8(word)
-  for (k in 1:2000) check <- digest::hmac(salt, check, "sha256")
-  check
-}
+is_there <- function(file) file.exists(file) && identical(Sys.readlink(file), "")
 
 there <- function(file) {
-  if (!file.exists(file)) abort_argument("This design is no longer in the folder.")
+  if (!is_there(file)) abort_argument("This design is no longer in the folder.")
   file
+}
+
+# Returns a function that fails after too many calls within `page_changes_time`. now: clock [s].
+new_page_limit <- function(now = function() proc.time()[["elapsed"]]) {
+  times <- numeric()
+  function() {
+    times <<- c(times[times > now() - page_changes_time], now())
+    if (length(times) > most_page_changes) {
+      abort_argument("This page changed too many shared designs; try again in a minute.")
+    }
+  }
 }
 
 # ---- on the page ---------------------------------------------------------------------------------
@@ -139,6 +146,7 @@ there <- function(file) {
 # Lists the folder, opens copies, and shares and removes designs. changed: counter of changes for
 # all pages; open_words(words, number): opens the designs of an address.
 flume_shares <- function(input, tank, shared, changed, said, trying, open_words) {
+  count_change <- new_page_limit()
   shiny::observe({
     changed()
     said("flume_shared", designs = shared$list())
@@ -146,12 +154,15 @@ flume_shares <- function(input, tank, shared, changed, said, trying, open_words)
   shiny::observeEvent(input$shared, {
     given <- as.list(input$shared)
     act <- if (is_text(given$act)) given$act else ""
-    good <- trying("shared", switch(act,
-      put = if (!is.null(tank$gear)) {
-        shared$put(given$author, given$word, given$name, tank$words())
-      },
-      take_out = shared$take_out(given$author, given$word, given$name)
-    ))
+    good <- trying("shared", {
+      count_change()
+      switch(act,
+        put = if (!is.null(tank$gear)) {
+          shared$put(given$author, given$key, given$name, tank$words())
+        },
+        take_out = shared$take_out(given$author, given$key, given$name)
+      )
+    })
     if (good) {
       said("flume_shared_done")
       changed(shiny::isolate(changed()) + 1L)
@@ -176,16 +187,14 @@ shared_list <- function(say) {
 # The list and a form to share designs.
 shared_form <- function(say) {
   tags <- shiny::tags
-  text <- function(id, label, type = "text") {
-    tags$label(label, tags$input(type = type, id = id, class = "form-control form-control-sm",
-      autocomplete = "off", maxlength = if (type == "text") most_shared_name else 100L))
+  text <- function(id) {
+    tags$label(say(id), tags$input(type = "text", id = id, class = "form-control form-control-sm",
+      autocomplete = "off", maxlength = most_shared_name))
   }
   tags$section(
     id = "shared", shared_list(say), tags$p(class = "note", say("shared_note")),
     tags$div(
-      class = "shared-asks", text("shared_author", say("shared_author")),
-      text("shared_word", say("shared_word"), "password"),
-      text("shared_name", say("shared_name"))
+      class = "shared-asks", text("shared_author"), text("shared_name")
     ),
     tags$button(type = "button", id = "shared_put", class = "btn btn-primary btn-sm",
       say("shared_put")),

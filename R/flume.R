@@ -63,8 +63,8 @@
 #' address and of saved or shared designs.
 #'
 #' With a `folder`, the page lists the designs in it. Everybody may open a copy. To share a design,
-#' you give an author's name and a password; only with this password can a design of this author be
-#' changed or removed.
+#' you give an author's name and a name of the design. Only the same browser can change or remove
+#' it.
 #'
 #' @section As a server for others:
 #' `codend flume PLAN --port 3838` opens the same page from a shell. It accepts connections only
@@ -100,7 +100,6 @@ flume <- function(gear = NULL, fields = NULL, nodes = 1500, folder = NULL) {
     if (!is_text(folder) || !dir.exists(folder) || file.access(folder, 2L) != 0L) {
       abort_argument("{.arg folder} must be the path of a writable folder, or NULL.")
     }
-    check_package("digest", "A folder of shared designs")
   }
   start <- NULL
   if (is.null(gear)) {
@@ -130,7 +129,8 @@ flume <- function(gear = NULL, fields = NULL, nodes = 1500, folder = NULL) {
     },
     server = flume_server(start, marked, nodes, folder = folder),
     onStart = function() {
-      kept <- options(shiny.maxRequestSize = plan_bytes_limit)
+      kept <- options(shiny.maxRequestSize = plan_bytes_limit,
+        shiny.http.response.filter = with_headers)
       shiny::onStop(function() options(kept))
     }
   )

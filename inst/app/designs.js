@@ -162,10 +162,21 @@ window.codendDesigns = (function () {
 
   // ---- the shared folder --------------------------------------------------------------------------
 
+  // A random key of this browser. The server lets only this browser change its shared designs.
+  function key() {
+    var kept = localStorage.getItem('codend-key');
+    if (!kept) {
+      kept = Array.from(crypto.getRandomValues(new Uint8Array(16)), function (byte) {
+        return byte.toString(16).padStart(2, '0');
+      }).join('');
+      localStorage.setItem('codend-key', kept);
+    }
+    return kept;
+  }
   function share(what, name, author) {
     window.codendPage.tell('shared_error', '');
     window.codendTalk.tell('shared', { number: Date.now(), act: what, name: name, author: author,
-      word: find('shared_word').value });
+      key: key() });
   }
   function shared(designs) {
     document.querySelectorAll('.shared-list').forEach(function (list) {
@@ -184,7 +195,7 @@ window.codendDesigns = (function () {
         button('open_copy', function () {
           window.codendTalk.ask('shared_open', { author: one.author, name: one.name });
         });
-        // Removal requires the author's password, and only this panel has the password field.
+        // Only this panel shows errors of a removal.
         if (list.closest('#shared')) {
           button('remove', function () { share('take_out', one.name, one.author); });
         }

@@ -1,5 +1,4 @@
 skip_if_not_installed("shiny")
-skip_if_not_installed("digest")
 
 # An empty folder.
 new_folder <- function() {
@@ -12,30 +11,32 @@ words_of_speed <- function(speed) {
   list(now = list(base = "towed_cable", edits = list(towing.speed = speed)))
 }
 
-test_that("shared design returns unchanged and only its author's password changes it", {
+key_of <- function(digit) strrep(digit, 32)
+
+test_that("shared design returns unchanged and only its owner's key changes it", {
   folder <- new_folder()
   shared <- new_shared(folder)
   words <- words_of_speed("5 knot")
-  shared$put("S\u00f8ren", "torsk og sei", "../../my net", words)
+  other <- "only that browser can change it"
+  shared$put("S\u00f8ren", key_of("a"), "../../my net", words)
   expect_identical(shared$words("S\u00f8ren", "../../my net")$now, words$now)
   expect_identical(shared$list()[[1]][c("author", "name")],
     list(author = "S\u00f8ren", name = "../../my net"))
-  expect_error(shared$put("S\u00f8ren", "another", "../../my net", words_of_speed("6 knot")),
-    "password of .* is wrong", class = "codend_error_argument")
-  expect_error(shared$put("S\u00f8ren", "another", "a second", words), "password of .* is wrong")
-  expect_error(shared$take_out("S\u00f8ren", "another", "../../my net"), "password of .* is wrong")
+  expect_error(shared$put("S\u00f8ren", key_of("b"), "../../my net", words_of_speed("6 knot")),
+    other, class = "codend_error_argument")
+  expect_error(shared$take_out("S\u00f8ren", key_of("b"), "../../my net"), other)
   expect_identical(shared$words("S\u00f8ren", "../../my net")$now, words$now)
-  shared$put("S\u00f8ren", "torsk og sei", "../../my net", words_of_speed("6 knot"))
-  expect_identical(shared$words("S\u00f8ren", "../../my net")$now, words_of_speed("6 knot")$now)
-  # another server of the folder accepts the password, which is not stored as text
-  expect_error(new_shared(folder)$take_out("S\u00f8ren", "another", "../../my net"), "is wrong")
+  # another server of the folder accepts the key, which is not stored as text
+  again <- new_shared(folder)
+  again$put("S\u00f8ren", key_of("a"), "../../my net", words_of_speed("6 knot"))
+  expect_identical(again$words("S\u00f8ren", "../../my net")$now, words_of_speed("6 knot")$now)
+  expect_null(again$words("S\u00f8ren", "../../my net")$owner)
   texts <- unlist(lapply(list.files(folder, full.names = TRUE), readLines, warn = FALSE))
-  expect_false(any(grepl("torsk og sei", texts, fixed = TRUE)))
+  expect_false(any(grepl(key_of("a"), texts, fixed = TRUE)))
   # no name refers outside the folder
-  expect_true(all(grepl("^[0-9a-f-]+[.](json|author)$", list.files(folder, all.files = TRUE,
-    no.. = TRUE))))
+  expect_true(all(grepl("^[0-9a-f-]+[.]json$", list.files(folder, all.files = TRUE, no.. = TRUE))))
   expect_length(list.files(dirname(folder), "my net"), 0L)
-  shared$take_out("S\u00f8ren", "torsk og sei", "../../my net")
+  shared$take_out("S\u00f8ren", key_of("a"), "../../my net")
   expect_length(shared$list(), 0L)
   expect_error(shared$words("S\u00f8ren", "../../my net"), "no longer in the folder")
 })
@@ -45,36 +46,49 @@ test_that("new_shared() rejects wrong or large input and writes nothing", {
   shared <- new_shared(folder)
   words <- words_of_speed("5 knot")
   for (name in list(NULL, 1, "", " \n", strrep("a", 31), NA_character_, c("a", "b"), list("a"))) {
-    expect_error(shared$put(name, "long word", "net", words), "name of the author")
-    expect_error(shared$put("Anna", "long word", name, words), "name of the design")
+    expect_error(shared$put(name, key_of("a"), "net", words), "name of the author")
+    expect_error(shared$put("Anna", key_of("a"), name, words), "name of the design")
   }
-  for (word in list(NULL, "short", strrep("a", 101), 123456, NA_character_)) {
-    expect_error(shared$put("Anna", word, "net", words), "6 to 100 characters")
+  # a zero-width space, a direction mark and a combining accent
+  for (name in c("An\u200bna", "\u202eAnna", "Ande\u0301")) {
+    expect_error(shared$put(name, key_of("a"), "net", words), "invisible or combining")
+  }
+  for (key in list(NULL, "short", strrep("g", 32), 123456, NA_character_)) {
+    expect_error(shared$put("Anna", key, "net", words), "no key")
   }
   large <- list(now = list(plan = strrep("x", most_shared_bytes)))
-  expect_error(shared$put("Anna", "long word", "net", large), "too large")
+  expect_error(shared$put("Anna", key_of("a"), "net", large), "too large")
   expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), character())
   # files that are not designs
   writeLines("{", file.path(folder, "61-62.json"))
   writeLines("x", file.path(folder, "passwd"))
   expect_identical(shared$list()[[1]][c("author", "name")], list(author = "a", name = "b"))
   expect_error(shared$words("a", "b"), "damaged")
+  expect_error(shared$put("a", key_of("a"), "b", words), "damaged")
 })
 
-test_that("new_shared() blocks repeated wrong passwords", {
-  clock <- 0
-  shared <- new_shared(new_folder(), function() clock)
+test_that("new_shared() neither reads nor writes through a symbolic link", {
+  skip_on_os("windows")
+  folder <- new_folder()
+  outside <- tempfile("outside-")
+  writeLines("{}", outside)
+  # the file of design "b" by author "a"
+  file.symlink(outside, file.path(folder, "61-62.json"))
+  shared <- new_shared(folder)
   words <- words_of_speed("5 knot")
-  shared$put("Anna", "long word", "net", words)
-  for (k in 1:5) {
-    expect_error(shared$take_out("Anna", "wrong word", "net"), "password of .* is wrong")
-  }
-  expect_error(shared$take_out("Anna", "long word", "net"), "in a minute")
-  # other authors are not blocked
-  shared$put("Bo", "long word", "net", words)
+  expect_error(shared$put("a", key_of("a"), "b", words), "only that browser")
+  expect_error(shared$words("a", "b"), "no longer in the folder")
+  expect_error(shared$take_out("a", key_of("a"), "b"), "no longer in the folder")
+  expect_identical(readLines(outside), "{}")
+})
+
+test_that("a page can change ten shared designs in a minute", {
+  clock <- 0
+  count_change <- new_page_limit(function() clock)
+  for (k in 1:10) count_change()
+  expect_error(count_change(), "in a minute", class = "codend_error_argument")
   clock <- 61
-  shared$take_out("Anna", "long word", "net")
-  expect_length(shared$list(), 1L)
+  expect_silent(count_change())
 })
 
 test_that("pages share designs as copies and receive changes", {
@@ -83,7 +97,7 @@ test_that("pages share designs as copies and receive changes", {
     rows <- list(list(class = "rope", title = "Mine", values = list(diameter = "16,5")))
     session$setInputs(own = list(number = 1, rows = rows))
     ask(session, towing.speed = list(value = 5, unit = "knot"))
-    session$setInputs(shared = list(act = "put", author = "Anna", word = "long word", name = "Net"))
+    session$setInputs(shared = list(act = "put", author = "Anna", key = key_of("a"), name = "Net"))
     told <- sent("flume_shared")
     expect_identical(told[[length(told)]]$designs[[1]]$name, "Net")
   })
@@ -96,10 +110,10 @@ test_that("pages share designs as copies and receive changes", {
     session$setInputs(shared_open = list(number = 4, asked = list(author = "..", name = "/etc")))
     told <- sent("flume_refused")[[1]]$message
     expect_match(told, "no longer in the folder")
-    session$setInputs(shared = list(act = "take_out", author = "Anna", word = "wrong one",
+    session$setInputs(shared = list(act = "take_out", author = "Anna", key = key_of("b"),
       name = "Net"))
     told <- sent("flume_refused")[[1]]$message
-    expect_match(told, "password of .* is wrong")
+    expect_match(told, "only that browser can change it")
   })
   expect_error(flume(folder = file.path(folder, "none")), "folder", class = "codend_error_argument")
 })
