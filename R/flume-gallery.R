@@ -62,7 +62,7 @@ gear_card <- function(gear, say) {
   size <- gear_size_text(gear$size, say)
   tags$button(
     type = "button", class = "card gear-card", `data-gear` = gear$name,
-    tags$img(src = paste0("codend-app/gears/", gear$name, ".jpg"), alt = "", loading = "lazy",
+    tags$img(src = paste0("codend-app/gears/", gear$name, ".webp"), alt = "", loading = "lazy",
       width = "320", height = "200"),
     tags$span(class = "card-title", lang = "en", gear$title),
     tags$span(class = "note", paste0(say(paste0("kind.", gear$kind)),

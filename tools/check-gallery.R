@@ -15,7 +15,7 @@
 suppressMessages(library(codend))
 codend <- asNamespace("codend")
 source("tests/browser/gallery.R")
-pictures <- list(cards = "inst/app/gears", stored = "gallery/scenes.csv", most_bytes = 3e5)
+pictures <- list(cards = "inst/app/gears", stored = "gallery/scenes.csv", most_bytes = 2.5e5)
 
 unpacked <- function(text, type) {
   bytes <- jsonlite::base64_dec(text)
@@ -195,7 +195,7 @@ changes <- function(now, was) {
 }
 
 picture_faults <- function(gears) {
-  cards <- file.path(pictures$cards, paste0(gears, ".jpg"))
+  cards <- file.path(pictures$cards, paste0(gears, ".webp"))
   readme <- readLines("README.md")
   files <- c(cards, unlist(regmatches(readme, gregexpr("gallery/[a-z_]+[.]webp", readme))))
   extra <- setdiff(list.files(pictures$cards, full.names = TRUE), cards)

@@ -28,8 +28,8 @@ figures <- Map(function(gear, title) {
   state <- suppressWarnings(codend::settle(gear, nodes = 600))
   page <- paste0("live/", gear, ".html")
   codend::share(state, file.path(site$dst_path, page))
-  file.copy(system.file("app", "gears", paste0(gear, ".jpg"), package = "codend"), live)
-  sprintf('<figure><a href="%s"><img src="live/%s.jpg" alt=""/><br/>%s: try it now</a></figure>',
+  file.copy(system.file("app", "gears", paste0(gear, ".webp"), package = "codend"), live)
+  sprintf('<figure><a href="%s"><img src="live/%s.webp" alt=""/><br/>%s: try it now</a></figure>',
     page, gear, title)
 }, shipped$name, shipped$title)
 withCallingHandlers(

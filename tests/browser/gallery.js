@@ -1,5 +1,5 @@
 // Writes pictures of the shipped gears from their view_3d() pages, without buttons: gallery/*.webp
-// for README and inst/app/gears/*.jpg for the cards of the tank's gallery. node gallery.js
+// for README and inst/app/gears/*.webp for the cards of the tank's gallery. node gallery.js
 // [gear...]
 'use strict';
 const fs = require('node:fs');
@@ -50,9 +50,9 @@ const views = {
           half.getContext('2d').drawImage(canvas, 0, 0, half.width, half.height);
           canvas = half;
         }
-        return canvas.toDataURL(card ? 'image/jpeg' : 'image/webp', card ? 0.75 : 0.8);
+        return canvas.toDataURL('image/webp', card ? 0.7 : 0.8);
       }, [size === cards, size, views[gear] || {}]);
-      fs.writeFileSync(path.join(size.folder, gear + (size === cards ? '.jpg' : '.webp')),
+      fs.writeFileSync(path.join(size.folder, gear + '.webp'),
         Buffer.from(text.split(',')[1], 'base64'));
     }
     await page.close();
