@@ -14,15 +14,17 @@ define_finding("number of panels", "plan",
 )
 
 define_finding("warp end", "plan",
-  "A warp of a rig of several nets ends without a door, clump or weight.",
+  "A warp of a rig of several nets ends without a door, clump, weight or further warp.",
   function(gear, state) {
     si <- gear_si(gear)
     if (length(si$nets) < 2L || is.null(si$ground)) return(list())
     warps <- ropes_of_role(si, "warp")
     warps <- warps[!nzchar(net_of_names(warps, si))]
     loaded <- unlist(c(lapply(si$pieces, `[[`, "at"), lapply(si$otter_boards, `[[`, "points")))
+    starts <- vapply(si$ropes[warps], `[[`, "", "from")
     lapply(warps, function(name) {
-      if (any(c(si$ropes[[name]]$from, si$ropes[[name]]$to) %in% loaded)) return(NULL)
+      rope <- si$ropes[[name]]
+      if (any(c(rope$from, rope$to) %in% loaded) || rope$to %in% starts) return(NULL)
       finding(paste("rope", name), 0, "0 kg",
         template("its end has no door, clump or weight."),
         "Add a piece or an otter board at this point.", field = "to")

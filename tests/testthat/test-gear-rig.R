@@ -97,7 +97,7 @@ test_that("findings() reports a lost clump, a torn net and a missing mouth", {
   torn <- update(twin, gears.port.joined.board_starboard = "torn",
     gears.starboard.joined = list(board_port = "clump", board_starboard = "door_starboard"),
     points.torn = stats::setNames(list(), character()))
-  expect_true("bridles" %in% findings(suppressWarnings(settle(torn, nodes = 1000)))$check)
+  expect_true("bridles" %in% findings(suppressWarnings(settle(torn, nodes = 1500)))$check)
   expect_false("bridles" %in% findings(settled("twin_trawl"))$check)
   # The finding of both nets is about the field that they share.
   short <- findings(update(twin, gears.port.footrope.length = "12 m"))
@@ -227,6 +227,8 @@ test_that("rigs in the folder of examples settle with symmetric results", {
     expect_mirrored(quad, paste0("one_", name), paste0("four_", name))
     expect_mirrored(quad, paste0("two_", name), paste0("three_", name))
   }
+  two <- rig("two_warp_twin_trawl")
+  expect_mirrored(two, "port_wing_end_spread_m", "starboard_wing_end_spread_m")
   farm <- rig("cage_farm")
   expect_mirrored(farm, "cage_1_net_net_drag_kN", "cage_2_net_net_drag_kN")
   # The rear cages are in the wake of the front cages.
@@ -236,6 +238,16 @@ test_that("rigs in the folder of examples settle with symmetric results", {
   expect_equal(pair[["total_drag_kN"]], 2 * alone[["total_drag_kN"]], tolerance = 0.01)
   expect_equal(pair[["swept_area_km2_per_h"]], 2 * alone[["swept_area_km2_per_h"]],
     tolerance = 0.01)
+})
+
+test_that("a warp that ends in further warps needs no door", {
+  file <- system.file("examples", "two_warp_twin_trawl.yaml", package = "codend")
+  state <- settle(read_gear(file), nodes = 300)
+  expect_false("warp end" %in% findings(state)$check)
+  # The clump is beside the doors: within 4 m of 280 m behind the vessel.
+  pieces <- as.data.frame(state, what = "pieces")
+  x <- pieces$x_m[match(c("door_port", "clump"), pieces$part)]
+  expect_lt(abs(diff(x)), 4)
 })
 
 test_that("bridle angle of a net is the mean angle of its two sweeps", {
