@@ -22,10 +22,9 @@ form_sections <- list(
     "otter_boards", "backstrops", "towing_points", "beam", "shoes", "upper_beam", "lower_beam"
   ),
   Rig = c(
-    "gears", "warps", "warp", "sweeps", "bridles", "hand_ropes", "moorings", "end_lines",
-    "end_ropes",
-    "lift_line", "anchor_line", "anchor_depth", "rings", "purse_wire", "davit_height", "points",
-    "vessel", "vessels"
+    "gears", "warps", "lower_warps", "warp", "sweeps", "bridles", "hand_ropes", "moorings",
+    "end_lines", "end_ropes", "lift_line", "anchor_line", "anchor_depth", "rings", "purse_wire",
+    "davit_height", "points", "vessel", "vessels"
   ),
   `Tow and water` = c("towing", "tow", "water", "seabed", "shooting", "pursing", "laying",
     "hauling", "laid"),

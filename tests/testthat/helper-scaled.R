@@ -49,7 +49,7 @@ scaled_fields <- function(value, node, given, scale) {
 # the ground's stiffness (Pa/m) and slip distance, become fields of the plan, so that all scale.
 #
 # scale: factors of length, time and mass.
-scaled_gear <- function(gear, scale) {
+gear_at_scale <- function(gear, scale) {
   whole <- gear_checked(gear)
   given <- first_of(whole$tree, whole$plan)
   fields <- whole$assembly

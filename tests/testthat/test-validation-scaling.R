@@ -16,8 +16,8 @@ test_that("settle() follows Froude's scaling for random gears", {
   for (kind in c("bottom_trawl", "midwater_trawl", "demersal_seine", "gillnet", "cage")) {
     for (netting in c("cells", "bars")) {
       gear <- scaled_gear_of(kind, netting = netting)
-      then <- settle(scaled_gear(gear, c(1, 1, 1)), nodes = 120)
-      now <- settle(scaled_gear(gear, scale), nodes = 120)
+      then <- settle(gear_at_scale(gear, c(1, 1, 1)), nodes = 120)
+      now <- settle(gear_at_scale(gear, scale), nodes = 120)
       expect_scaled(now, then, scale, paste(kind, netting))
     }
   }
@@ -32,7 +32,7 @@ test_that("tow() follows Froude's scaling", {
   towed <- function(scale) {
     times <- c(0, 8) * scale[2]
     faster <- data.frame(time = times, value = c(1, 1.2) * speed * scale[1] / scale[2])
-    state <- settle(scaled_gear(gear, scale), nodes = 80)
+    state <- settle(gear_at_scale(gear, scale), nodes = 80)
     state_at(tow(state, tow_schedule(speed = faster), until = times[2], every = times[2],
       step = 0.5 * scale[2]), times[2])
   }
@@ -42,7 +42,7 @@ test_that("tow() follows Froude's scaling", {
 test_that("settle() returns the same gear in a rotated and translated frame", {
   skip_if_not(file.exists(random_gears))
   for (kind in c("gillnet", "cage")) {
-    gear <- scaled_gear(scaled_gear_of(kind), c(1, 1, 1))
+    gear <- gear_at_scale(scaled_gear_of(kind), c(1, 1, 1))
     then <- settle(gear, nodes = 120)
     now <- settle(moved_gear(gear, 0.7, c(30, -50)), nodes = 120)
     expect_scaled(now, then, c(1, 1, 1), kind)
