@@ -37,7 +37,7 @@ struct BagTriangles {
 
 struct SlidingBars {
   std::vector<int> bar;
-  double axial_stiffness = 0.0, diameter = 0.0;  // N, m
+  double axial_stiffness = 0.0;
 };
 
 struct Mesh {

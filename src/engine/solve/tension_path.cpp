@@ -10,8 +10,8 @@ constexpr double first_parameter = 1e-2;
 constexpr double least_parameter = 1e-24;
 // Initial tension over a line's scale. It is high, so that the first steps find the global shape.
 constexpr double first_tension = 10.0;
-// Initial penetration of contacts over their onset; the corresponding normal force is their scale.
-constexpr double first_penetration = 0.05;
+// Initial penetration of contacts, m; the corresponding normal force is their scale.
+constexpr double first_penetration = 1e-3;
 // Lower limit of a tension or slack variable after a step, as a fraction of its value before.
 constexpr double least_rest = 0.02;
 constexpr double least_tension = 1e-27;  // over a line's scale
@@ -46,7 +46,7 @@ TensionPath::TensionPath(const Model& model, double load)
   for (int e = 0; e < model.contacts.count(); ++e) {
     const std::size_t k = lines_ + static_cast<std::size_t>(e);
     stiffness_[k] = ground_.stiffness * model.contacts.area[e];
-    scale_[k] = std::min(first_penetration * ground_.onset * stiffness_[k], load);
+    scale_[k] = std::min(first_penetration * stiffness_[k], load);
   }
   current_.tension.resize(lines);
   for (std::size_t k = 0; k < lines; ++k) current_.tension[k] = first_tension * scale_[k];
