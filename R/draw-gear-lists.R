@@ -100,8 +100,8 @@ rope_item_text <- function(item) {
 
 # Returns a data frame, one row per item of the list of weights, floats, boards and other pieces.
 # Columns: item (letter), name, count, words (description of one piece), role, parts (names), ref
-# (path of the first piece in the assembly).
-piece_items <- function(si) {
+# (path of the first piece in the assembly). `grids`: checked sorting grids, by name.
+piece_items <- function(si, grids = NULL) {
   each <- c(
     lapply(names(si$pieces), function(name) {
       piece <- si$pieces[[name]]
@@ -112,6 +112,10 @@ piece_items <- function(si) {
       board <- si$otter_boards[[name]]
       list(part = name, role = board$role, count = 1, words = board_text(board),
         ref = paste0("otter_boards.", name))
+    }),
+    lapply(names(grids), function(name) {
+      list(part = name, role = "sorting_grid", count = 1, words = grid_text(grids[[name]]),
+        ref = paste0("grids.", name))
     })
   )
   if (!length(each)) return(NULL)
@@ -133,6 +137,14 @@ piece_items <- function(si) {
 item_letters <- function(n) {
   k <- seq_len(n) - 1L
   paste0(LETTERS[k %% 26L + 1L], ifelse(k < 26L, "", k %/% 26L + 1L))
+}
+
+grid_text <- function(grid) {
+  mm <- function(x) short_number(in_unit(x, "mm"))
+  sprintf("%s m by %s m, %s deg, behind %s, bars \u00d8%s and %s mm apart, %s kg",
+    short_number(grid$height), short_number(first_of(grid$width, grid$height)),
+    short_number(in_unit(grid$angle, "deg")), gsub("_", " ", grid$behind), mm(grid$bars$diameter),
+    mm(grid$bars$spacing), short_number(grid$mass))
 }
 
 piece_text <- function(piece, si) {

@@ -13,6 +13,7 @@
 #'   right half of the lower panel share a centre line.
 #' - Identical columns are drawn once.
 #' - Straight panels joined side by side, such as a seine's, are drawn as a wall.
+#' - Sorting grids are in the list of pieces. The netting around them is drawn without their cut.
 #' - A panel that makes up most of the length of a net is shortened, with a break. A wall much
 #'   longer than deep has two scales, which the title strip states. A DXF has neither.
 #'
@@ -84,6 +85,12 @@ drawing_svg <- function(gear, page = "A4") {
 # without netting), ropes and pieces (items, or NULL), riggings, panels (checked fields),
 # source, reaches (cache).
 plan_figure <- function(gear) {
+  grids <- gear$checked$fields$grids
+  # The cut around a sorting grid would divide the pieces of the net, so grids are only listed.
+  if (length(grids)) {
+    drawn <- setdiff(names(gear$plan), c("grids", "measures", "uncertain"))
+    gear <- as_gear(gear$plan[drawn], gear$file)
+  }
   si <- gear_si(gear)
   si$names_in_gears <- do.call(c, unname(Map(function(one, name) {
     parts <- unlist(one$parts[c("panels", drawn_groups)], use.names = FALSE)
@@ -94,7 +101,7 @@ plan_figure <- function(gear) {
   frames <- si$ropes[stiff]
   si$ropes <- si$ropes[!stiff]
   ropes <- if (length(si$ropes)) rope_items(si)
-  pieces <- piece_items(si)
+  pieces <- piece_items(si, grids)
   list(
     title = gear$plan$name, si = si,
     layout = if (length(si$panels)) flat_layout(si),

@@ -229,10 +229,13 @@ define_range("rope density", "plan",
 # panels of published nets, the wings of rope trawls, have five.
 define_range("taper", "plan",
   "The mesh counts of a panel's upper and lower edge differ by more than six meshes per mesh of
-  depth. All-bar cuts on both sides give two.",
+  depth. All-bar cuts on both sides give two. This check omits the cut around sorting grids.",
   "change of the mesh count per mesh of depth", -Inf, 6, "",
   function(gear, state) {
-    numbers_of_parts(gear_si(gear)$panels, "panel", function(panel) {
+    si <- gear_si(gear)
+    cut <- edge_keys(lapply(si$ropes[ropes_of_role(si, "grid")], `[[`, "along"))
+    cut <- sub(" .*", "", cut)
+    numbers_of_parts(si$panels[setdiff(names(si$panels), cut)], "panel", function(panel) {
       abs(panel$upper - panel$lower) / panel$deep
     })
   },
@@ -324,10 +327,11 @@ define_range("rope over twine", "plan",
 
 # EN 13414-1 requires 20 diameters of plain wire rope between the ends of a sling.
 define_range("short rope", "plan",
-  "The length of a rope is less than 20 diameters.",
+  "The length of a rope is less than 20 diameters. This check omits poles and pipes.",
   "length over diameter", 20, Inf, "",
   function(gear, state) {
-    numbers_of_parts(gear_si(gear)$ropes, "rope", function(rope) rope$length / rope$diameter)
+    ropes <- Filter(function(rope) !rope$strut, gear_si(gear)$ropes)
+    numbers_of_parts(ropes, "rope", function(rope) rope$length / rope$diameter)
   },
   "Check the length and the diameter of the rope, and their units.", "length"
 )

@@ -100,3 +100,13 @@ test_that("grid that cannot be laced throws an error that names the section", {
   expect_refused(grid_trawl(grids.nordmore.behind = "body"), "straight sides")
   expect_refused(grid_trawl(grids.nordmore.height = "4 m"), "circumference")
 })
+
+test_that("a sorting grid is listed on the drawing and has no finding of its own", {
+  gear <- read_gear(system.file("examples", "sorting_grid.yaml", package = "codend"))
+  figure <- plan_figure(gear)
+  listed <- figure$pieces[figure$pieces$name == "sorting grid", ]
+  expect_match(listed$words, "^1[.]3 m by 1 m, 48 deg, behind ahead of grid")
+  # The netting is symmetric, as without the grid.
+  expect_true(all(figure$layout$columns$symmetric))
+  expect_length(findings(gear)$check, 0L)
+})
