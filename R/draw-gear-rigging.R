@@ -14,16 +14,18 @@ plan_riggings <- function(gears, si, ropes, pieces, frames) {
   others <- function(group) setdiff(names(si[[group]]), of_nets)
   between <- plan_rigging(with_parts(si, others), ropes, pieces,
     frames[setdiff(names(frames), of_nets)], nets = nets)
-  each <- lapply(nets, function(one) {
+  plans <- lapply(nets, `[[`, "plan")
+  first <- match(plans, plans)
+  # Equal plans have equal rigging. So may plans that differ in other fields, or by their sides.
+  each <- lapply(nets[unique(first)], function(one) {
     mine <- function(group) intersect(names(si[[group]]), one$parts[[group]])
     plan_rigging(with_parts(si, mine), ropes, pieces,
       frames[intersect(names(frames), one$parts$ropes)], start = one$joined)
   })
   each <- Filter(length, each)
-  kinds <- vapply(each, `[[`, "", "kind")
-  each <- lapply(unique(kinds), function(kind) {
-    names <- names(each)[kinds == kind]
-    c(each[[names[1L]]], list(of = names))
+  kind <- vapply(each, `[[`, "", "kind")[names(nets)[first]]
+  each <- lapply(each[!duplicated(vapply(each, `[[`, "", "kind"))], function(one) {
+    c(one, list(of = names(nets)[kind %in% one$kind]))
   })
   Filter(length, c(list(between), each))
 }
