@@ -89,7 +89,7 @@ plan_figure <- function(gear) {
   # The cut around a sorting grid would divide the pieces of the net, so grids are only listed.
   if (length(grids)) {
     drawn <- setdiff(names(gear$plan), c("grids", "measures", "uncertain"))
-    gear <- as_gear(gear$plan[drawn], gear$file)
+    gear <- as_gear(gear$plan[drawn], gear$file, like = gear)
   }
   si <- gear_si(gear)
   si$names_in_gears <- do.call(c, unname(Map(function(one, name) {
