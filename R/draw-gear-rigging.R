@@ -41,9 +41,9 @@ with_parts <- function(si, named) {
 # Returns the rigging as a graph, or NULL without ropes between points.
 #
 # `kind`: a string that is equal for identical graphs. `separate`: TRUE if identical nodes are not
-# merged. `nodes`: data frame of layer, order, held,
-# motion (text), netting, letters (of pieces), net (names of nets in a rig, or ""). `ropes`: data
-# frame of from, to (rows of nodes), item (NA for a frame or joint), length, joint (to a net).
+# merged. `nodes`: data frame of layer, order, held, motion (text), netting, letters (of pieces),
+# net (names of nets in a rig, or ""). `ropes`: data frame of from, to (rows of nodes), item (NA for
+# a frame or joint), length, joint (to a net).
 #
 # frames: struts that the rope list omits, such as the shoes of a beam trawl. start: points that a
 # rig joins to others. nets: gears that are drawn as boxes.
