@@ -30,8 +30,7 @@
 #' - Settle a gear: [settle()], [tow_speed()].
 #' - Numbers: [measures()], [findings()], [summary()][summary.codend_state],
 #'   [as.data.frame()][as.data.frame.codend_state]; in other units: [in_units()].
-#' - Along the gear: [tensions_along()], [mesh_openings()].
-#' - Boards: [board_modes()], [force_coefficients()].
+#' - Forces of water: [force_coefficients()].
 #' - Guides: `vignette("measures", "codend")`, `vignette("forces", "codend")`,
 #'   `vignette("drag-models", "codend")`, `vignette("when-it-does-not-settle", "codend")`.
 #'
@@ -46,7 +45,7 @@
 #' - Many designs: [vary()], [designs()], [effects()][effects.codend_variations].
 #' - Value for a required result: [find_value()].
 #' - Best design: [optimise_gear()], [trade_off()].
-#' - Studies in files: [write_study()], [run_study()], [study_status()], [read_study()].
+#' - Studies in files: [vary()], [run_study()], [read_result()].
 #' - Guides: `vignette("how-sure", "codend")`, `vignette("optimise-a-trawl", "codend")`.
 #'
 #' @section Measured hauls:
@@ -55,7 +54,7 @@
 #' - Guide: `vignette("calibrate-to-your-sensors", "codend")`.
 #'
 #' @section Motion:
-#' - Simulate: [tow()], [tow_schedule()], [planned_schedule()], [track_schedule()].
+#' - Simulate: [tow()], [tow_schedule()], [track_schedule()].
 #' - Read: [state_at()], [summary()][summary.codend_trajectory],
 #'   [as.data.frame()][as.data.frame.codend_trajectory].
 #' - Guide: `vignette("motion", "codend")`.

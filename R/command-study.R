@@ -13,10 +13,9 @@ run_study_command <- function(given, options) {
   store <- given[2L]
   switch(action,
     new = {
-      do.call(write_study, c(
-        list(given[3L], study_designs(options), store), settle_arguments(options)
-      ))
-      print(study_status(store))
+      print(summary(do.call(vary, c(
+        list(given[3L], study_designs(options), store = store, tasks = 0), settle_arguments(options)
+      ))))
     },
     run = {
       task <- first_of(options$task, 1)
@@ -25,7 +24,7 @@ run_study_command <- function(given, options) {
       done <- run_study(store, task, of)
       write_output(0L, done, " designs settled in task ", task, " of ", of, ".")
     },
-    status = print(study_status(store)),
+    status = print(summary(read_study(store))),
     plot = {
       if (is.null(options$out) || !grepl("[.](png|pdf|svg)$", options$out)) {
         abort_usage("plot needs --out FILE.png, .pdf or .svg.")
@@ -38,7 +37,7 @@ run_study_command <- function(given, options) {
       found <- read_study(store)
       what <- c(effects = "fields", pairs = "pairs", indices = "indices")[action]
       if (!is.na(what)) found <- effects(found, parts_of(options$measures), what)
-      give_csv(if (action == "errors") errors(found) else found, options$out)
+      give_csv(if (action == "errors") errors_by_design(found) else found, options$out)
     }
   )
 }

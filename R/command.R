@@ -46,8 +46,7 @@ command_runs <- function() {
     find = run_find, optimise = run_optimise, calibrate = run_calibrate,
     sensitivities = run_sensitivities, flume = run_flume, new = run_new,
     expand = function(plan, options) {
-      whole <- if (isTRUE(options$net)) net_form else assembly
-      cat(format(whole(read_gear(plan))))
+      cat(format(assembly(read_gear(plan), if (isTRUE(options$net)) "net")))
     }
   )
 }

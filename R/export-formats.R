@@ -155,14 +155,17 @@ formats_text <- function(of) {
 #' - A gear without such ropes, with ropes through rings or on a sloping bed is an error.
 #'
 #' @param x A state ([settle()], [state_at()]) or a trajectory ([tow()]).
-#' @param file Path of the file, which is written atomically. `read_result()` reads NetCDF.
+#' @param file Path of the file, which is written atomically. `read_result()` reads NetCDF, or the
+#'   folder of a study ([vary()]).
 #' @param ... For glTF: `colours = "tension"` (default), or `"part"` for a colour per part from a
 #'   repeating series.
 #' @return `write_result()` returns `file`, invisibly.
 #'
 #'   `read_result()` returns a state (class `codend_state`, see [settle()]) or a trajectory (class
 #'   `codend_trajectory`, see [tow()]). If a run did not end, the trajectory contains all saved
-#'   times and its `end` is `"interrupted"`.
+#'   times and its `end` is `"interrupted"`. For the folder of a study it returns the finished
+#'   designs (class `codend_variations`); damaged rows are left out with a warning of class
+#'   `codend_warning_study`.
 #'
 #'   A file that cannot be read or written is an error of class `codend_error_file`. A missing
 #'   RNetCDF is an error of class `codend_error_package`.

@@ -73,12 +73,20 @@ field_help <- function(node) {
 #'   `otter_board()`, `kite()`, `seam()` and [measure()], and further plan fields as lists or
 #'   strings (`water`, `towing`, `netting`, `catch`, `materials`, `notes` and others).
 #' @param kind Character: kind of plan. Default `"assembly"`, or a short form.
+#' @param gears For a rig: a named list of whole gears ([read_gear()], `gear()`), such as the two
+#'   trawls of a twin trawl. They keep their fields and uncertainties. Their names and the names of
+#'   their parts and measures get the name of the gear as a prefix, such as `port_headline_height`.
+#'   An item may also be a list of fields, such as `list(like = "port")` for a gear that is like
+#'   another. Water, seabed, towing and drag models that are not given are those of the first gear.
+#' @param joined For a rig: a list by gear of its joined points, as a named list or vector of
+#'   locations by point, such as `list(port = c(board_port = "door"))`. A joined point is no longer
+#'   held by itself.
 #' @eval constructor_params()
 #' @return `gear()` returns a checked gear of class `codend_gear`. The other functions return a
 #'   component of class `codend_component` for `gear()`. An invalid plan is an error of class
 #'   `codend_error_plan`.
 #' @seealso [read_gear()] and [new_plan()] for plan files, [measure()] for measures, [settle()] for
-#'   the shape of a gear.
+#'   the shape of a gear, [assembly()] for the parts of a rig; `vignette("bottom-trawl", "codend")`.
 #' @export
 #' @examples
 #' gear(
@@ -89,9 +97,13 @@ field_help <- function(node) {
 #'   depth = measure(depth = "bottom"),
 #'   towing = list(speed = "2 knot")
 #' )
-gear <- function(name, ..., kind = "assembly") {
+#' trawl <- read_gear("beam_trawl")
+#' gear("Two beam trawls", gears = list(port = trawl,
+#'   starboard = list(like = "port", moved = c(0, 20, 0))))
+gear <- function(name, ..., kind = "assembly", gears = NULL, joined = NULL) {
   check_given("name")
   given <- list(...)
+  if (!is.null(gears)) given <- c(joined_gears(gears, joined, names(given)), given)
   if (length(given) && (is.null(names(given)) || any(!nzchar(names(given))))) {
     abort_argument("Every argument of {.fn gear} after the first must be named.")
   }
@@ -111,44 +123,19 @@ gear <- function(name, ..., kind = "assembly") {
   as_gear(tree)
 }
 
-#' Join gears to a rig
-#'
-#' Makes one gear from several whole gears, such as a twin trawl from two trawls. The gears keep
-#' their fields and uncertainties. Their names and the names of their parts and measures get the
-#' name of the gear as a prefix, such as `port_headline_height`. The field `gears` of a plan does
-#' the same.
-#'
-#' @param name Character: name of the rig.
-#' @param gears A named list of gears ([read_gear()], [gear()]). An item may also be a list of
-#'   fields, such as `list(like = "port")` for a gear that is like another.
-#' @param joined A list by gear of its joined points: a named list or vector of locations by point,
-#'   such as `list(port = c(board_port = "door"))`. A joined point is no longer held by itself.
-#' @param ... Further components and fields of the rig, as in [gear()]. Water, seabed, towing and
-#'   drag models that are not given are those of the first gear.
-#' @return A checked gear of class `codend_gear`. An unknown point or location is an error of class
-#'   `codend_error_plan`.
-#' @seealso [gear()] for the components, [assembly()] for the parts of the rig;
-#'   `vignette("bottom-trawl", "codend")`.
-#' @export
-#' @examples
-#' trawl <- read_gear("beam_trawl")
-#' join_gears("Two beam trawls", list(port = trawl, starboard = list(like = "port",
-#'   moved = c(0, 20, 0))))
-join_gears <- function(name, gears, joined = list(), ...) {
-  check_given("name", "gears")
+# Returns the field `gears` of a rig, and those fields of its first gear that are not `given`.
+joined_gears <- function(gears, joined, given) {
   if (!is.list(gears) || is.null(names(gears)) || inherits(gears, "codend_gear")) {
     abort_argument("{.arg gears} must be a named list of gears, not {.cls {class(gears)}}.")
   }
-  if (!is.list(joined)) {
+  if (!is.null(joined) && !is.list(joined)) {
     abort_argument("{.arg joined} must be a list by gear, not {.cls {class(joined)}}.")
   }
   whole <- list()
   for (part in names(gears)) {
     if (!inherits(gears[[part]], "codend_gear")) next
     plan <- join_uncertain(gears[[part]]$plan)
-    if (!length(whole)) {
-      whole <- plan[intersect(names(plan), setdiff(whole_plan_fields, names(list(...))))]
-    }
+    if (!length(whole)) whole <- plan[intersect(names(plan), whole_plan_fields)]
     gears[[part]] <- plan[setdiff(names(plan), whole_plan_fields)]
   }
   unknown <- setdiff(names(joined), names(gears))
@@ -157,8 +144,9 @@ join_gears <- function(name, gears, joined = list(), ...) {
       {.val {names(gears)}}.")
   }
   for (part in names(joined)) gears[[part]]$joined <- as.list(joined[[part]])
-  whole[c("codend", "name", "notes", "sources", "uncertain", "tow", "shooting", "laid")] <- NULL
-  do.call(gear, c(list(name), whole, list(gears = gears), list(...)))
+  whole[c("codend", "name", "kind", "notes", "sources", "uncertain", "tow", "shooting", "laid",
+    given)] <- NULL
+  c(whole, list(gears = gears))
 }
 
 #' @rdname gear

@@ -1,20 +1,5 @@
-#' Write wings, square and sections of a trawl as a grid of pieces
-#'
-#' Converts the short fields `wings`, `square` and `sections` of a trawl into its field `net`, in
-#' which each piece of netting can be changed.
-#'
-#' @param gear A gear of class `codend_gear` of a kind with a trawl net.
-#' @return A gear of class `codend_gear` and the same kind, with the field `net`. A gear that has
-#'   this field is returned unchanged.
-#' @seealso [read_net()] for nets as tables, [assembly()] for all parts of a gear.
-#' @export
-#' @examples
-#' net <- net_form(read_gear("pair_trawl"))
-#' names(net$plan$net$upper)
-#' update(net, net.lower.body.twine.diameter = "5 mm")
+# Returns a trawl with the field `net` instead of `wings`, `square` and `sections`.
 net_form <- function(gear) {
-  check_given("gear")
-  check_is_gear(gear)
   plan <- unclass(gear$plan)
   if (!is.null(plan$net)) return(gear)
   if (!"net" %in% names(kind_node(first_of(plan$kind, "assembly"))$properties)) {

@@ -9,9 +9,10 @@ piece_columns <- c(
   outer = "cutting.outer", flying = "flying", joined = "joined"
 )
 
-#' Read and write a net as a table
+#' Read a net from a table
 #'
-#' Read the field `net` of a trawl from a table with one row per piece of netting, or write it.
+#' Reads the field `net` of a trawl from a table with one row per piece of netting. [write_gear()]
+#' writes such a table to a file whose name ends in `.csv`.
 #'
 #' The table has the columns `panel` (upper, lower, side, ...), `row` (name of the piece) and any of
 #' these columns, each for a field of a piece:
@@ -24,15 +25,14 @@ piece_columns <- c(
 #'
 #' @param x Path of a file, text with several lines as copied from a spreadsheet, or a data frame.
 #'   Columns are separated by commas, semicolons or tabs.
-#' @return `read_net()`: the value of the field `net`, for [update()][update.codend_gear] or
-#'   [gear()]. `write_net()`: the path of the file, invisibly.
-#' @seealso [net_form()] for the field `net` of a short form with wings and sections,
+#' @return The value of the field `net`, for [update()][update.codend_gear] or [gear()].
+#' @seealso [assembly()] for the field `net` of a short form with wings and sections,
 #'   [plot()][plot.codend_gear] for the drawing.
 #' @export
 #' @examples
 #' trawl <- read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
 #' file <- tempfile(fileext = ".csv")
-#' write_net(trawl, file)
+#' write_gear(trawl, file)
 #' net <- read_net(file)
 #' update(trawl, net = net)
 read_net <- function(x) {
@@ -86,17 +86,12 @@ with_net_file <- function(tree, file) {
   tree
 }
 
-#' @rdname read_net
-#' @param gear A gear of class `codend_gear` with the field `net`.
-#' @param file Path of the CSV file to write.
-#' @export
+# Writes the net of a gear as a table.
 write_net <- function(gear, file) {
-  check_given("gear")
-  check_is_gear(gear)
-  check_file_path(file)
   net <- gear$plan$net
   if (is.null(net)) {
-    abort_argument("{.arg gear} has no field {.field net}; convert it with {.fn net_form}.")
+    abort_argument("{.arg gear} has no field {.field net}; convert it with
+      {.code assembly(gear, only = \"net\")}.")
   }
   rows <- list()
   for (panel in names(net)) {
@@ -117,7 +112,6 @@ write_net <- function(gear, file) {
   short <- match(columns, piece_columns)
   names(table) <- ifelse(is.na(short), columns, names(piece_columns)[short])
   write_csv(table, file)
-  invisible(file)
 }
 
 # Returns a table of strings with the fields of pieces as names of its columns, from a file, text or

@@ -128,8 +128,8 @@
 #' on the sheets between the rows of knots. `vignette("forces", "codend")` shows the effect of
 #' couples on codends and on the height of trawls.
 #'
-#' @seealso [netting_panel()] for the fields, [mesh_openings()] for computed openings,
-#'   [force_coefficients()] for all coefficients.
+#' @seealso [netting_panel()] for the fields, [as.data.frame()][as.data.frame.codend_state] for
+#'   computed openings, [force_coefficients()] for all coefficients.
 #'
 #' @examples
 #' panel <- read_gear("flat_panel")
@@ -165,7 +165,8 @@ NULL
 #' [measures()] of a state with a catch include `catch_volume_m3`, `catch_surface_m2` (area of the
 #' netting behind the front) and `catch_front_meshes` (depth of the catch in meshes).
 #'
-#' @seealso [mesh_openings()] for the openings ahead of a catch, [gear()] for the field in R.
+#' @seealso [as.data.frame()][as.data.frame.codend_state] for the openings ahead of a catch,
+#'   [gear()] for the field in R.
 #'
 #' @examples
 #' codend <- read_gear("t90_codend")

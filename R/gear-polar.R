@@ -78,8 +78,8 @@ published_polars <- list(
 #' @param aspect_ratio Number: span over chord. Default 2.
 #' @return A data frame with columns `attack` (deg, from -180 to 180), `lift`, `drag` (coefficients)
 #'   and `published` (TRUE for given rows, FALSE for computed rows).
-#' @seealso [force_coefficients()] for all published and computed values; [board_modes()] for the
-#'   stability of a board.
+#' @seealso [force_coefficients()] for all published and computed values;
+#'   [as.data.frame()][as.data.frame.codend_state] for the stability of a board.
 #' @export
 #' @examples
 #' board_polar("krill_cambered")

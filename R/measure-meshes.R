@@ -56,44 +56,9 @@ solidity_of_panels <- function(state, names) {
   stats::setNames(pmin(twine - overlap * twine^2 + knots, 1), names)
 }
 
-#' Mesh openings along a net
-#'
-#' Computes the opening of the meshes along each panel, which determines the fish that pass through.
-#' Each row of the result is a row of the model across a panel, from its front to its rear edge.
-#'
-#' @section Definition of the opening:
-#' - Diamond meshes: the distance between the knots across the panel. The angle is between two bars.
-#'   With taut twine, opening = mesh size times sin(angle / 2).
-#' - Square meshes: the distance between the bars.
-#' - Hexagonal meshes: as diamond meshes of their cells.
-#' - The gathered edge of a codend has an opening of 0.
-#'
-#' For a selectivity model, use the codend: `mesh_openings(state, "codend")` lists the mean,
-#' smallest and largest opening by distance from its rear end.
-#'
-#' @param state A state, from [settle()] or [state_at()].
-#' @param parts Names of panels or of parts of the net (`"codend"`, `"section_3"`), or `NULL` for
-#'   all. An unknown name is an error of class `codend_error_argument`.
-#' @return A data frame of class `codend_mesh_openings` with one row per row of a panel:
-#'   - `panel`, `part`: names.
-#'   - `meshes_from_front`, `from_front_m`, `from_rear_m`: position along the netting.
-#'   - `x_m`, `depth_m`: middle of the row.
-#'   - `meshes_across`: number of meshes in the row.
-#'   - `mesh_size_mm`: mesh size in the plan.
-#'   - `mesh_opening_mm`, `least_opening_mm`, `greatest_opening_mm`: mean, smallest and largest
-#'     opening.
-#'   - `opening_percent`: mean opening over mesh size; for square meshes over the bar length.
-#'   - `mesh_angle_deg`: mean angle.
-#' @seealso [codend_charts] to plot the result; [measures()] for the mean of a panel;
-#'   [as.data.frame()][as.data.frame.codend_trajectory] of a tow for the water that passed through
-#'   the mouth.
-#' @export
-#' @examples
-#' state <- settle("t90_codend")
-#' head(mesh_openings(state))
-mesh_openings <- function(state, parts = NULL) {
-  check_given("state")
-  check_is_state(state)
+# Returns the table "mesh_openings" of a state; `parts`: panels or parts of the net, or NULL for
+# all.
+mesh_opening_table <- function(state, parts = NULL) {
   panels <- state$si$panels
   part <- vapply(panels, `[[`, "", "part")
   known <- unique(c(names(panels), part[!is.na(part)]))

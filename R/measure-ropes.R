@@ -1,33 +1,10 @@
-#' Tensions along ropes
-#'
-#' Lists the tension in each bar of the model along ropes, for charts and tables.
-#'
-#' @param state A state, from [settle()] or [state_at()].
-#' @param ropes Names of ropes or roles (`"warp"` for all warps), or `NULL` for all. An unknown name
-#'   is an error of class `codend_error_argument`.
-#' @return A data frame of class `codend_rope_tensions` with one row per bar of a rope, from the
-#'   start of the line:
-#'   - `rope`, `role`: names of the rope and its role.
-#'   - `line`: a rope, or consecutive ropes of one role, such as the parts of a main line between
-#'     its branch lines.
-#'   - `along_m`: distance of the bar's middle from the start of the line.
-#'   - `length_m`: length of the bar.
-#'   - `tension_kN`: tension of the bar.
-#'   - `x_m`, `y_m`, `z_m`: position of the bar's middle.
-#' @seealso [codend_charts] to plot the result; [as.data.frame()][as.data.frame.codend_state] for
-#'   the tensions of netting.
-#' @export
-#' @examples
-#' state <- settle("midwater_trawl", nodes = 300)
-#' head(tensions_along(state, "warp"))
-tensions_along <- function(state, ropes = NULL) {
-  check_given("state")
-  check_is_state(state)
+# Returns the table "rope_tensions" of a state; `ropes`: names of ropes or roles, or NULL for all.
+rope_tension_table <- function(state, ropes = NULL) {
   parts <- state$mesh$parts
   every <- which(parts$kind == "rope")
   known <- unique(stats::na.omit(c(parts$name[every], parts$role[every])))
   if (!length(known)) abort_argument("The gear has no ropes.")
-  ropes <- chosen_some(ropes, known)
+  ropes <- chosen_some(ropes, known, "parts")
   kept <- every[parts$name[every] %in% ropes | parts$role[every] %in% ropes]
   line <- rope_lines_end_to_end(state$mesh, kept)
   kept <- kept[order(match(line, line))]

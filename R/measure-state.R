@@ -53,8 +53,8 @@
 #'   Arithmetic returns plain named numbers. `measures(a) / measures(b)` contains the measures of
 #'   both states, without ratios of two zeros.
 #' @seealso [settle()]; [in_units()] for other units; [findings()] for values that need attention;
-#'   [mesh_openings()] and [tensions_along()] for values along the gear; [uncertainty()] for the
-#'   effect of uncertain inputs.
+#'   [as.data.frame()][as.data.frame.codend_state] for values along the gear; [uncertainty()] for
+#'   the effect of uncertain inputs.
 #' @examples
 #' state <- settle("midwater_trawl", nodes = 300)
 #' found <- measures(state)

@@ -84,7 +84,8 @@
 #' - `codend_warning_catch_unstable`: netting around a catch.
 #'
 #' Further warnings:
-#' - `codend_warning_board_flutter`: a board oscillates with growing amplitude, see [board_modes()].
+#' - `codend_warning_board_flutter`: a board oscillates with growing amplitude, see the
+#'   board modes of [as.data.frame()][as.data.frame.codend_state].
 #'   Skipped with `from`, because the check takes longer than the solution.
 #' - `codend_warning_board_stalled`, `codend_warning_board_back_winded`,
 #'   `codend_warning_board_fallen_over`: a free otter board or kite has a wrong attitude, see

@@ -5,8 +5,8 @@
 #' are rewritten. The file is written atomically.
 #'
 #' @param gear A gear of class `codend_gear` ([read_gear()], [gear()]).
-#' @param file Character: path of the file to write. A name ending in `.json` gives JSON, any other
-#'   name YAML.
+#' @param file Character: path of the file to write. A name ending in `.json` gives JSON, and one
+#'   ending in `.csv` the net as a table for [read_net()]. Any other name gives YAML.
 #' @return `file`, invisibly (character).
 #' @seealso [read_gear()] to read the file, [update()][update.codend_gear] to change a gear,
 #'   [new_plan()] to start a plan.
@@ -19,6 +19,10 @@ write_gear <- function(gear, file) {
   check_given("gear", "file")
   check_is_gear(gear)
   check_file_path(file)
+  if (grepl("[.]csv$", file, ignore.case = TRUE)) {
+    write_net(gear, file)
+    return(invisible(file))
+  }
   json <- grepl("[.]json$", file, ignore.case = TRUE)
   write_text(if (json) c(json_plan(gear), "") else format(gear, remarks = TRUE), file)
 }

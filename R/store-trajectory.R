@@ -16,6 +16,7 @@ write_trajectory <- function(trajectory, file) {
 #' @export
 read_result <- function(file) {
   check_given("file")
+  if (is_text(file) && dir.exists(file)) return(read_study(file))
   nc <- open_saved(file)
   if (attr(nc, "what") == "state") read_state(nc, file) else read_trajectory(nc, file)
 }

@@ -22,7 +22,7 @@
 #' - A small index can be negative. If a design did not settle, its entire group of designs is left
 #'   out.
 #'
-#' @param object Variations, from [vary()] or [read_study()]. Indices need designs from
+#' @param object Variations, from [vary()] or [read_result()]. Indices need designs from
 #'   [designs()]`(how = "indices")`.
 #' @param what `"fields"` (default): main effects. `"pairs"`: effects of pairs of fields.
 #'   `"indices"`: Sobol' indices.
@@ -232,20 +232,17 @@ report_unsettled <- function(x) {
 
 #' @export
 summary.codend_variations <- function(object, ...) {
-  known <- changing_measures(object, NULL)
+  known <- if (nrow(object)) changing_measures(object, NULL) else character()
   study <- attr(object, "study")
-  error <- errors(object)
-  table <- data.frame(
-    measure = known, unit = vapply(known, function(name) variations_unit(object, name), ""),
-    t(vapply(known, function(name) {
-      value <- object[[name]]
-      c(
-        least = min(value, na.rm = TRUE), median = stats::median(value, na.rm = TRUE),
-        largest = max(value, na.rm = TRUE),
-        error = stats::median(as.double(error[[name]]), na.rm = TRUE)
-      )
-    }, numeric(4))), row.names = NULL
-  )
+  error <- errors_by_design(object)
+  table <- do.call(rbind, lapply(known, function(name) {
+    value <- object[[name]]
+    data.frame(
+      measure = name, unit = variations_unit(object, name), least = min(value, na.rm = TRUE),
+      median = stats::median(value, na.rm = TRUE), largest = max(value, na.rm = TRUE),
+      error = stats::median(as.double(error[[name]]), na.rm = TRUE), row.names = NULL
+    )
+  }))
   structure(
     list(
       name = attr(object, "gear_name"), designs = first_of(study$designs, nrow(object)),
@@ -262,6 +259,13 @@ print.codend_study_summary <- function(x, n = most_rows, ...) {
   check_rows(n)
   cat(x$designs, " designs of \"", x$name, "\": ", x$done, " done, ", x$settled, " settled, ",
     x$warned, " with a warning\n", sep = "")
+  cat_study_measures(x, n)
+  cat_counted_problems(x$problems)
+  invisible(x)
+}
+
+cat_study_measures <- function(x, n) {
+  if (is.null(x$measures)) return(invisible())
   shown <- x$measures$measure
   if (is.finite(n)) shown <- some_measures(structure(list(), main = x$main), shown)
   table <- printed_rows(x$measures[match(shown, x$measures$measure), ])
@@ -269,6 +273,4 @@ print.codend_study_summary <- function(x, n = most_rows, ...) {
   cat_columns(c(list(c("", label_of(table$measure, table$unit))),
     Map(c, columns, lapply(table[columns], figures)), list(c("", table$unit))), left = c(1L, 6L))
   cat_more(c(measure = nrow(x$measures) - nrow(table)))
-  cat_counted_problems(x$problems)
-  invisible(x)
 }

@@ -42,7 +42,7 @@ print.codend_variations <- function(x, n = most_rows, ...) {
   known <- variations_measures(x)
   fields <- variations_fields(x)
   rows <- seq_len(min(n, nrow(x)))
-  error <- if (all(attr(x, "fields") %in% fields)) errors(x)
+  error <- if (all(attr(x, "fields") %in% fields)) errors_by_design(x)
   column <- function(name) {
     value <- x[[name]][rows]
     unit <- variations_unit(x, name)

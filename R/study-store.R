@@ -28,15 +28,6 @@ open_or_create <- function(study, store) {
   invisible(open_store(store))
 }
 
-create_store <- function(study, store) {
-  check_netcdf()
-  check_store_path(store)
-  if (!claim_store(study, store)) {
-    abort_store(store, "exists already; choose a new name.")
-  }
-  invisible(open_store(store))
-}
-
 is_store <- function(store) file.exists(store_file(store, "study.json"))
 
 # Creates the folder atomically, with `study.json`. Returns FALSE if the name is taken.

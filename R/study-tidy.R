@@ -112,15 +112,15 @@ glance.codend_optimum <- function(x, ...) {
 as.data.frame.codend_variations <- function(x, row.names = NULL, optional = FALSE,
                                             wide = optional, ...) {
   if (wide) return(with_row_names(plain_table(x), row.names))
-  error <- errors(x)
+  error <- errors_by_design(x)
   known <- variations_measures(x)
   unit <- vapply(known, function(name) variations_unit(x, name), "")
   with_row_names(long_table(x, variations_fields(x), known, error[known], unit), row.names)
 }
 
-# Rows are found by their fields, because other packages sort and select rows without the errors.
-#' @export
-errors.codend_variations <- function(x) {
+# Returns a table like variations with the error of each measure instead of its value. Rows are
+# found by their fields, because other packages sort and select rows without the errors.
+errors_by_design <- function(x) {
   known <- attr(x, "errors")
   fields <- attr(x, "fields")
   if (is.null(known) || !all(fields %in% names(x))) {

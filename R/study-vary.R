@@ -34,8 +34,7 @@
 #' # The store
 #' - Each finished run is a separate file, written atomically. The files of a finished task are
 #'   merged into one.
-#' - [study_status()] shows the progress, and [read_study()] reads finished designs while others
-#'   run.
+#' - [read_result()] reads finished designs while others run; its `summary()` shows the progress.
 #' - A worker that is killed loses only its current run.
 #' - The same call of `vary()` continues with missing designs. A simultaneous call in another
 #'   process shares the work.
@@ -51,13 +50,15 @@
 #'   settled on up to 3 meshes, for an error of 1 %. Each design is one more solve.
 #' @param store Path of a folder for the study. It is created, or continued if it contains the same
 #'   study. Default `NULL`: no store.
-#' @param tasks Number of tasks for the workers. Default `NULL`: automatic.
+#' @param tasks Number of tasks for the workers. Default `NULL`: automatic. 0 only creates the
+#'   `store`, for [run_study()].
 #' @return A data frame of class `codend_variations`, one row per design:
 #'
 #'   - the fields, named by path and unit (`towing.speed_knot`). The unit is the one common to all
 #'     given values, else the SI unit.
-#'   - the [measures()], `NA` if the gear did not settle or lacks the measure. [errors()] returns
-#'     their estimated errors. As a fraction, an error equals the error of the gear itself.
+#'   - the [measures()], `NA` if the gear did not settle or lacks the measure. Their
+#'     estimated errors are a column of the long table. As a fraction, an error equals the error of
+#'     the gear itself.
 #'   - `settled`: `TRUE` if the gear settled. `problem`: otherwise the reason, such as inconsistent
 #'     plan values or no convergence.
 #'   - `warning`: text of warnings from [settle()], such as a stalled board.
@@ -67,7 +68,7 @@
 #'   A wrong field or value raises an error of class `codend_error_plan` that names the design,
 #'   before any gear is settled. Wrong arguments raise `codend_error_argument`. A design that does
 #'   not settle does not raise an error.
-#' @seealso [designs()], [effects()][effects.codend_variations], [study_status()], [read_study()],
+#' @seealso [designs()], [effects()][effects.codend_variations], [run_study()], [read_result()],
 #'   [codend_charts].
 #' @export
 #' @examples
@@ -77,10 +78,13 @@ vary <- function(gear, ..., nodes = NULL, netting = NULL, accuracy = NULL, store
                  tasks = NULL) {
   check_given("gear")
   study <- new_study(gear, list(...), nodes, netting, accuracy)
-  if (!is.null(tasks)) check_count("tasks", tasks, 1)
+  if (!is.null(tasks)) check_count("tasks", tasks, 0)
+  if (is.null(store) && identical(as.double(tasks), 0)) {
+    abort_argument("With {.code tasks = 0}, {.arg store} must be the path of a new folder.")
+  }
   if (!is.null(store)) {
     open_or_create(study, store)
-    vary_stored(store, tasks)
+    if (!identical(as.double(tasks), 0)) vary_stored(store, tasks)
     return(read_study(store))
   }
   if (!is.null(future_workers())) {
@@ -91,7 +95,7 @@ vary <- function(gear, ..., nodes = NULL, netting = NULL, accuracy = NULL, store
     check_netcdf()
     store <- tempfile("study-")
     on.exit(unlink(store, recursive = TRUE))
-    create_store(study, store)
+    open_or_create(study, store)
     vary_stored(store, tasks)
     return(read_study(store))
   }

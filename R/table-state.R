@@ -42,6 +42,9 @@
 #' @param optional Not used.
 #' @param what Name of the table, by default `"measures"`. Give it by name, as `what = "drag"`. The
 #'   section "Tables" describes them.
+#' @param parts For `"rope_tensions"`: names of ropes or roles (`"warp"` for all warps). For
+#'   `"mesh_openings"`: names of panels or of parts of the net (`"codend"`, `"section_3"`). Default
+#'   `NULL`: all. An unknown name is an error of class `codend_error_argument`.
 #' @param ... Not used.
 #'
 #' @section Tables:
@@ -59,6 +62,14 @@
 #' - `"pieces"`: one row per piece and position, such as every hook of a longline. Columns: `part`,
 #'   `role`, `number` (of pieces there), `x_m`, `y_m`, `z_m` and `depth_m`.
 #' - `"boards"`: one row per free otter board and per kite or depressor, see below.
+#' - `"rope_tensions"`: one row per bar of a rope, from the start of the line. [codend_charts] plots
+#'   it. Columns: `rope`, `role`, `line` (a rope, or consecutive ropes of one role, such as the
+#'   parts of a main line between its branch lines), `along_m` (distance of the bar's middle from
+#'   the start of the line), `length_m`, `tension_kN`, `x_m`, `y_m` and `z_m`.
+#' - `"mesh_openings"`: one row per row of meshes across a panel, from its front to its rear edge,
+#'   see below. [codend_charts] plots it.
+#' - `"board_modes"`: the small motions in which a free otter board, kite or depressor takes part,
+#'   fastest growing first, see below.
 #' - `"reactions"`: force of every support on the gear: `point`, `x_kN`, `y_kN`, `z_kN`. Two points
 #'   at the ends of a fixed edge share its load like the supports of a beam.
 #'
@@ -77,24 +88,72 @@
 #' - `condition`: `"flying"`, `"stalled"` (angle of attack above `stall_deg`), `"back-winded"` (flow
 #'   on the outer face) or `"fallen over"` (heel above 45 deg).
 #'
-#' @return A data frame. The sections below list the columns of each table.
+#' @section Columns of the table of mesh openings:
+#' - `panel`, `part`: names;
+#' - `meshes_from_front`, `from_front_m`, `from_rear_m`: position along the netting;
+#' - `x_m`, `depth_m`: middle of the row; `meshes_across`: number of its meshes;
+#' - `mesh_size_mm`: mesh size in the plan;
+#' - `mesh_opening_mm`, `least_opening_mm`, `greatest_opening_mm`: mean, smallest and largest
+#'   opening. The opening of a diamond mesh is the distance between its knots across the panel, with
+#'   taut twine the mesh size times sin(angle / 2). The opening of a square mesh is the distance
+#'   between its bars. Hexagonal meshes are treated as diamond meshes of their cells. The gathered
+#'   edge of a codend has an opening of 0;
+#' - `opening_percent`: mean opening over mesh size; for square meshes over the bar length;
+#' - `mesh_angle_deg`: mean angle between two bars.
+#'
+#' @section Columns of the table of board modes:
+#' - `board`: the board that moves most;
+#' - `period_s`: period; `NA` if the motion does not oscillate;
+#' - `growth_per_s`: growth rate, negative if the motion decays; `decay_s`: time in which it falls
+#'   to 1/e, `NA` if it grows; `damping`: fraction of the critical damping;
+#' - `condition`: `"swings"` (oscillates and decays), `"creeps"` (decays without oscillation),
+#'   `"flutters"` (oscillates and grows) or `"diverges"` (grows without oscillation). A growing
+#'   motion whose residual in the gear's equations exceeds 2 % gets `NA`; check it with [tow()].
+#'
+#' The modes are eigenmodes of the gear's linearised equations of motion, with mass, added mass,
+#' drag and lift of all parts as in [tow()]; the wake of the netting stays fixed. A board is one
+#' rigid body. Its mass acts at its centre of gravity, as in a plate of uniform thickness with 12 %
+#' camber. Its added mass is that of a flat plate, at mid-chord and normal to its face
+#' (DNV-RP-C205), and for its rotation. Moments resist the rotation as on a thin plate in steady
+#' flow. Lift and drag follow the angle of attack without delay, so flutter due to such a delay is
+#' not detected.
+#'
+#' Motions faster than 10 rad/s are missing, and those in which the board moves less than a tenth as
+#' far as the node that moves most; in a whole trawl also some swings with more than half of the
+#' critical damping.
+#'
+#' @return A data frame. The sections below list the columns of each table. The tables
+#'   `"rope_tensions"` and `"mesh_openings"` have a class of their own for charts.
 #' @seealso [settle()], [measures()], [summary()][summary.codend_state]; [glossary] for the terms.
 #' @examples
 #' state <- settle("crossing_cables")
 #' as.data.frame(state, what = "reactions")
 #' head(as.data.frame(state, what = "tensions"))
+#' trawl <- settle("midwater_trawl", nodes = 300)
+#' head(as.data.frame(trawl, what = "rope_tensions", parts = "warp"))
+#' head(as.data.frame(trawl, what = "mesh_openings", parts = "codend"))
 #' @export
 as.data.frame.codend_state <- function(x, row.names = NULL, optional = FALSE,
                                        what = c("measures", "tensions", "nodes", "drag",
-                                                "pieces", "boards", "reactions"), ...) {
-  table <- switch(chosen(what, eval(formals()$what)),
+                                                "pieces", "boards", "reactions", "rope_tensions",
+                                                "mesh_openings", "board_modes"),
+                                       parts = NULL, ...) {
+  what <- chosen(what, eval(formals()$what))
+  if (!is.null(parts) && !what %in% c("rope_tensions", "mesh_openings")) {
+    abort_argument("{.arg parts} applies only to {.code what = \"rope_tensions\"} and
+      {.code what = \"mesh_openings\"}.")
+  }
+  table <- switch(what,
     measures = as.data.frame(measures(x)),
     tensions = line_table(x),
     nodes = node_table(x),
     drag = drag_table(x),
     pieces = piece_table(x),
     boards = board_table(x),
-    reactions = reaction_table(x)
+    reactions = reaction_table(x),
+    rope_tensions = rope_tension_table(x, parts),
+    mesh_openings = mesh_opening_table(x, parts),
+    board_modes = board_mode_table(x)
   )
   with_row_names(table, row.names, what = TRUE)
 }

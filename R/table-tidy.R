@@ -68,7 +68,7 @@
 #' - Trade-off: `name`, and numbers of `points`, `kept` and `optimal`.
 #'
 #' @name codend_tidy
-#' @seealso [errors()] for errors of measures in a wide table, [measures()], [calibration_methods].
+#' @seealso [measures()], [uncertainty()] for all other sources of error, [calibration_methods].
 #' @examples
 #' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"))
 #' found$total_drag_kN
@@ -76,39 +76,6 @@
 #' tidy(found)
 #' glance(found)
 NULL
-
-#' Return the errors of measures
-#'
-#' `errors()` returns the estimated discretisation errors of measures, in the shape of the measures
-#' themselves.
-#'
-#' @param x Measures ([measures()]), a state ([settle()]) or variations ([vary()], [read_study()]).
-#' @return For measures and states: numbers named by measure, in the unit of the measure; `NA` if
-#'   unknown. For variations: a data frame with a row per design. Columns: the fields of the design,
-#'   then an error for each measure, under the name of the measure.
-#'
-#'   An object without errors raises an error of class `codend_error_argument`.
-#' @seealso [measures()], [uncertainty()] for all other sources of error, [codend_tidy].
-#' @export
-#' @examples
-#' errors(settle("towed_cable"))
-#' found <- vary("towed_cable", towing.speed = paste(3:5, "knot"))
-#' errors(found)$total_drag_kN / found$total_drag_kN
-errors <- function(x) {
-  check_given("x")
-  UseMethod("errors")
-}
-
-#' @export
-errors.default <- function(x) {
-  abort_argument("{.arg x} is {describe_value(x)}; it must be measures, a state or variations.")
-}
-
-#' @export
-errors.codend_measures <- function(x) attr(x, "error")
-
-#' @export
-errors.codend_state <- function(x) errors(measures(x))
 
 # ---- tables --------------------------------------------------------------------------------------
 

@@ -54,7 +54,8 @@
 #' - `swept_area_m2`: ground between the wing ends, the integral of `swept_area`.
 #'
 #' The integrals of both measures ([measures()]) use the trapezoid rule between saved times. They
-#' are `NA` if the gear has no such measure. Selection models need this table and [mesh_openings()].
+#' are `NA` if the gear has no such measure. Selection models need this table and the mesh
+#' openings of [as.data.frame()][as.data.frame.codend_state].
 #'
 #' @return A data frame, one row per time and, except for `"conditions"` and `"swept"`, per measure,
 #'   part or node.

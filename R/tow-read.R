@@ -18,7 +18,7 @@ tow_section <- function(gear) {
 unscheduled_section <- function(gear, schedule) {
   section <- tow_section(gear)
   if (!any(lengths(schedule))) return(section)
-  replaced <- intersect(names(gear$plan[["tow"]]), names(formals(tow_schedule)))
+  replaced <- intersect(names(gear$plan[["tow"]]), schedule_inputs())
   section <- section[setdiff(names(section), replaced)]
   last <- last_time(with_planned(schedule, section))
   if (last > 0) section$until <- last
@@ -63,14 +63,6 @@ abort_unplanned <- function(path) {
     "{.arg {path}} is a function, which a plan cannot hold.",
     i = "Give a table of {.field time} and {.field value}, or pass the schedule to {.fn tow}."
   ))
-}
-
-#' @rdname schedules
-#' @export
-planned_schedule <- function(gear) {
-  check_given("gear")
-  section <- tow_section(check_is_gear(if (is.character(gear)) read_gear(gear) else gear))
-  do.call(tow_schedule, section[intersect(names(formals(tow_schedule)), names(section))])
 }
 
 # Returns a function of time (s): height (m) of a regular swell, rising from 0.

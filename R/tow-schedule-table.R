@@ -8,22 +8,21 @@
 #' @section Schedules in plans:
 #' `update(gear, tow = schedule)` stores a schedule in the section `tow` of a plan, instead of the
 #' inputs there. `until`, `every`, `scheme` and `accuracy` of the section stay. [write_gear()]
-#' writes the plan. `planned_schedule()` returns the identical schedule, and [tow()] uses it if it
-#' gets no schedule. For a seine, it adds the hauling that follows from the plan. A plan cannot hold
-#' functions.
+#' writes the plan. `tow_schedule(plan = gear)` returns the identical schedule, and [tow()] uses it
+#' if it gets no schedule. For a seine, it adds the hauling that follows from the plan. A plan
+#' cannot hold functions.
 #'
 #' @param x,object A schedule.
 #' @param ... For `update()`: arguments of [tow_schedule()] with new values, `NULL` to remove an
 #'   input. For `c()`: further schedules. Not used otherwise.
-#' @param gear A gear, or the name or file of a plan.
 #' @param row.names `NULL` (default) or names for the rows.
 #' @param optional Not used.
 #' @param n Largest number of inputs to print, by default 13.
 #' @param until Last time at which functions are evaluated, s or string with a unit. `NULL`
 #'   (default): the last time of all tables, or 60 s.
 #' @return
-#' - `c()`, `update()` and `planned_schedule()`: a schedule. `c()` raises an error of class
-#'   `codend_error_argument` if two schedules define the same input.
+#' - `c()` and `update()`: a schedule. `c()` raises an error of class `codend_error_argument` if two
+#'   schedules define the same input.
 #' - `as.data.frame()`: a data frame with a row per input and time. Columns: `time_s`, `input` (such
 #'   as `speed` or `warp_out.port`), `value` and its `unit`, which is the unit of the schedule. It
 #'   lists functions every 0.1 s, or at 5,001 times if `until` is above 500 s. It omits `control`,
@@ -38,7 +37,7 @@
 #'
 #' file <- tempfile(fileext = ".yaml")
 #' write_gear(update(read_gear("midwater_trawl"), tow = both), file)
-#' identical(planned_schedule(file), both)
+#' identical(tow_schedule(plan = file), both)
 #' @name schedules
 NULL
 
@@ -46,7 +45,7 @@ NULL
 #' @export
 update.codend_schedule <- function(object, ...) {
   new <- list(...)
-  known <- names(formals(tow_schedule))
+  known <- schedule_inputs()
   wrong <- setdiff(first_of(names(new), rep("", length(new))), known)
   if (length(wrong)) {
     abort_argument("{.val {wrong[1L]}} is not an input of a schedule; the inputs are

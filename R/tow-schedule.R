@@ -2,8 +2,8 @@
 #'
 #' Defines the inputs of [tow()] that change over time, such as speed, course, warps, current and
 #' catch. All other inputs stay constant. The schedule replaces the one in the section `tow` of the
-#' gear's plan; `update(planned_schedule(gear), speed = )` changes only some of its inputs. Hauling
-#' of a seine, which follows from the plan, remains.
+#' gear's plan; `tow_schedule(speed = , plan = gear)` changes only some of its inputs. Hauling of a
+#' seine, which follows from the plan, remains.
 #'
 #' @section Values over time:
 #' A changing value is a constant, a table or a function:
@@ -53,6 +53,8 @@
 #' @param catch Fraction of the plan's catch that is in the codend.
 #' @param breaking Ropes that break: a list of `list(rope = , time = , position = )`, with position
 #'   `"start"`, `"middle"` or `"end"`. Without a time, the rope breaks at its breaking load.
+#' @param plan `NULL`, or a gear or the name or file of a plan: its planned schedule gives the
+#'   inputs that are not given.
 #' @return A schedule of class `codend_schedule`: a list of the arguments. [tow()] checks them
 #'   against the gear. A wrong argument is an error of class `codend_error_argument`.
 #' @seealso [tow()]; [schedules] to change, combine and store schedules;
@@ -68,19 +70,24 @@
 #' @export
 tow_schedule <- function(speed = NULL, course = NULL, warp_out = NULL, winch = NULL,
                          control = NULL, control_every = NULL, current = NULL, heave = NULL,
-                         vessel_motion = NULL, catch = NULL, breaking = NULL) {
+                         vessel_motion = NULL, catch = NULL, breaking = NULL, plan = NULL) {
   if (!is.null(control) && !is.function(control)) {
     abort_schedule("control", "must be a function of {.arg measures} and {.arg time}.")
   }
-  given <- mget(names(formals()))
+  given <- mget(schedule_inputs())
   given <- map_changes(Map(given_value, given, names(given)), plain_change)
   given["vessel_motion"] <- list(plain_motion(given$vessel_motion))
   given["breaking"] <- list(lapply(given$breaking, lapply, plain_values))
   if (!length(given$breaking)) given["breaking"] <- list(NULL)
   si_winch(given$winch)
   si_control_every(control_every)
-  structure(given, class = "codend_schedule")
+  schedule <- structure(given, class = "codend_schedule")
+  if (is.null(plan)) return(schedule)
+  gear <- check_is_gear(if (is.character(plan)) read_gear(plan) else plan)
+  with_planned(schedule, tow_section(gear))
 }
+
+schedule_inputs <- function() setdiff(names(formals(tow_schedule)), "plan")
 
 # Inputs that change over time, and their dimension.
 changing_inputs <- c(

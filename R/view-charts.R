@@ -8,10 +8,11 @@
 #' - A trajectory ([tow()]): all measures and scheduled conditions against time. Bands are twice the
 #'   standard error of [measures()] to both sides.
 #' - A schedule ([tow_schedule()]): each input against time, with dashed lines where ropes break.
-#' - Tensions along ropes ([tensions_along()]): tension against the distance from the rope's start,
-#'   a facet for each role. Every second rope is dashed, so that equal ropes are both visible.
-#' - Meshes along a net ([mesh_openings()]): opening and angle against the distance aft. A line
-#'   joins panels between the same two seams, such as the panels of the back.
+#' - Tensions along ropes ([as.data.frame()][as.data.frame.codend_state], `"rope_tensions"`):
+#'   tension against the distance from the rope's start, a facet for each role. Every second rope is
+#'   dashed, so that equal ropes are both visible.
+#' - Meshes along a net (the same, `"mesh_openings"`): opening and angle against the distance aft. A
+#'   line joins panels between the same two seams, such as the panels of the back.
 #' - Variations ([vary()]): measures against the field that changes first, with a line for each
 #'   combination of the other fields. A cross marks a gear that did not settle.
 #' - Variations with drawn designs: each measure against each field, with a smooth curve (lowess).

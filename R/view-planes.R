@@ -20,7 +20,8 @@
 #' @param width,height Size of the file's page in inches. If `height` is `NULL` (default), it fits
 #'   the gear.
 #' @param colour The quantity that colours of netting show: `"tension"` of one twine (default),
-#'   `"mesh_opening"` (opening over mesh size) or `"mesh_angle"`, as in [mesh_openings()].
+#'   `"mesh_opening"` (opening over mesh size) or `"mesh_angle"`, as in the table `"mesh_openings"`
+#'   of [as.data.frame()][as.data.frame.codend_state].
 #' @param ... Not used.
 #' @return `x`, invisibly. An invalid argument is an error of class `codend_error_argument`.
 #' @seealso [view_3d()] for three dimensions, [codend_charts] for charts, [plot.codend_gear()] for

@@ -147,17 +147,17 @@ state_checks <- list(
     held <- state$force[, as.logical(engine$held), drop = FALSE]
     check_near(colSums(reactions[-1L]), -rowSums(held) / 1000, 1e-9, "sum of reactions")
   },
-  "tensions_along" = function(state, folder) {
+  "table of rope tensions" = function(state, folder) {
     if (!length(state$si$ropes)) return(skip())
-    result <- tensions_along(state)
+    result <- as.data.frame(state, what = "rope_tensions")
     check_table(result, nrow(result), "tensions along ropes", "role")
     missing <- setdiff(names(state$si$ropes), unlist(strsplit(result$rope, ", ")))
     if (length(missing)) stop_check("rope %s is missing", missing[1L])
     check_plot(result, folder, "png")
   },
-  "mesh_openings" = function(state, folder) {
+  "table of mesh openings" = function(state, folder) {
     if (!length(state$si$panels)) return(skip())
-    result <- mesh_openings(state)
+    result <- as.data.frame(state, what = "mesh_openings")
     check_table(result, nrow(result), "mesh openings", "mesh_angle_deg")
     check_plot(result, folder, "png")
   },

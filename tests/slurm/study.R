@@ -21,7 +21,7 @@ stopifnot(identical(jobs, alone))
 cat(sprintf("future.batchtools: 50 designs in 3 jobs, %.1f s\n", seconds[["elapsed"]]))
 future::plan("sequential")
 
-write_study("towed_cable", gears, "array.study")
+vary("towed_cable", gears, store = "array.study", tasks = 0)
 codend <- Sys.which("codend")
 if (!nzchar(codend)) codend <- system.file("exec", "codend", package = "codend")
 script <- c("#!/bin/sh", "#SBATCH --array=1-4", "#SBATCH --output=array-%a.out", paste(
@@ -30,5 +30,5 @@ script <- c("#!/bin/sh", "#SBATCH --array=1-4", "#SBATCH --output=array-%a.out",
 writeLines(script, "array.sh")
 seconds <- system.time(status <- system2("sbatch", c("--wait", "array.sh")))
 if (status != 0L) writeLines(unlist(lapply(Sys.glob("array-*.out"), readLines)))
-stopifnot(status == 0L, identical(read_study("array.study"), alone))
+stopifnot(status == 0L, identical(read_result("array.study"), alone))
 cat(sprintf("job array: 50 designs in 4 tasks, %.1f s\n", seconds[["elapsed"]]))

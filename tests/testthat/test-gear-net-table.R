@@ -3,14 +3,14 @@ two_seam <- function() read_gear(system.file("extdata", "two_seam_trawl.yaml", p
 test_that("a net is unchanged after writing and reading its table", {
   file <- withr::local_tempfile(fileext = ".csv")
   trawl <- two_seam()
-  write_net(trawl, file)
+  write_gear(trawl, file)
   expect_identical(names(utils::read.csv(file))[1:4], c("panel", "row", "pair", "mesh_size"))
   again <- update(trawl, net = read_net(file))
   expect_equal(gear_si(again)$panels, gear_si(trawl)$panels)
   other <- update(trawl, net.lower.codend.covers = list(chafer = list(mesh_size = "120 mm",
     meshes = list(upper = 40, lower = 40, deep = 40), twine = list(diameter = "4 mm",
       material = "PE"))), net.upper.body_2.knotted = FALSE)
-  write_net(other, file)
+  write_gear(other, file)
   expect_equal(gear_si(update(trawl, net = read_net(file)))$panels, gear_si(other)$panels)
 })
 
@@ -29,7 +29,7 @@ test_that("a pasted sheet with units in its header reads as a net", {
   ))
   expect_error(read_net("panel,front\nupper,20"), "no column")
   expect_error(read_net("panel,row\nupper,a\nupper,a"), "two rows")
-  expect_error(write_net(read_gear("pair_trawl"), "x.csv"), "net_form")
+  expect_error(write_gear(read_gear("pair_trawl"), "x.csv"), "only = ")
 })
 
 test_that("a sheet of 13 rows with other names and decimal commas settles", {
@@ -58,7 +58,7 @@ test_that("a sheet of 13 rows with other names and decimal commas settles", {
 test_that("the net of a plan may be a table in its folder", {
   folder <- withr::local_tempdir()
   trawl <- two_seam()
-  write_net(trawl, file.path(folder, "my_net.csv"))
+  write_gear(trawl, file.path(folder, "my_net.csv"))
   text <- readLines(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
   plan <- file.path(folder, "plan.yaml")
   text <- text[seq_len(grep("^net:", text) - 1L)]

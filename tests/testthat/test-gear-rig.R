@@ -111,14 +111,14 @@ test_that("findings() reports a lost clump, a torn net and a missing mouth", {
 
 test_that("nets that do not touch have the measures of the net alone", {
   alone <- settle(lone_net(), nodes = 1500)
-  pair <- join_gears("Two nets", list(port = lone_net(), starboard = list(like = "port",
+  pair <- gear("Two nets", gears = list(port = lone_net(), starboard = list(like = "port",
     moved = c(0, "100 m", 0))))
   together <- measures(settle(pair, nodes = 3000))
   one <- measures(alone)
   of_nets <- c("wing_end_spread_m", "headline_height_m", "mouth_area_m2", "sweep_tension_kN")
   for (net in c("port_", "starboard_")) {
     off <- abs(as.double(together[paste0(net, of_nets)]) - as.double(one[of_nets]))
-    expect_true(all(off <= errors(alone)[of_nets] + errors(together)[paste0(net, of_nets)]))
+    expect_true(all(off <= attr(alone, "error")[of_nets] + attr(together, "error")[paste0(net, of_nets)]))
   }
   expect_equal(together[["total_drag_kN"]], 2 * one[["total_drag_kN"]], tolerance = 0.01)
 })
@@ -189,23 +189,23 @@ test_that("included plans are files in the same folder and are written with thei
   expect_error(read_gear(file.path(folder, "pair.yaml")), "does not include itself")
 })
 
-test_that("join_gears() makes the rig of the plan with its uncertainties", {
+test_that("gear() with gears makes the rig of the plan with its uncertainties", {
   trawl <- read_gear("beam_trawl")
-  pair <- join_gears("Pair", list(port = trawl, starboard = list(like = "port",
+  pair <- gear("Pair", gears = list(port = trawl, starboard = list(like = "port",
     moved = c(0, 20, 0))))
   expect_identical(sort(names(pair$plan$uncertain), method = "radix"),
     sort(c(grep("^(towing|seabed)", names(trawl$plan$uncertain), value = TRUE),
       paste0("gears.port.", grep("^(towing|seabed)", names(trawl$plan$uncertain), value = TRUE,
         invert = TRUE))), method = "radix"))
   twin <- read_gear("twin_trawl")$plan
-  by_hand <- do.call(join_gears, c(list("Twin",
-    list(port = lone_net(), starboard = list(like = "port")),
+  by_hand <- do.call(gear, c(list("Twin",
+    gears = list(port = lone_net(), starboard = list(like = "port")),
     joined = list(port = c(board_port = "door_port", board_starboard = "clump"),
       starboard = c(board_port = "clump", board_starboard = "door_starboard"))),
     twin[c("points", "ropes", "pieces", "measures")]))
   same <- c("points", "ropes", "panels", "seams", "pieces", "measures", "towing", "water")
   expect_identical(gear_si(by_hand)[same], gear_si(read_gear("twin_trawl"))[same])
-  expect_error(join_gears("Twin", list(a = trawl), joined = list(b = c(x = "y"))), "joined",
+  expect_error(gear("Twin", gears = list(a = trawl), joined = list(b = c(x = "y"))), "joined",
     class = "codend_error_argument")
 })
 

@@ -73,17 +73,17 @@ test_that("middle bridle of a net of two panels leads to the side line", {
   expect_gt(found[["bridle_middle_tension_kN"]], 0)
 })
 
-test_that("net_form() keeps the measures of short forms", {
+test_that("assembly() with `only` keeps the measures of short forms", {
   for (name in c("poly_noreastern_trawl", "small_midwater_trawl", "pair_trawl")) {
     short <- read_gear(name)
-    expect_equal(plain_measures(measures(settle(net_form(short), nodes = 300))),
+    expect_equal(plain_measures(measures(settle(assembly(short, only = "net"), nodes = 300))),
       plain_measures(measures(settle(short, nodes = 300))), tolerance = 1e-6, info = name)
   }
 })
 
 # Returns a trawl of four panels whose side panels end behind `body`, with `rear` meshes.
 short_sided <- function(rear, until = "body", gear = "poly_noreastern_trawl") {
-  trawl <- net_form(read_gear(gear))
+  trawl <- assembly(read_gear(gear), only = "net")
   side <- trawl$plan$net$side
   side <- side[seq_len(match(until, names(side)))]
   whole <- trawl$plan$net$upper[[until]]
@@ -94,7 +94,7 @@ short_sided <- function(rear, until = "body", gear = "poly_noreastern_trawl") {
 }
 
 test_that("side panels may end ahead of the codend, pointed or joined to both panels", {
-  rows <- names(net_form(read_gear("poly_noreastern_trawl"))$plan$net$side)
+  rows <- names(assembly(read_gear("poly_noreastern_trawl"), only = "net")$plan$net$side)
   until <- rows[length(rows) - 1L]
   for (rear in c(0, 12)) {
     trawl <- short_sided(rear, until)
@@ -129,9 +129,9 @@ test_that("check names panels that lack the last row of a side panel", {
     "net.upper_side.row_2` is the last piece of its panel, but the panel `lower_side` has no piece")
 })
 
-test_that("net_form() keeps the measures of a beam trawl", {
+test_that("assembly() with `only` keeps the measures of a beam trawl", {
   short <- read_gear("beam_trawl")
-  expect_equal(plain_measures(measures(settle(net_form(short), nodes = 300))),
+  expect_equal(plain_measures(measures(settle(assembly(short, only = "net"), nodes = 300))),
     plain_measures(measures(settle(short, nodes = 300))), tolerance = 1e-6)
 })
 

@@ -101,7 +101,7 @@ test_that("windows and separators fit together", {
 })
 
 test_that("side panels may end at a row with a window", {
-  trawl <- net_form(read_gear("poly_noreastern_trawl"))
+  trawl <- assembly(read_gear("poly_noreastern_trawl"), only = "net")
   rows <- names(trawl$plan$net$side)
   until <- rows[length(rows) - 1L]
   whole <- trawl$plan$net$upper[[until]]

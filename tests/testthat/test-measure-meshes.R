@@ -29,11 +29,11 @@ flat_state <- function(orientation, netting, across, down, shear = 0, upper = 12
     down = down)
 }
 
-test_that("mesh_openings() returns opening and angle of flat netting", {
+test_that("table of openings has opening and angle of flat netting", {
   for (netting in c("cells", "bars")) {
     for (lower in c(12, 6)) {
       flat <- flat_state("diamond", netting, 0.03, 0.09, lower = lower)
-      found <- mesh_openings(flat$state, "codend")
+      found <- as.data.frame(flat$state, what = "mesh_openings", parts = "codend")
       # exact on linear shapes, except for rounding
       expect_equal(found$mesh_opening_mm, rep(30, nrow(found)), tolerance = 1e-9)
       expect_equal(found$mesh_angle_deg, rep(2 * atan2(3, 9) * 180 / pi, nrow(found)),
@@ -45,16 +45,16 @@ test_that("mesh_openings() returns opening and angle of flat netting", {
     }
     square <- flat_state("square", netting, 0.05, 0.05, shear = 0.01)
     angle <- acos(0.01 / sqrt(0.01^2 + 0.05^2)) * 180 / pi
-    found <- mesh_openings(square$state)
+    found <- as.data.frame(square$state, what = "mesh_openings")
     expect_equal(found$opening_percent, rep(100, nrow(found)), tolerance = 1e-9)
     expect_equal(range(found$mesh_angle_deg), c(angle, angle), tolerance = 1e-9)
   }
-  expect_wrong(mesh_openings(square$state, "wing"), "codend")
+  expect_wrong(as.data.frame(square$state, what = "mesh_openings", parts = "wing"), "codend")
 })
 
-test_that("mesh_openings() of a codend has valid values and pictures", {
+test_that("table of openings of a codend has valid values and pictures", {
   state <- settled("t90_codend")
-  found <- mesh_openings(state)
+  found <- as.data.frame(state, what = "mesh_openings")
   # twine is taut or slack, so the opening is at most the mesh size, plus slight stretch
   expect_true(all(found$greatest_opening_mm <= 1.05 * found$mesh_size_mm))
   expect_gt(max(found$mesh_opening_mm), 0)

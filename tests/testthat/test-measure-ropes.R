@@ -1,6 +1,6 @@
-test_that("tensions_along() starts at a rope's start and covers its length", {
+test_that("the table of rope tensions starts at a rope's start and covers its length", {
   state <- settled("crossing_cables")
-  x <- tensions_along(state)
+  x <- as.data.frame(state, what = "rope_tensions")
   rows <- as.data.frame(state, what = "tensions")
   rope <- "south_1"
   mine <- x[x$rope == rope, ]
@@ -14,7 +14,7 @@ test_that("tensions_along() starts at a rope's start and covers its length", {
   expect_equal(min(ends$along_m[ends$line == rope]), 0)
 })
 
-test_that("tensions_along() shows the hanging weight of a rope", {
+test_that("the table of rope tensions shows the hanging weight of a rope", {
   # in air, straight down: the tension is the weight below
   plan <- list(
     codend = 1, name = "Hung rope", water = list(density = 0),
@@ -22,17 +22,17 @@ test_that("tensions_along() shows the hanging weight of a rope", {
     ropes = list(rope = list(from = "nail", to = "free", length = 10, diameter = 0.01,
       axial_stiffness = 1e8, mass_per_length = 2, segments = 20))
   )
-  x <- tensions_along(settle(as_gear(plan)))
+  x <- as.data.frame(settle(as_gear(plan)), what = "rope_tensions")
   # Each node has half a bar's weight, so the middle of a bar carries exactly the weight below it.
   # The rope is stretched by 2e-6.
   expect_equal(x$tension_kN, 2 * gear_gravity * (10 - x$along_m) / 1000, tolerance = 1e-5)
 })
 
-test_that("tensions_along() selects ropes by name and role in order", {
+test_that("the table of rope tensions selects ropes by name and role in order", {
   state <- settled("midwater_trawl", nodes = 500)
-  warps <- tensions_along(state, "warp")
+  warps <- as.data.frame(state, what = "rope_tensions", parts = "warp")
   expect_identical(unique(warps$rope), c("warp_port", "warp_starboard"))
-  some <- tensions_along(state, c("warp_port", "hand_rope"))
+  some <- as.data.frame(state, what = "rope_tensions", parts = c("warp_port", "hand_rope"))
   expect_identical(unique(some$role), c("warp", "hand_rope"))
   drawn <- rope_series(some)
   expect_identical(unique(drawn$heading), c("warp", "hand rope"))
@@ -42,9 +42,9 @@ test_that("tensions_along() selects ropes by name and role in order", {
   expect_picture(some)
 })
 
-test_that("tensions_along() joins consecutive ropes of one role to a line", {
+test_that("the table of rope tensions joins consecutive ropes of one role to a line", {
   state <- settled("longline")
-  x <- tensions_along(state, c("main_line", "branch_line"))
+  x <- as.data.frame(state, what = "rope_tensions", parts = c("main_line", "branch_line"))
   main <- x[x$role == "main_line", ]
   expect_length(unique(main$line), 1)
   # distances grow along the line, by the bars' lengths

@@ -38,8 +38,9 @@ wrong_calls <- expression(
   measures(), measures(g), measures("towed_cable"), measures(NULL), measures(s)["door_spread"],
   measures(s)["total_drag"], measures(s)[["total_drag"]], measures(s)$total_drag,
   measures(s)[c("total_drag_kN", "x")], s$total_drag, s$total_drag_kN,
-  tensions_along(), tensions_along(g), tensions_along(s, "warp"), tensions_along(s, 1),
-  mesh_openings(g), mesh_openings(s), mesh_openings(), board_modes(g), board_modes(),
+  as.data.frame(s, what = "rope_tensions", parts = "warp"),
+  as.data.frame(s, what = "rope_tensions", parts = 1), as.data.frame(s, what = "mesh_openings"),
+  as.data.frame(s, what = "nodes", parts = "warp"),
   findings(), findings(1), findings("a"), tr$total_drag, as.data.frame(s, what = 1),
   # pictures and files
   view_3d(), view_3d(g), view_3d(s, file = "a.png"), view_3d(s, file = 1),
@@ -102,8 +103,8 @@ wrong_calls <- expression(
   value_range("fast", "5 knot"), value_range(0, 5, log = TRUE), value_range(0, 5, whole = 1),
   normal_value(1, 0), normal_value(1, 0.1, low = 9),
   value_range("3 knot", "5 m"), value_range(5, 3), normal_value(1), normal_value(1, -1),
-  normal_value("a", "b"), run_study(), run_study("none"), read_study("none"), study_status(1),
-  write_study(g, 1, "a"), write_study(g),
+  normal_value("a", "b"), run_study(), run_study("none"), read_result("none"),
+  vary(g, tasks = 0), vary(g, 1, store = "a", tasks = 0),
   optimise_gear(), optimise_gear(g), optimise_gear(g, minimise = total_drag),
   optimise_gear(g, minimise = ~ total_drag), optimise_gear(g, minimise = "drag", change = ch),
   optimise_gear(g, minimise = 3, change = ch), optimise_gear(g, ~ total_drag, change = 3),
@@ -199,24 +200,22 @@ test_that("wrong calls throw a codend error that explains the mistake", {
 # A call of each export with its required arguments. gear_point() and other constructors do not
 # check their arguments: gear() and tow() do.
 least_calls <- alist(
-  assembly(g), board_modes(s), board_polar("flat_plate"),
+  assembly(g), board_polar("flat_plate"),
   calibrate(g, data = hauls, change = cd, match = Drag ~ total_drag, nodes = 20), catalogue(),
-  current_profile(table = 1), designs(towing.speed = 1:2), errors(s), explain_misfit(fit),
+  current_profile(table = 1), designs(towing.speed = 1:2), explain_misfit(fit),
   find_value(g, towing.speed = value_range(1, 3), target = list(body_depth = 100), nodes = 20),
   findings(g), flume(g), force_coefficients(), gear("a"), haul_means(log = 1, from = 1, to = 2),
-  in_units(s), join_gears("a", list(a = g)),
-  measure_definitions(), measures(s), mesh_openings(s), net_form(g),
-  new_plan("gillnet"),
+  in_units(s), gear("a", gears = list(a = g)),
+  measure_definitions(), measures(s), new_plan("gillnet"),
   normal_value(1, 0.1), optimise_gear(g, ~ total_drag, change = ch, nodes = 20),
-  planned_schedule(g), read_currents("a", longitude = 1, latitude = 1, time = 1), read_gear("cage"),
+  read_currents("a", longitude = 1, latitude = 1, time = 1), read_gear("cage"),
   read_moordyn("a"), read_net("a"), read_result("a"), read_sensor_log("a", columns = 1),
-  read_study("a"),
   report(s, "a.html"), run_study("a"), sample_posterior(fit), sensitivities(s), settle(g),
-  share(s, "a.html"), state_at(tr, 1), study_status("a"), tensions_along(s), tow(g, until = 2),
+  share(s, "a.html"), state_at(tr, 1), tow(g, until = 2),
   tow_speed(g), track_schedule(log = 1, from = 1, to = 2),
   trade_off(g, list(a = ~ total_drag, b = ~ ship_tension), change = ch), uncertainty(s),
   value_range(1, 2), vary(g, towing.speed = 1:2, nodes = 20), view_3d(s), write_gear(g, "a.yaml"),
-  write_net(g, "a.csv"), write_result(s, "a.vtu"), write_study(g, designs(towing.speed = 1:2), "a")
+  write_result(s, "a.vtu")
 )
 constructors <- c("gear_point", "kite", "measure", "netting_panel", "otter_board", "piece", "rope",
   "seam", "tow_schedule")

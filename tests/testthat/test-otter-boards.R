@@ -126,7 +126,7 @@ stalled_board <- function(aft) {
 
 test_that("board swings with the published period and decays within seconds", {
   state <- settle(towed_board())
-  modes <- board_modes(state)
+  modes <- as.data.frame(state, what = "board_modes")
   # Y.-H. Kim, J. Korean Soc. Fish. Ocean Technol. 53, 2017: the tilt of a bottom trawl's boards
   # oscillates with a period of 5 +- 2 s on average.
   swings <- modes[modes$condition == "swings" & modes$damping < 0.7, ]
@@ -150,7 +150,7 @@ test_that("settle() warns about a fluttering board, and tow() confirms it", {
     expect_warning(state <- settle(gear), class = "codend_warning_board_flutter"),
     class = "codend_warning_board_stalled"
   )
-  mode <- board_modes(state)[1L, ]
+  mode <- as.data.frame(state, what = "board_modes")[1L, ]
   expect_identical(mode$condition, "flutters")
   expect_identical(mode$board, "otter_board")
   expect_true(any(findings(state)$check == "flutter"))
@@ -194,7 +194,7 @@ free_boards <- function() {
 test_that("trawl boards swing with equal periods on different meshes", {
   gear <- update(read_gear("midwater_trawl"), otter_boards = free_boards())
   period <- vapply(c(500, 1500), function(nodes) {
-    modes <- board_modes(settle(gear, nodes = nodes))
+    modes <- as.data.frame(settle(gear, nodes = nodes), what = "board_modes")
     expect_true(all(modes$growth_per_s < 0))
     # The two boards together and in opposition, in the 5 +- 2 s of Kim (2017) as above. Modes with
     # more damping belong to the whole net.

@@ -31,12 +31,12 @@ test_that("run_study() continues a saved study of the present format", {
   for (folder in c("rows", "tasks", "claims")) {
     dir.create(file.path(store, folder), showWarnings = FALSE)
   }
-  done <- read_study(store)
+  done <- read_result(store)
   expect_identical(attr(done, "study")$design, c(2L, 6L))
   # from version 0.1.0, to the accuracy of settled shapes
   expect_equal(done$ship_tension_kN, c(8.770061, 9.601878), tolerance = 1e-6)
   expect_equal(run_study(store), 4L)
-  all <- read_study(store)
+  all <- read_result(store)
   expect_identical(all$settled, rep(TRUE, 6L))
   expect_equal(all$ship_tension_kN[c(2, 6)], done$ship_tension_kN)
 })

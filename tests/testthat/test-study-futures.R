@@ -44,7 +44,7 @@ test_that("study continues after a killed worker and names the deadly design", {
   environment(futures) <- list2env(list(start_task = deadly$start), parent = package)
   environment(run) <- list2env(list(run_futures = futures), parent = package)
   with_plan("multisession", workers = 2, run = run(store, 4))
-  found <- read_study(store)
+  found <- read_result(store)
   expect_identical(which(!found$settled), 7L)
   expect_match(found$problem[7], "worker process ended 2 times")
   expect_identical(found$total_drag_kN[-7], vary("towed_cable", sixteen)$total_drag_kN[-7])

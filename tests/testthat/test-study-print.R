@@ -81,12 +81,10 @@ test_that("prints of an optimum and a trade-off fit a screen", {
     minimise = list(drag = ~ total_drag_kN, depth = ~ -body_depth_m)))
 })
 
-test_that("print() of a study status counts designs", {
+test_that("summary() of a study counts designs", {
   skip_if_not_installed("RNetCDF")
   store <- file.path(test_folder(), "cable.study")
-  write_study("towed_cable", designs(towing.speed = paste(3:6, "knot")), store, nodes = 50)
+  vary("towed_cable", designs(towing.speed = paste(3:6, "knot")), store = store, tasks = 0, nodes = 50)
   run_study(store, 1, 2)
-  status <- study_status(store)
-  status$last <- NULL
-  expect_screen(status)
+  expect_screen(summary(read_result(store)))
 })

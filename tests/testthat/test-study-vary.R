@@ -13,7 +13,7 @@ test_that("vary() gives each variation the result of a single settle()", {
     # both are settled to 1e-8 of the largest tension, from different starts
     expect_equal(unlist(found[row, names(alone)]), plain_measures(alone), tolerance = 1e-6)
     # a design with another shape has its own errors, close to the gear's errors
-    error <- unlist(errors(found)[row, names(alone)])
+    error <- unlist(errors_by_design(found)[row, names(alone)])
     expect_true(all(is.finite(error)))
     main <- names(alone) %in% c("total_drag_kN", "body_depth_m")
     expect_lt(max((error / attr(alone, "error"))[main]), 10)
@@ -21,7 +21,7 @@ test_that("vary() gives each variation the result of a single settle()", {
   expect_output(print(summary(found)), "error")
   base <- measures(settle("towed_cable"))
   same <- vary("towed_cable", towing.speed = c("4 knot", "5 knot"))
-  expect_equal(errors(same)$total_drag_kN / same$total_drag_kN,
+  expect_equal(errors_by_design(same)$total_drag_kN / same$total_drag_kN,
     rep(attr(base, "error")[["total_drag_kN"]] / base[["total_drag_kN"]], 2), tolerance = 1e-6)
   expect_identical(
     vary("towed_cable", towing.speed = 2:3, ropes.cable.length = c(300, 500)),
@@ -103,8 +103,8 @@ test_that("vary() gives the same measures as settle() by default", {
     tolerance = 1e-9)
   skip_if_not_installed("RNetCDF")
   store <- withr::local_tempfile(fileext = ".study")
-  write_study("beam_trawl", designs(towing.speed = speed), store)
+  vary("beam_trawl", designs(towing.speed = speed), store = store, tasks = 0)
   run_study(store)
-  stored <- read_study(store)
+  stored <- read_result(store)
   expect_equal(unlist(stored[names(found)]), plain_measures(found), tolerance = 1e-9)
 })

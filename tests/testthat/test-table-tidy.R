@@ -6,8 +6,7 @@ test_that("as.data.frame() and tidy() of a state return the same measures", {
     error = unname(attr(found, "error")), unit = unname(attr(found, "unit"))))
   expect_identical(tidy(state), table)
   expect_identical(tidy(found), table)
-  expect_identical(errors(state), setNames(table$error, table$measure))
-  expect_wrong(errors(1), "measures, a state or variations")
+  expect_identical(attr(measures(state), "error"), setNames(table$error, table$measure))
   row <- glance.codend_state(state)
   expect_identical(nrow(row), 1L)
   expect_true(row$converged)
@@ -120,7 +119,7 @@ test_that("as.data.frame() of variations returns a row per design and measure", 
   drag <- table[table$measure == "total_drag_kN", ]
   expect_identical(drag$value, found$total_drag_kN)
   expect_identical(drag$towing.speed_knot, c(3, 4))
-  expect_identical(drag$error, errors(found)$total_drag_kN)
+  expect_identical(drag$error, errors_by_design(found)$total_drag_kN)
   expect_identical(unique(drag$unit), "kN")
   expect_identical(tidy(found), table)
   expect_identical(glance.codend_variations(found)[c("designs", "settled")],
@@ -135,18 +134,18 @@ test_that("as.data.frame() of variations returns a row per design and measure", 
   expect_identical(transform(found, twice = 2 * total_drag_kN)$twice, 2 * found$total_drag_kN)
 })
 
-test_that("errors() of variations follow their rows and columns", {
+test_that("errors of variations follow their rows and columns", {
   found <- vary("towed_cable", towing.speed = c("3 knot", "4 knot", "5 knot"), nodes = 20)
-  whole <- errors(found)
+  whole <- errors_by_design(found)
   expect_identical(names(whole), setdiff(names(found), c("settled", "problem", "warning")))
   sorted <- found[c(3, 1), ]
-  expect_identical(errors(sorted)$total_drag_kN, whole$total_drag_kN[c(3, 1)])
+  expect_identical(errors_by_design(sorted)$total_drag_kN, whole$total_drag_kN[c(3, 1)])
   # other packages sort rows and keep the attributes
   attributes(sorted)$row.names <- 1:2
-  expect_identical(errors(sorted)$towing.speed_knot, c(5, 3))
+  expect_identical(errors_by_design(sorted)$towing.speed_knot, c(5, 3))
   some <- found[c("towing.speed_knot", "total_drag_kN")]
-  expect_identical(errors(some), whole[names(some)])
+  expect_identical(errors_by_design(some), whole[names(some)])
   some$share <- some$total_drag_kN / 20
-  expect_identical(errors(some)$share, rep(NA_real_, 3))
-  expect_wrong(errors(found["total_drag_kN"]), "lacks the fields or errors")
+  expect_identical(errors_by_design(some)$share, rep(NA_real_, 3))
+  expect_wrong(errors_by_design(found["total_drag_kN"]), "lacks the fields or errors")
 })

@@ -27,28 +27,28 @@ test_that("tow_schedule() prints its changes", {
       control = function(measures, time) 0
     )
     full_schedule()
-    planned_schedule("midwater_trawl")
+    tow_schedule(plan = "midwater_trawl")
   })
   expect_lte(length(capture.output(print(full_schedule()))), 15L)
 })
 
-test_that("planned_schedule() reads the identical schedule from plan files", {
+test_that("tow_schedule(plan = ) reads the identical schedule from plan files", {
   gear <- update(read_gear("midwater_trawl"), tow = full_schedule())
   for (extension in c(".yaml", ".json")) {
     file <- tempfile(fileext = extension)
     write_gear(gear, file)
-    expect_identical(planned_schedule(file), full_schedule())
+    expect_identical(tow_schedule(plan = file), full_schedule())
   }
   # the plan keeps the fields that are no inputs
   expect_identical(gear$plan$tow$until, read_gear("midwater_trawl")$plan$tow$until)
-  shipped <- planned_schedule("midwater_trawl")
+  shipped <- tow_schedule(plan = "midwater_trawl")
   again <- update(read_gear("midwater_trawl"), tow = shipped)
-  expect_identical(planned_schedule(again), shipped)
-  seine <- planned_schedule("purse_seine")
+  expect_identical(tow_schedule(plan = again), shipped)
+  seine <- tow_schedule(plan = "purse_seine")
   expect_equal(seine$warp_out$purse_wire$value[1],
     gear_si(read_gear("purse_seine"))$ropes$purse_wire$length)
   record <- tow_schedule(vessel_motion = list(record = data.frame(time = c(0, 10), roll_deg = 0:1)))
-  expect_identical(planned_schedule(update(read_gear("towed_cable"), tow = record)), record)
+  expect_identical(tow_schedule(plan = update(read_gear("towed_cable"), tow = record)), record)
 })
 
 test_that("tow() moves the same by a schedule and by its plan", {
