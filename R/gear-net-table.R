@@ -86,6 +86,35 @@ with_net_file <- function(tree, file) {
   tree
 }
 
+#' Write the plan of a gear
+#'
+#' Writes a plan file that [read_gear()] reads back as an identical plan. If the gear was read from
+#' a file, remarks and layout remain, and only fields changed with [update()][update.codend_gear]
+#' are rewritten. The file is written atomically.
+#'
+#' @param gear A gear of class `codend_gear` ([read_gear()], [gear()]).
+#' @param file Character: path of the file to write. A name ending in `.json` gives JSON, and one
+#'   ending in `.csv` the net as a table for [read_net()]. Any other name gives YAML.
+#' @return `file`, invisibly (character).
+#' @seealso [read_gear()] to read the file, [update()][update.codend_gear] to change a gear,
+#'   [new_plan()] to start a plan.
+#' @export
+#' @examples
+#' file <- tempfile(fileext = ".yaml")
+#' write_gear(read_gear("towed_cable"), file)
+#' cat(readLines(file), sep = "\n")
+write_gear <- function(gear, file) {
+  check_given("gear", "file")
+  check_is_gear(gear)
+  check_file_path(file)
+  if (grepl("[.]csv$", file, ignore.case = TRUE)) {
+    write_net(gear, file)
+    return(invisible(file))
+  }
+  json <- grepl("[.]json$", file, ignore.case = TRUE)
+  write_text(if (json) c(json_plan(gear), "") else format(gear, remarks = TRUE), file)
+}
+
 # Writes the net of a gear as a table.
 write_net <- function(gear, file) {
   net <- gear$plan$net

@@ -12,11 +12,8 @@ write_trajectory <- function(trajectory, file) {
   invisible(file)
 }
 
-#' @rdname write_result
-#' @export
-read_result <- function(file) {
-  check_given("file")
-  if (is_text(file) && dir.exists(file)) return(read_study(file))
+# Reads a state or trajectory from a file.
+read_netcdf <- function(file) {
   nc <- open_saved(file)
   if (attr(nc, "what") == "state") read_state(nc, file) else read_trajectory(nc, file)
 }

@@ -48,6 +48,13 @@ run_study <- function(store, task = 1, of = 1) {
   invisible(run_task(store, mine, study_progress(length(mine))))
 }
 
+#' @rdname write_result
+#' @export
+read_result <- function(file) {
+  check_given("file")
+  if (is_text(file) && dir.exists(file)) read_study(file) else read_netcdf(file)
+}
+
 # Returns the result of vary() for the finished designs of a store.
 read_study <- function(store) {
   read_store_text(store)

@@ -266,7 +266,7 @@ store_base <- function(store, study) {
       write_state(found$state, file)
     }
   }
-  if (file.exists(file)) read_result(file)
+  if (file.exists(file)) read_netcdf(file)
 }
 
 # Settles designs of a store and writes their rows. Designs claimed by another process come last and
