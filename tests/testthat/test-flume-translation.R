@@ -200,3 +200,13 @@ test_that("page and tables use its language and mark machine translations", {
   expect_match(as.character(measures_html(now, now, say = make_translator("fr"))),
     "<th scope='col' class='number'>Actuel</th>", fixed = TRUE)
 })
+
+test_that("search finds fields by the words of the trade", {
+  found <- jsonlite::fromJSON(strings_json(make_translator("en")))$sought
+  fields <- c(breastline = "side_lines", gavel = "side_lines", lastridge = "belly_lines",
+    backstrop = "backstrops", setback = "setback", taper = "cutting", chafer = "covers",
+    "lisi\u00e8re" = "selvedges", hanefot = "backstrops", cometas = "kites")
+  for (word in names(fields)) {
+    expect_match(paste0(" ", found[[fields[[word]]]]), paste0(" ", word), fixed = TRUE)
+  }
+})
