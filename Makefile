@@ -146,7 +146,7 @@ random-gears: COUNT = 300
 random-gears: SEED = 1
 random-gears:
 	@tools/setup
-	@Rscript bench/settle-random-gears.R count=$(COUNT) seed=$(SEED) nodes=$(or $(NODES),1500) netting=$(NETTING) \
+	@Rscript bench/settle-random-gears.R count=$(COUNT) seed=$(SEED) nodes=$(NODES) netting=$(NETTING) \
 	  law=$(LAW) kind=$(KIND)
 
 robust:

@@ -1,34 +1,54 @@
-# Random gears: results of new_plan() over the whole range of its numbers, with random changes of
-# design and sea. The number of a gear is its seed and gives the same gear on every machine.
+# Random gears of every kind: results of new_plan() over the whole range of its numbers, shipped
+# plans and filled codends, with random changes of fields and sea. The number of a gear is its seed
+# and gives the same gear on every machine.
 
 # Relative frequency of each kind.
 random_kinds <- c(
   bottom_trawl = 4, midwater_trawl = 5, pair_trawl = 2, beam_trawl = 1, cage = 2, gillnet = 2,
-  longline = 1, purse_seine = 1, stow_net = 1, dip_net = 1, demersal_seine = 1
+  longline = 1, purse_seine = 1, stow_net = 1, dip_net = 1, demersal_seine = 1, twin_trawl = 1,
+  triple_rig = 0.5, quad_rig = 0.5, filled_codend = 2, shipped = 3
 )
 # Drag models that suit any netting.
 random_drag_models <- c("morison", "blended", "loland", "aarsnes", "kristiansen_faltinsen")
 
 # Returns gear number `number`. `kind` and `law` restrict the draw to a kind or a drag model
 # (longlines have no drag model). By default the kind is random and has its default drag model.
-# `changed` also varies the plan. A plan that its checks reject is drawn again.
+# `changed` also varies the plan. A plan that its checks reject is drawn again. Attributes `drawn`,
+# `nodes` and `netting` of the gear are its kind in `random_kinds` and a random mesh.
 random_gear <- function(number, kind = NULL, law = NULL, changed = TRUE) {
   set.seed(number, kind = "Mersenne-Twister", normal.kind = "Inversion", sample.kind = "Rejection")
   any_kind <- sample(names(random_kinds), 1L, prob = random_kinds)
   if (is.null(kind)) kind <- any_kind
-  for (attempt in 1:50) {
+  nodes <- round(as.numeric(drawn(600, 3000)))
+  netting <- sample(c("cells", "bars"), 1L)
+  for (attempt in 1:200) {
     gear <- tryCatch(
       suppressWarnings({
-        gear <- do.call(codend::new_plan, c(list(kind), random_sizes(kind)))
-        if (changed) gear <- do.call(update, c(list(gear), random_changes(kind, gear$plan)))
+        gear <- random_plan(kind)
+        if (changed) gear <- changed_gear(gear)
         if (!is.null(law) && kind != "longline") gear <- update(gear, netting_drag = law)
         gear
       }),
       codend_error = function(e) NULL
     )
-    if (!is.null(gear)) return(gear)
+    if (!is.null(gear)) return(structure(gear, drawn = kind, nodes = nodes, netting = netting))
   }
   stop("no gear of number ", number)
+}
+
+random_plan <- function(kind) {
+  if (kind == "filled_codend") return(random_codend())
+  if (kind == "shipped") return(codend::read_gear(sample(codend::gears()$name, 1L)))
+  do.call(codend::new_plan, c(list(kind), random_sizes(kind)))
+}
+
+# Returns a gear with random changes: groups of fields in design and sea, and in half of the gears
+# up to six single fields.
+changed_gear <- function(gear) {
+  kind <- if (is.null(gear$plan$kind)) "assembly" else gear$plan$kind
+  gear <- do.call(update, c(list(gear), random_changes(kind, gear$plan)))
+  if (stats::runif(1) < 0.5) gear <- do.call(update, c(list(gear), random_fields(gear$plan)))
+  gear
 }
 
 # A log-uniform random number as a string with its unit.
@@ -38,47 +58,121 @@ drawn <- function(low, high, unit = "") {
 
 # Random arguments of new_plan().
 random_sizes <- function(kind) {
-  switch(kind,
-    bottom_trawl = list(
-      headline = drawn(8, 80, "m"), mesh_size = drawn(60, 200, "mm"),
+  bottom <- function(least, most) {
+    list(headline = drawn(least, most, "m"), mesh_size = drawn(60, 200, "mm"),
       codend_mesh_size = drawn(40, 58, "mm"), speed = drawn(2, 4.5, "knot"),
-      depth = drawn(30, 400, "m")
-    ),
+      depth = drawn(30, 400, "m"))
+  }
+  switch(kind,
+    bottom_trawl = bottom(8, 80),
+    twin_trawl = bottom(8, 40),
+    triple_rig = bottom(10, 20),
+    quad_rig = bottom(8, 20),
     midwater_trawl = {
       headline <- exp(stats::runif(1, log(15), log(250)))
       list(
         headline = paste(signif(headline, 4), "m"),
         mesh_size = drawn(max(0.4, headline / 60), min(64, headline / 4), "m"),
-        speed = drawn(2.8, 5, "knot"), depth = drawn(60, 300, "m")
+        codend_mesh_size = drawn(30, 60, "mm"), speed = drawn(2.8, 5, "knot"),
+        depth = drawn(60, 300, "m")
       )
     },
-    pair_trawl = list(
-      headline = drawn(10, 60, "m"), speed = drawn(1.5, 4, "knot"), depth = drawn(30, 90, "m")
+    pair_trawl = utils::modifyList(bottom(10, 60),
+      list(speed = drawn(1.5, 4, "knot"), depth = drawn(30, 90, "m"))),
+    demersal_seine = utils::modifyList(bottom(20, 60),
+      list(rope = drawn(1000, 3000, "m"), speed = drawn(1, 3, "knot"),
+        depth = drawn(20, 160, "m"))),
+    beam_trawl = list(
+      beam = drawn(2, 12, "m"), mesh_size = drawn(60, 150, "mm"),
+      codend_mesh_size = drawn(40, 58, "mm"), speed = drawn(2, 6, "knot"),
+      depth = drawn(10, 100, "m")
     ),
-    demersal_seine = list(
-      headline = drawn(20, 60, "m"), rope = drawn(1000, 3000, "m"), speed = drawn(1, 3, "knot"),
-      depth = drawn(20, 160, "m")
-    ),
-    beam_trawl = list(beam = drawn(2, 12, "m"), speed = drawn(2, 6, "knot")),
     cage = list(
       diameter = drawn(15, 60, "m"), depth = drawn(6, 25, "m"), mesh_size = drawn(20, 80, "mm"),
       current = drawn(0.02, 1, "m/s")
     ),
     gillnet = list(
-      mesh_size = drawn(60, 250, "mm"), length = drawn(20, 100, "m"),
-      current = drawn(0.02, 0.6, "m/s")
+      length = drawn(20, 100, "m"), height = drawn(1.5, 8, "m"), mesh_size = drawn(60, 250, "mm"),
+      depth = drawn(10, 200, "m"), current = drawn(0.02, 0.6, "m/s")
     ),
-    longline = list(main_line = drawn(500, 1000, "m"), branch_line = drawn(5, 30, "m")),
-    purse_seine = list(length = drawn(150, 600, "m"), depth = drawn(25, 80, "m")),
-    stow_net = list(width = drawn(4, 16, "m"), current = drawn(0.3, 1.5, "m/s")),
-    dip_net = list()
+    longline = list(
+      baskets = random_count(1, 200), branch_lines = random_count(1, 200),
+      main_line = drawn(300, 3000, "m"), branch_line = drawn(5, 30, "m")
+    ),
+    purse_seine = list(
+      length = drawn(150, 600, "m"), depth = drawn(25, 80, "m"), mesh_size = drawn(12, 60, "mm")
+    ),
+    stow_net = list(
+      width = drawn(4, 16, "m"), height = drawn(2.5, 10, "m"), mesh_size = drawn(100, 300, "mm"),
+      codend_mesh_size = drawn(15, 50, "mm"), current = drawn(0.3, 1.5, "m/s")
+    ),
+    dip_net = list(
+      diameter = drawn(1.5, 6, "m"), depth = drawn(0.75, 3, "m"),
+      bridles.number = sample(3:12, 1L)
+    )
   )
+}
+
+# A log-uniform random count.
+random_count <- function(low, high) {
+  as.integer(round(exp(stats::runif(1, log(low - 0.4), log(high + 0.4)))))
+}
+
+# A codend of 100 meshes deep behind a round entrance, filled to 50 to 75 meshes.
+random_codend <- function() {
+  strips <- sample(c(4L, 8L, 16L), 1L)
+  around <- strips * round(100 / strips)
+  mesh <- exp(stats::runif(1, log(0.05), log(0.15)))
+  net <- list(
+    mesh_size = paste(round(1000 * mesh), "mm"),
+    meshes = list(upper = around / strips, lower = around / strips, deep = 100),
+    orientation = sample(c("diamond", "turned"), 1L),
+    twine = list(diameter = drawn(2, 6, "mm"), material = sample(c("PE", "PA"), 1L),
+      double = stats::runif(1) < 0.5)
+  )
+  # The entrance opens the meshes to 0.2 to 0.5 of the stretched circumference.
+  radius <- around * mesh * stats::runif(1, 0.2, 0.5) / (2 * pi)
+  angle <- 2 * pi * (seq_len(strips) - 1) / strips
+  name <- paste0("net_", seq_len(strips))
+  ends <- paste0(name, ".upper_left")
+  ring <- lapply(seq_len(strips), function(k) {
+    list(position = c(0, radius * cos(angle[k]), radius * sin(angle[k]) - 60), held = "moved",
+      at = ends[k])
+  })
+  sides <- lapply(seq_len(strips), function(k) {
+    list(edges = list(paste0(name[k], ".right"), paste0(name[k %% strips + 1L], ".left")))
+  })
+  end <- list(edges = as.list(paste0(name, ".lower")), gathered_at = "codline")
+  codend::gear("Filled codend", towing = list(speed = drawn(0.7, 2.2, "m/s")),
+    points = c(stats::setNames(ring, paste0("ring_", seq_len(strips))), list(codline = list())),
+    panels = stats::setNames(rep(list(net), strips), name),
+    seams = c(stats::setNames(sides, paste0("side_", seq_len(strips))), list(codline = end)),
+    catch = list(panels = as.list(name), blocked_meshes = round(stats::runif(1, 50, 75), 1))
+  )
+}
+
+# The values of a plan by their paths.
+given_fields <- function(plan) {
+  leaves <- codend:::plan_leaves(plan)
+  stats::setNames(leaves$value, leaves$path)
+}
+
+# Three to ten single fields of a plan, each changed by a factor of up to 2: any field with a
+# number that a study can vary.
+random_fields <- function(plan) {
+  fields <- given_fields(plan)[codend:::given_paths(plan)]
+  fields <- fields[grepl("^[0-9.]+(e-?[0-9]+)?( [^ ]+)?$", vapply(fields, paste, ""))]
+  if (identical(plan$otter_boards$attitude, "free")) {
+    fields <- fields[!grepl("^(otter_boards|towing)[.]", names(fields))]
+  }
+  chosen <- sample(names(fields), min(length(fields), sample(3:10, 1L)))
+  Map(scaled_value, fields[chosen], exp(stats::runif(length(chosen), -log(2), log(2))))
 }
 
 # Random changes of plan fields, selected by patterns of their paths. Each group of fields changes
 # in half of the gears, all by one factor.
 random_changes <- function(kind, plan) {
-  fields <- plan_leaves(plan)
+  fields <- given_fields(plan)
   changes <- list()
   scale <- function(pattern, low, high, chance = 0.5) {
     factor <- exp(stats::runif(1, log(low), log(high)))
@@ -142,20 +236,6 @@ free_boards <- function(boards) {
     warp_at = place(0.3, 0, 0.25), upper_backstrop_at = place(0.9, 0.3, 0.05),
     lower_backstrop_at = place(0.9, -0.3, 0.05)
   )
-}
-
-# All strings and numbers of a plan by their paths.
-plan_leaves <- function(plan, above = character()) {
-  out <- list()
-  for (name in names(plan)) {
-    path <- c(above, name)
-    if (is.list(plan[[name]])) {
-      out <- c(out, plan_leaves(plan[[name]], path))
-    } else if (length(plan[[name]]) == 1L) {
-      out[[paste(path, collapse = ".")]] <- plan[[name]]
-    }
-  }
-  out
 }
 
 # A plan's value, as "12 m2" or a number, times a factor; integers remain integers.

@@ -1,5 +1,5 @@
-# Settles 100 random gears and 12 random rigs (bench/random-gears.R), most of them with a lost clump
-# or a torn-off net. Compares the number that converge, and the sum of their iterations, with the
+# Settles 100 random gears in either kind of netting and 12 random rigs (bench/random-gears.R), most
+# of them with a lost clump or a torn-off net. Compares the number that converge, and the sum of their iterations, with the
 # stored table.
 library(codend)
 source("tools/ratchet.R")
@@ -8,9 +8,10 @@ source("bench/random-gears.R")
 settle_gear <- function(number) {
   is_rig <- number > 100
   gear <- if (is_rig) random_rig(number - 100) else random_gear(number)
-  state <- tryCatch(suppressWarnings(settle(gear, nodes = 1000)), codend_error = identity)
+  state <- tryCatch(suppressWarnings(settle(gear, nodes = 1000, netting = attr(gear, "netting"))),
+    codend_error = identity)
   converged <- inherits(state, "codend_state")
-  data.frame(gear = number, kind = if (is_rig) "rig" else gear$plan$kind,
+  data.frame(gear = number, kind = if (is_rig) "rig" else attr(gear, "drawn"),
     converged = converged, iterations = if (converged) state$report$iterations else NA)
 }
 
