@@ -9,7 +9,7 @@ least_growth <- 2
 # Settles a gear on the mesh that the arguments of settle() define, without warnings about the gear.
 accurate_state <- function(gear, nodes, netting, accuracy, from = NULL) {
   accuracy <- accuracy_share(accuracy)
-  state <- settled_state(gear, requested_nodes(gear, nodes, from), netting, from)
+  state <- settled_state(gear, requested_nodes(gear, nodes, from), netting, from, any_catch = TRUE)
   if (!is.null(accuracy)) return(settle_accurately(state, accuracy, netting))
   if (is.null(nodes) && is.null(from)) refine_to_accuracy(state, netting) else state
 }

@@ -67,9 +67,15 @@
 #'
 #' @section Initial state:
 #' With `from`, a small change takes only a few iterations if the number of nodes stays the same.
-#' The solver falls back to a cold start in two cases:
-#' - The initial state does not lead to convergence.
-#' - The netting holds a different catch.
+#' The solver falls back to a cold start if the initial state does not lead to convergence.
+#'
+#' @section Several equilibria:
+#' A codend with a catch can have a round and a flat equilibrium, and both can be stable. Without
+#' `from` the solver starts from a round codend. It usually finds the round equilibrium, except for
+#' a catch of a few meshes. With `from` it follows the equilibrium of the initial state, also to
+#' another catch. To reach the flat one, settle the codend with a small catch, then increase
+#' `catch.blocked_meshes` in steps of one mesh, each from the last state. Studies ([vary()],
+#' [find_value()]) only start from states with the same catch.
 #'
 #' @section Errors and warnings:
 #' If the solver does not converge, an error of class `codend_error_not_converged` names the part
@@ -130,14 +136,15 @@ settle_gear <- function(gear, nodes, netting, from) {
   state
 }
 
-# Same as settle_gear(), without its warnings.
-settled_state <- function(gear, nodes, netting, from) {
+# Same as settle_gear(), without its warnings. `any_catch`: TRUE to start from a state with another
+# catch too. Studies do not, so that their results are independent of the order of designs.
+settled_state <- function(gear, nodes, netting, from, any_catch = FALSE) {
   started <- cpu_clock()
   si <- gear_si(gear)
   if (!is.null(from)) check_same_parts(si, from)
   progress <- settle_progress()
   found <- NULL
-  if (!is.null(from) && !has_other_catch(si, from$si)) {
+  if (!is.null(from) && (any_catch || !has_other_catch(si, from$si))) {
     found <- settle_numbers(si, nodes, netting, state_shape(from), FALSE, progress)
   }
   if (!isTRUE(found$report$converged)) {

@@ -1,5 +1,5 @@
-# TRUE if the catch differs. The netting ahead of a catch has several equilibria. A cold start makes
-# the result independent of the initial state.
+# TRUE if the catch differs. A codend has several equilibria. Studies use a cold start, which makes
+# their results independent of the initial state.
 has_other_catch <- function(si, before) {
   held <- function(si) unlist(si$catch[c("blocked", "volume")])
   any(held(si) != held(before), na.rm = TRUE)
