@@ -1,6 +1,6 @@
-# Settles 100 random gears in either kind of netting and 12 random rigs (bench/random-gears.R), most
-# of them with a lost clump or a torn-off net. Compares the number that converge, and the sum of their iterations, with the
-# stored table.
+# Settles 100 random gears in either kind of netting and 12 random rigs (bench/random-gears.R). Most
+# rigs have a lost clump or a torn-off net. Compares the number that converge, and the sum of their
+# iterations, with the stored table.
 library(codend)
 source("tools/ratchet.R")
 source("bench/random-gears.R")
