@@ -4,7 +4,7 @@
 # that fails, the gear first sinks on a coarse mesh, because fine slack netting flutters and costs
 # thousands of time steps.
 
-# Duration of one sinking phase (s), maximum number of phases, nodes, and accuracy of steps (m).
+# Duration of one sinking phase (s), maximum number of phases, nodes, and accuracy of steps.
 sinking_time <- 900
 most_sinkings <- 2L
 sinking_nodes <- 250
@@ -23,7 +23,7 @@ settle_shot <- function(gear, si, nodes, netting, progress) {
   )
   for (time in until) {
     sinking <- tryCatch(
-      integrate_trajectory(sinking, time, time, tow_method("bdf2", sinking_accuracy, NULL)),
+      integrate_trajectory(sinking, time, time, tow_method("tr_bdf2", sinking_accuracy, NULL)),
       codend_error_not_converged = function(e) NULL
     )
     if (is.null(sinking)) return(found)

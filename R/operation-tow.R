@@ -74,32 +74,41 @@
 #' for oscillations of less than 20 mm.
 #'
 #' @section Time schemes:
-#' - Implicit, by Newton's method, with a step length that follows from `accuracy`: `"bdf2"`
-#'   (default), `"generalised_alpha"`, `"backward_euler"`.
+#' - `"tr_bdf2"` (default): implicit, by Newton's method, with a step length that follows from
+#'   `accuracy`. It is of second order and removes only oscillations that are faster than its steps
+#'   (Bank et al. 1985; Hosea and Shampine 1996).
 #' - With fixed short steps: `"substitution"` (trapezoidal rule by substitution, as in Li et al.),
 #'   `"symplectic_euler"` and `"rk4"` (both explicit).
 #'
-#' The implicit schemes remove energy from oscillations that are faster than their steps. Small
-#' oscillations disappear within a minute at the default accuracy. The errors of backward Euler
-#' always accumulate; it warns with class `codend_warning_accuracy`.
-#'
-#' Errors of all schemes accumulate in oscillations and waves with little damping. For example, a
-#' warp that rings along its length is off by \resultMotionRingingWarp{} after 20 s at 0.01 m. Use a
-#' short fixed `step` in such cases.
+#' `every` does not change the motion: states within a step result from an extra, shorter step.
 #'
 #' @section Accuracy:
-#' `accuracy` limits the position error of each step. Peaks of tension depend on it where slack
-#' netting or ropes snap taut. Use `list(position = , tension = )` to limit tension errors too, as a
-#' fraction of the largest tension in the gear. This criterion is conservative. It costs much time
-#' when a purse seine is shot, because its lines snap taut all the time.
+#' `accuracy` limits the position error of each step in one of two ways:
+#' - A length, by default 0.01 m. This suits tows, whose motions are damped by the water.
+#' - A percentage, for motions that keep swinging. The error of a step is at most a tenth of the
+#'   accuracy times the distance that the fastest part travels in the step, relative to the mean of
+#'   the gear. Errors below 1e-5 of the accuracy times the size of the gear are ignored.
+#'
+#' Errors of steps accumulate in oscillations with little damping. At the default, a pendulum of 10 m
+#' is off by a tenth of its swing after three periods, and loses a fifth of its amplitude in ten
+#' minutes. At `"0.1 %"` it is off by 0.1 %, and its amplitude changes by 0.3 % in 1,000 periods.
+#' [findings()] warns if the scheme has removed much energy.
+#'
+#' Peaks of tension depend on the accuracy where slack netting or ropes snap taut. Use
+#' `list(position = , tension = )` to limit tension errors too, as a fraction of the largest tension
+#' in the gear. This criterion is conservative. It costs much time when a purse seine is shot,
+#' because its lines snap taut all the time.
+#'
+#' A continued tow equals an uninterrupted one within this accuracy, because steps end at `until`.
 #'
 #' Implicit steps are accepted only if the residual at each node is below 0.1 % of the forces on it.
 #'
 #' Each run checks its energy: the work of vessel, supports, winches, water and ground must equal
-#' the energy that the gear gains. `conditions` has the imbalance over time. Its limit is 2 % of the
-#' energy put through, plus the gear's weight times a tenth of the accuracy. A run above this limit
-#' continues with shorter steps. If that fails, it stops with an error of class
-#' `codend_error_energy`.
+#' the energy that the gear gains. `conditions` has the imbalance over time. In a step it is at most
+#' 2 % of the kinetic and elastic energy plus the work in the step. A step above this limit is
+#' repeated with a shorter length. If that fails, the run stops with an error of class
+#' `codend_error_energy`. [summary()][summary.codend_trajectory] lists the energy that the scheme
+#' removes. [findings()] warns if it exceeds 5 % of the energy that water and dampers remove.
 #'
 #' @section Discretisation error:
 #' The relative errors of the measures are those for the settled gear. Gears that are shot or laid
@@ -115,9 +124,10 @@
 #' @param every Time between saved states, s or string, at most `until`. `NULL` (default): as in the
 #'   plan, or `until / 200`.
 #' @param scheme Name of the time scheme, see the section on schemes. `NULL` (default): as in the
-#'   plan, or `"bdf2"`.
-#' @param accuracy Largest position error of one implicit step, m, or string; or a list with a
-#'   tension limit, see the section on accuracy. `NULL` (default): as in the plan, or 0.01 m.
+#'   plan, or `"tr_bdf2"`.
+#' @param accuracy Largest position error of one implicit step, m, or string; or a percentage such as
+#'   `"0.1 %"`; or a list with a tension limit, see the section on accuracy. `NULL` (default): as in
+#'   the plan, or 0.01 m.
 #' @param step Fixed step length, s or string, instead of an accuracy. `NULL` (default): adaptive
 #'   for implicit schemes, 0.9 of the longest stable step for the others.
 #' @param nodes,netting As in [settle()], for a gear that is not yet a state. By default the gear is
@@ -160,10 +170,9 @@ tow <- function(state, schedule = NULL, until = NULL, every = NULL, scheme = NUL
   asked <- function(name, value) if (is.null(value)) planned[[name]] else value
   given <- unclass(with_planned(schedule, planned))
   method <- tow_method(
-    first_of(asked("scheme", scheme), "bdf2"),
+    first_of(asked("scheme", scheme), "tr_bdf2"),
     first_of(asked("accuracy", accuracy), default_accuracy), step
   )
-  warn_of_scheme(method)
   # a tow may be shorter than the interval in the plan
   shortened <- is.null(every)
   until <- asked("until", until)
@@ -224,12 +233,13 @@ check_tow_times <- function(until, every, duration = until) {
 continued_accuracy <- function(method) {
   if (!is.null(method$accuracy) && method$accuracy > 0) {
     tension <- if (is.finite(method$tension_accuracy)) method$tension_accuracy
-    list(c(list(position = method$accuracy), tension = tension))
+    position <- if (isTRUE(method$relative)) paste(100 * method$accuracy, "%") else method$accuracy
+    list(c(list(position = position), tension = tension))
   }
 }
 
-# Returns the settings of the time integration: list(scheme, accuracy (m, 0 for fixed steps), step,
-# tolerance, least_step, most_step, ...).
+# Returns the settings of the time integration: list(scheme, accuracy (m, or a ratio if `relative`; 0
+# for fixed steps), relative, step, tolerance, least_step, most_step, ...).
 tow_method <- function(scheme, accuracy, step) {
   known <- engine_schemes()
   if (!is_text(scheme) || !scheme %in% known$name) {
@@ -238,10 +248,9 @@ tow_method <- function(scheme, accuracy, step) {
   }
   implicit <- known$adaptive[known$name == scheme]
   both <- tow_accuracy(accuracy)
-  accuracy <- both$position
   adaptive <- implicit && is.null(step)
   list(
-    scheme = scheme, accuracy = if (adaptive) accuracy else 0,
+    scheme = scheme, accuracy = if (adaptive) both$position else 0, relative = both$relative,
     step = if (is.null(step)) {
       # only a first guess: the engine shortens it for accuracy or stability
       if (implicit) 0.01 else 0.1
@@ -249,34 +258,27 @@ tow_method <- function(scheme, accuracy, step) {
       quantity_number(step, "time", "step", positive = TRUE)
     },
     # Newton iterations end far below the step error; `substitution` compares velocities
-    tolerance = if (implicit) 0.05 * accuracy else 1e-6 * accuracy,
+    tolerance = (if (implicit) 0.05 else 1e-6) * (if (both$relative) 0.01 else both$position),
     tension_accuracy = both$tension,
-    account = TRUE, energy_error = 0.1 * accuracy, least_step = 1e-7,
-    most_step = if (adaptive) 60 else Inf
+    account = TRUE, least_step = 1e-7, most_step = if (adaptive) 60 else Inf
   )
 }
 
-# Backward Euler accumulates errors beyond three times the error of one step.
-warn_of_scheme <- function(method) {
-  if (method$scheme != "backward_euler" || method$accuracy == 0) return(invisible())
-  warn_as("accuracy", c(
-    "Step errors of backward Euler accumulate: the error of positions may exceed three times the
-      accuracy of {figures(method$accuracy)} m.",
-    "i" = "{.val bdf2} and {.val generalised_alpha} stay within this limit on all tested gears."
-  ))
-}
-
-# Returns the limits for one step: list(position (m), tension (fraction of the largest tension)).
+# Returns the limits for one step: list(position (m, or a ratio if `relative`), relative, tension
+# (fraction of the largest tension)).
 tow_accuracy <- function(given) {
   if (!is.list(given)) given <- list(position = given)
   known <- c("position", "tension")
   if (!length(given) || is.null(names(given)) || !all(names(given) %in% known)) {
     abort_schedule("accuracy",
-      "must be a length, or a list of {.field position} and {.field tension}.")
+      "must be a length, a percentage, or a list of {.field position} and {.field tension}.")
   }
+  position <- first_of(given$position, default_accuracy)
+  relative <- is_text(position) && grepl("%|percent", position)
   list(
-    position = quantity_number(first_of(given$position, default_accuracy), "length",
+    position = quantity_number(position, if (relative) "number" else "length",
       "accuracy$position", positive = TRUE),
+    relative = relative,
     tension = if (is.null(given$tension)) Inf else {
       quantity_number(given$tension, "number", "accuracy$tension", positive = TRUE)
     }

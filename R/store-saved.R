@@ -1,7 +1,7 @@
 # Common format of state and trajectory files. Data are plain; reading evaluates no code.
 
 # The format of files that this codend writes and reads.
-saved_format <- list(state = 11L, trajectory = 14L)
+saved_format <- list(state = 11L, trajectory = 15L)
 
 # Opens a NetCDF file of codend. Attributes of the result: `what` ("state" or "trajectory") and
 # `records`, the number of records. A trajectory without a checksum comes from a killed run; its

@@ -62,11 +62,11 @@ resume_numbers <- c("steps", "caution", "step")
 resume_control <- c("length", "since", "speed", "target_speed", "near_limit")
 report_numbers <- c(
   "steps", "repeated", "not_found", "unbalanced", "iterations", "shortest_step", "longest_step",
-  "worst_node", "time", "factorisations", "force_evaluations", "factor_entries"
+  "largest_error", "worst_node", "time", "factorisations", "force_evaluations", "factor_entries"
 )
 report_ends <- c("reached", "stopped", "stuck", "unbalanced")
 resume_motions <- c("now", "before")
-motion_vectors <- c("position", "velocity", "acceleration", "algorithmic_acceleration")
+motion_vectors <- c("position", "velocity", "acceleration")
 
 # Writes the snapshots of a trajectory atomically and leaves the file open for more. `what`:
 # constants of the trajectory. Returns list(add = function(frame), close = function(end)).

@@ -28,6 +28,7 @@
 #'
 #' @section Report:
 #' - `steps`: accepted steps; `shortest_step`, `longest_step` (s);
+#' - `largest_error` (m): largest estimated position error of one step;
 #' - `repeated`, `not_found`, `unbalanced`: steps repeated because of their error, a failed solution
 #'   or their energy;
 #' - `iterations`, `factorisations`, `force_evaluations`;
@@ -146,7 +147,12 @@ judged_text <- function(method) {
   } else {
     "; no error control of tensions"
   }
-  sprintf("%s, error per step at most %s m of position%s", scheme, format(method$accuracy), tension)
+  accuracy <- if (isTRUE(method$relative)) {
+    paste("relative accuracy", percent_text(method$accuracy))
+  } else {
+    sprintf("error per step at most %s m of position", format(method$accuracy))
+  }
+  paste0(scheme, ", ", accuracy, tension)
 }
 
 #' Summarise a trajectory
@@ -157,7 +163,8 @@ judged_text <- function(method) {
 #' @param ... Not used.
 #' @return A data frame of class `codend_trajectory_summary`, one row per measure. Columns:
 #'   `measure`, `unit`, `start`, `end`, `least`, `least_at_s`, `greatest` and `greatest_at_s`. The
-#'   attribute `energy` (J) contains `imbalance` and `put_through` at the end.
+#'   attribute `energy` (J) contains `imbalance`, `put_through`, `scheme` and `physical` at the end.
+#'   The last two are the energy removed by the time scheme, and by water, ground and dampers.
 #' @seealso [as.data.frame()][as.data.frame.codend_trajectory], [tow()].
 #' @examples
 #' faster <- tow("towed_cable", until = 40, every = 20,
@@ -178,7 +185,8 @@ summary.codend_trajectory <- function(object, ...) {
   structure(do.call(rbind, rows), class = c("codend_trajectory_summary", "data.frame"),
     main = printed_names(state_values(state_at(object, object$time[n]))),
     energy = c(imbalance = object$conditions$energy_imbalance[n],
-      put_through = object$conditions$energy_put_through[n]))
+      put_through = object$conditions$energy_put_through[n],
+      energy_lost(object$energy)[c("scheme", "physical"), n]))
 }
 
 #' @rdname summary.codend_trajectory
@@ -197,10 +205,11 @@ print.codend_trajectory_summary <- function(x, n = 30, ...) {
   lines <- align_columns(columns, left = 1:2)
   cat(lines[1L], limited_lines(lines[-1L], n - 2), sep = "\n")
   if (!is.null(energy)) {
-    with_plain_numbers(cat(sprintf("Energy: %s J %s by the scheme, of %s J put through\n",
-      format(signif(abs(energy[["imbalance"]]), 3)),
-      if (energy[["imbalance"]] > 0) "made" else "removed",
-      format(signif(energy[["put_through"]], 3)))))
+    figure <- function(name) format(signif(energy[[name]], 3))
+    with_plain_numbers(cat(
+      sprintf("Energy removed by water, ground and dampers: %s J\n", figure("physical")),
+      sprintf("Energy removed by the time scheme: %s J\n", figure("scheme")), sep = ""
+    ))
   }
   invisible(x)
 }

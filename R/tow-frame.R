@@ -52,3 +52,14 @@ energy_imbalance <- function(energy) {
   of <- function(parts) colSums(energy[match(parts, engine_energy_parts()), , drop = FALSE])
   of(c("kinetic", "elastic", "potential")) - of(c("supports", "winches", "water", "damping"))
 }
+
+# Returns the dissipation [J] until each saved time: c(scheme, physical, exchanged) by column.
+# `exchanged`: largest change of kinetic, elastic and potential energy; without it, rounding errors
+# of a gear at rest would count.
+energy_lost <- function(energy) {
+  part <- setNames(asplit(energy, 1), engine_energy_parts())
+  span <- function(x) cummax(x) - cummin(x)
+  path <- function(x) cumsum(c(0, abs(diff(x))))
+  rbind(scheme = -energy_imbalance(energy), physical = path(part$water) + path(part$damping),
+    exchanged = pmax(span(part$kinetic), span(part$elastic), span(part$potential)))
+}

@@ -41,7 +41,8 @@ continued_trajectory <- function(trajectory, given, until) {
     water = list(x = mesh$model$water$x + trajectory$si$towing$speed)
   ))
   fresh <- tow_start(trajectory$gear, trajectory$si, mesh, trajectory$given, until)
-  trajectory[c("schedule", "curves", "breaks")] <- fresh[c("schedule", "curves", "breaks")]
+  fresh_parts <- c("schedule", "curves", "breaks", "bends")
+  trajectory[fresh_parts] <- fresh[fresh_parts]
   trajectory
 }
 
@@ -73,7 +74,7 @@ add_start <- function(what, position, velocity) {
   speed[, setdiff(which(model$held), what$schedule$motion$node)] <- 0
   motion <- list(
     time = 0, position = as.vector(position), velocity = as.vector(speed),
-    acceleration = numeric(3L * n), algorithmic_acceleration = numeric(3L * n)
+    acceleration = numeric(3L * n)
   )
   water <- model$water["x"]
   model <- changed_model(

@@ -2,7 +2,7 @@
 
 # Fields that stay constant during time integration.
 trajectory_constants <- c(
-  "gear", "si", "mesh", "given", "schedule", "curves", "breaks", "compared",
+  "gear", "si", "mesh", "given", "schedule", "curves", "breaks", "bends", "compared",
   "method", "every"
 )
 
@@ -111,7 +111,7 @@ model_at_time <- function(what, trajectory) {
   changed_model(mesh$model, changes)
 }
 
-# Returns the times at which steps must end, and the events at these times.
+# Returns the times at which steps must end, the events at these times, and further times to record.
 tow_stops <- function(begun, until, every, what) {
   steps_to <- function(every) {
     first <- floor(begun / every + 1e-9) + 1
@@ -120,12 +120,13 @@ tow_stops <- function(begun, until, every, what) {
   }
   kept <- unique(steps_to(every))
   steered <- if (is.null(what$given[["control"]])) numeric() else steps_to(what$given$control_every)
-  broken <- what$breaks[what$breaks > begun & what$breaks <= until]
+  within <- function(times) times[times > begun & times <= until]
+  broken <- within(what$breaks)
   filled <- if (moves_catch(what)) steps_to(catch_step) else numeric()
-  time <- sort(unique(c(kept, broken, steered, filled)))
+  time <- sort(unique(c(until, broken, within(what$bends), steered, filled)))
   list(
     time = time, kept = time %in% kept, broken = time %in% broken, steered = time %in% steered,
-    filled = time %in% filled
+    filled = time %in% filled, recorded = setdiff(kept, time)
   )
 }
 
@@ -226,9 +227,9 @@ abort_unbalanced <- function(report, trajectory) {
   abort_as(c("energy", "not_converged"),
     c(
       "The tow stopped at {signif(report$time, 6)} s: the energy balance is wrong by more than 2 %
-      of the energy put through, even with short steps.",
+      of the energy present, even with short steps.",
       "x" = "Worst at {where}. The condition's {.field trajectory} has the completed part.",
-      "i" = "Use a smaller {.arg accuracy}, or another {.arg scheme}."
+      "i" = "Use a smaller {.arg accuracy}, or softer ropes in the plan."
     ),
     report = report, trajectory = trajectory, envir = environment()
   )

@@ -8,7 +8,7 @@ version <- given[1]
 library(codend, lib.loc = if (nzchar(versions[[version]])) versions[[version]])
 case <- compared_motions[[given[2]]]
 begun <- case$begin(as.numeric(given[3]))
-method <- codend:::tow_method("bdf2", 0.01, NULL)
+method <- codend:::tow_method(codend:::engine_schemes()$name[1L], codend:::default_accuracy, NULL)
 march <- function() codend:::integrate_trajectory(begun, case$until, case$every, method)
 
 # The first call of a process also compiles R code.

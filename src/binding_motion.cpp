@@ -21,8 +21,7 @@ codend::Values node_values(const list& from, const char* name, const codend::Mod
 
 codend::Motion read_motion(const list& from, const codend::Model& model) {
   return {number(from, "time"), node_values(from, "position", model),
-          node_values(from, "velocity", model), node_values(from, "acceleration", model),
-          node_values(from, "algorithmic_acceleration", model)};
+          node_values(from, "velocity", model), node_values(from, "acceleration", model)};
 }
 
 void check_count(R_xlen_t count, std::size_t wanted, const char* name) {
@@ -34,8 +33,7 @@ void check_count(R_xlen_t count, std::size_t wanted, const char* name) {
 writable::list as_list(const codend::Motion& motion) {
   return writable::list({"time"_nm = motion.time, "position"_nm = as_doubles(motion.x),
                          "velocity"_nm = as_doubles(motion.v),
-                         "acceleration"_nm = as_doubles(motion.a),
-                         "algorithmic_acceleration"_nm = as_doubles(motion.b)});
+                         "acceleration"_nm = as_doubles(motion.a)});
 }
 
 // Parts of a motion's energy account (motion/energy_account.hpp) by their names in R, in the order
@@ -67,6 +65,9 @@ writable::doubles as_doubles(const codend::EnergyTotals& totals) {
   for (const auto& part : energy_parts) out.push_back(totals.*part.value);
   return out;
 }
+
+// Error of positions in the energy balance, as a fraction of the smallest allowed error of a step.
+constexpr double energy_error = 0.1;
 
 // Change of the potential of all loads (J) by an error of position (m).
 double potential_of(const codend::Model& model, double error) {
@@ -101,8 +102,9 @@ double potential_of(const codend::Model& model, double error) {
 }
 
 // Integrates from `past` (its `ordering`: see NewtonStep) through the stops of list(time, kept,
-// broken, steered, filled). Times (s) increase. The logical columns mark stops to store a snapshot,
-// to restart the motion, to steer winches, and to move the front of the catch.
+// broken, steered, filled, recorded). Times (s) increase. The logical columns mark stops to store a
+// snapshot, to restart the motion, to steer winches, and to move the front of the catch. `recorded`
+// has further times (s) of snapshots, which do not end steps.
 //
 // Callbacks:
 //
@@ -124,15 +126,25 @@ double potential_of(const codend::Model& model, double error) {
     codend::ScheduledConditions conditions(model, assembly, read_schedule(schedule), from.now);
     conditions.to_time(from.now.time, codend::Side::after, from.now);
     const bool adaptive = number(control, "accuracy") > 0.0;
+    const codend::Scheme& chosen = codend::scheme_named(as_cpp<std::string>(control["scheme"]));
+    const codend::Values ordering = node_values(past, "ordering", model);
     codend::StepAccuracy accuracy;
-    accuracy.found = number(control, "tolerance");
     if (adaptive) {
-      accuracy.position = number(control, "accuracy");
+      const double given = number(control, "accuracy");
+      if (as_cpp<bool>(control["relative"])) {
+        accuracy = codend::relative_accuracy(given, ordering);
+      } else {
+        accuracy.position = given;
+      }
       accuracy.tension = number(control, "tension_accuracy");
+    } else {
+      accuracy.found = number(control, "tolerance");
     }
+    // The second stepper computes states within steps.
     const std::unique_ptr<codend::Stepper> scheme =
-        codend::scheme_named(as_cpp<std::string>(control["scheme"]))
-            .make(assembly, accuracy, from.now, node_values(past, "ordering", model));
+                                               chosen.make(assembly, accuracy, from.now, ordering),
+                                           inner =
+                                               chosen.make(assembly, accuracy, from.now, ordering);
 
     codend::IntegrationControl how;
     how.adaptive = adaptive;
@@ -140,7 +152,7 @@ double potential_of(const codend::Model& model, double error) {
     how.least_step = number(control, "least_step");
     how.most_step = number(control, "most_step");
     how.account = as_cpp<bool>(control["account"]);
-    how.energy_floor = adaptive ? potential_of(model, number(control, "energy_error")) : 0.0;
+    how.energy_floor = adaptive ? potential_of(model, energy_error * accuracy.position) : 0.0;
     std::clock_t shown = std::clock();
     long long steps = 0;
     how.watch = [&](const codend::Motion& now) {
@@ -164,13 +176,14 @@ double potential_of(const codend::Model& model, double error) {
            "unbalanced"_nm = static_cast<double>(r.unbalanced),
            "iterations"_nm = static_cast<double>(r.iterations),
            "shortest_step"_nm = r.shortest_step, "longest_step"_nm = r.longest_step,
-           "worst_node"_nm = r.worst_node + 1, "time"_nm = integration.now().time,
+           "largest_error"_nm = r.largest_error, "worst_node"_nm = r.worst_node + 1,
+           "time"_nm = integration.now().time,
            "factorisations"_nm = static_cast<double>(scheme->factorisations()),
            "force_evaluations"_nm = static_cast<double>(assembly.force_evaluations()),
            "factor_entries"_nm = static_cast<double>(scheme->factor_entries())});
     };
-    auto frame = [&] {
-      const codend::Motion& now = integration.now();
+    auto frame = [&](const codend::Motion& now, const codend::Schedule& done,
+                     const codend::EnergyTotals& energy) {
       const codend::Evaluation e = codend::evaluate(assembly, now.x.data(), now.v.data());
       // Only straight bars that exist.
       std::vector<double> straight_tension;
@@ -180,13 +193,28 @@ double potential_of(const codend::Model& model, double error) {
       return writable::list(
           {"now"_nm = as_list(now), "before"_nm = as_list(integration.past().before),
            "steps"_nm = integration.past().steps, "caution"_nm = integration.past().caution,
-           "step"_nm = integration.step(), "done"_nm = schedule_done(conditions.schedule()),
-           "energy"_nm = as_doubles(integration.energy()),
-           "bar_tension"_nm = as_doubles(e.bar_tension), "u_tension"_nm = as_doubles(e.u_tension),
-           "v_tension"_nm = as_doubles(e.v_tension),
+           "step"_nm = integration.step(), "done"_nm = schedule_done(done),
+           "energy"_nm = as_doubles(energy), "bar_tension"_nm = as_doubles(e.bar_tension),
+           "u_tension"_nm = as_doubles(e.u_tension), "v_tension"_nm = as_doubles(e.v_tension),
            "straight_tension"_nm = as_doubles(straight_tension),
            "wake"_nm = as_doubles(assembly.has_wake() ? assembly.wake() : std::vector<double>()),
            "report"_nm = report()});
+    };
+    auto last_frame = [&] {
+      return frame(integration.now(), conditions.schedule(), integration.energy());
+    };
+    const doubles recorded(stops["recorded"]);
+    R_xlen_t next = 0;
+    how.passed = [&](const codend::Past& step) {
+      if (next == recorded.size() || recorded[next] > step.now.time) return;
+      for (; next < recorded.size() && recorded[next] <= step.now.time; ++next) {
+        codend::Motion motion = integration.at(recorded[next], *inner);
+        conditions.to_time(motion.time, codend::Side::before, motion);
+        keep(
+            frame(motion, conditions.schedule_at(motion.time), integration.energy_at(motion.time)));
+      }
+      codend::Motion end = step.now;
+      conditions.to_time(end.time, codend::Side::before, end);
     };
     const doubles times(stops["time"]);
     const logicals kept(stops["kept"]), broken(stops["broken"]), steered(stops["steered"]),
@@ -194,7 +222,7 @@ double potential_of(const codend::Model& model, double error) {
     for (R_xlen_t k = 0; k < times.size(); ++k) {
       if (integration.to(times[k]) != codend::IntegrationReport::End::reached) break;
       if (steered[k] == TRUE) {
-        const doubles speed(steer(frame()));
+        const doubles speed(steer(last_frame()));
         std::vector<codend::GrowingGroup>& growing = conditions.schedule().growing;
         check_count(speed.size(), growing.size(), "speed");
         for (std::size_t g = 0; g < growing.size(); ++g) {
@@ -202,7 +230,7 @@ double potential_of(const codend::Model& model, double error) {
         }
       }
       if (filled[k] == TRUE) {
-        const list moved(refill(frame()));
+        const list moved(refill(last_frame()));
         const doubles weight(moved["weight"]), mass(moved["mass"]);
         const std::vector<int> node = places(moved, "node");
         check_count(weight.size(), model.pressure.weight.size(), "weight");
@@ -216,7 +244,7 @@ double potential_of(const codend::Model& model, double error) {
         }
       }
       if (broken[k] == TRUE) integration.restart_iteration();
-      if (kept[k] == TRUE) keep(frame());
+      if (kept[k] == TRUE) keep(last_frame());
     }
     return report();
   });

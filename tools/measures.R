@@ -30,7 +30,7 @@ towed <- function(name, state) {
   trajectory <- if (name == "purse_seine") {
     tow(name, until = 6, every = 3, nodes = 300)
   } else {
-    tow(state, until = 6, every = 3, scheme = "bdf2")
+    tow(state, until = 6, every = 3, scheme = "tr_bdf2")
   }
   now <- suppressWarnings(measures(state_at(trajectory, 6)))
   rows(name, "towed", c(now, position_sum = sum(abs(trajectory$position))))

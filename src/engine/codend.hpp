@@ -22,7 +22,7 @@
 //   codend::SteadyConditions conditions(found.gear.model.held, start);
 //   codend::IntegrationControl control;
 //   control.adaptive = true;
-//   const auto steps = codend::scheme_named("bdf2").make(assembly, {0.01}, start, start.x);
+//   const auto steps = codend::scheme_named("tr_bdf2").make(assembly, {0.01}, start, start.x);
 //   codend::TimeIntegration integration(assembly, *steps, conditions, control, {start, start});
 //   integration.to(10);
 //

@@ -74,7 +74,7 @@ Track integrate_float(Model& model, const Schedule& schedule, Vector from, doubl
   Assembly assembly(model);
   ScheduledConditions conditions(model, assembly, schedule, start);
   conditions.to_time(0.0, Side::after, start);
-  NewtonStep stepper(assembly, NewtonScheme::bdf2, {1e-5, 1e9, 1e-9}, start.x);
+  NewtonStep stepper(assembly, {1e-5, 1e9, 1e-9}, start.x);
   IntegrationControl control;
   control.adaptive = true;
   control.step = 1e-4;

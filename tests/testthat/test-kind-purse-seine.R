@@ -108,7 +108,7 @@ test_that("seine settles to the state after sinking, or reports failure", {
   si <- codend:::gear_si(gear)
   # a quarter of an hour in the current, then settled, without a crude layout
   start <- codend:::shot_trajectory(gear, si, list(), 900, 150, "cells")
-  method <- codend:::tow_method("bdf2", 0.5, NULL)
+  method <- codend:::tow_method("tr_bdf2", 0.5, NULL)
   sunk <- codend:::last_shape(codend:::integrate_trajectory(start, 900, 900, method))
   found <- codend:::settle_numbers(si, 300, NULL, sunk, through_levels = FALSE)
   expect_true(found$report$converged)

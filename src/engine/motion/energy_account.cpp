@@ -21,7 +21,19 @@ double give(const TwineMaterial& material, double length, double rest) {
   return length / rest * pull.tension - pull.energy;
 }
 
+constexpr double EnergyTotals::*parts[] = {&EnergyTotals::kinetic,   &EnergyTotals::elastic,
+                                           &EnergyTotals::potential, &EnergyTotals::supports,
+                                           &EnergyTotals::lengths,   &EnergyTotals::water,
+                                           &EnergyTotals::damping};
+
 }  // namespace
+
+EnergyTotals between(const EnergyTotals& begin, const EnergyTotals& end, double share) {
+  EnergyTotals out = begin;
+  for (double EnergyTotals::*part : parts) out.*part += share * (end.*part - begin.*part);
+  out.put_through += share * (end.put_through - begin.put_through);
+  return out;
+}
 
 EnergyAccount::EnergyAccount(Assembly& assembly)
     : assembly_(assembly), force_(3 * static_cast<std::size_t>(assembly.model().points())) {
@@ -119,6 +131,15 @@ double EnergyAccount::gained_by_bodies() {
 
 void EnergyAccount::begin(const Motion& now) { measure(now, from_); }
 
+double EnergyAccount::present() const {
+  double sum = from_.elastic;
+  for (const int n : assembly_.free_nodes()) {
+    const Vector v = at(from_.v.data(), n);
+    sum += 0.5 * v.dot(Eigen::Map<const Block>(&from_.mass[9 * static_cast<std::size_t>(n)]) * v);
+  }
+  return sum;
+}
+
 EnergyTotals EnergyAccount::after(const Motion& next, const EnergyTotals& before) {
   measure(next, to_);
   const Model& model = assembly_.model();
@@ -150,10 +171,7 @@ EnergyTotals EnergyAccount::after(const Motion& next, const EnergyTotals& before
   step.water = half * (from_.water + to_.water);
   step.damping = half * (from_.damping + to_.damping);
   EnergyTotals out = before;
-  for (double EnergyTotals::*part :
-       {&EnergyTotals::kinetic, &EnergyTotals::elastic, &EnergyTotals::potential,
-        &EnergyTotals::supports, &EnergyTotals::lengths, &EnergyTotals::water,
-        &EnergyTotals::damping}) {
+  for (double EnergyTotals::*part : parts) {
     out.*part += step.*part;
     out.put_through += 0.5 * std::abs(step.*part);
   }

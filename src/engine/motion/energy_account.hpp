@@ -16,6 +16,8 @@
 // The imbalance is the gain of kinetic, elastic and potential energy minus the work. Positive
 // values are energy created by the scheme, negative values are numerical dissipation. Its order is
 // the order of the scheme's error. `put_through` is half of the sum of the magnitudes of all seven.
+// It grows without limit, so an imbalance is compared with what is exchanged in the same interval
+// and with the energy present at its start: kinetic energy of the free nodes, and elastic energy.
 #pragma once
 
 #include <vector>
@@ -36,6 +38,9 @@ struct EnergyTotals {
   }
 };
 
+// Returns the totals at a fraction of the interval between two totals.
+EnergyTotals between(const EnergyTotals& begin, const EnergyTotals& end, double share);
+
 class EnergyAccount {
  public:
   explicit EnergyAccount(Assembly& assembly);
@@ -44,6 +49,8 @@ class EnergyAccount {
   void begin(const Motion& now);
   // Returns the totals after a step to `next`, at the conditions of its end. Nothing is stored yet.
   EnergyTotals after(const Motion& next, const EnergyTotals& before);
+  // Returns the energy present at the start of the step, J.
+  double present() const;
   // Accepts the step: the next step starts at its end.
   void take() { std::swap(from_, to_); }
 

@@ -16,14 +16,13 @@ constexpr double balance_share = 1e-3;
 // residual of one per cent of the forces on a node is negligible.
 constexpr StoredFactorisation::Tolerance newton_tolerance{1e-2, 0.0}, error_tolerance{0.0, 10.0};
 constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
-// Spectral radius of generalised alpha at infinite frequency, and its coefficients. With 0.6,
-// remaining stiff oscillations switch slack lines of large nets on and off permanently (40 x 40
-// knots: half of the tension).
-constexpr double radius = 0.4;
-constexpr double alpha_force = radius / (radius + 1.0);
-constexpr double alpha_mass = (2.0 * radius - 1.0) / (radius + 1.0);
-constexpr double gamma = 0.5 + alpha_force - alpha_mass;
-constexpr double beta = 0.25 * (1.0 + alpha_force - alpha_mass) * (1.0 + alpha_force - alpha_mass);
+// Convergence tolerance of a stage, as a fraction of the allowed error of the step.
+constexpr double found_share = 0.05;
+// g, c and k of the header.
+const double stage_share = 2.0 - std::sqrt(2.0);
+const double by_stage = 1.0 / (stage_share * (2.0 - stage_share));
+const double error_constant =
+    (-3.0 * stage_share * stage_share + 4.0 * stage_share - 2.0) / (12.0 * (2.0 - stage_share));
 
 // Returns the positions of the free nodes, 3 per node.
 std::vector<double> places(const Assembly& assembly, const Values& nodes) {
@@ -37,10 +36,8 @@ std::vector<double> places(const Assembly& assembly, const Values& nodes) {
 
 }  // namespace
 
-NewtonStep::NewtonStep(Assembly& assembly, NewtonScheme scheme, const StepAccuracy& accuracy,
-                       const Values& ordering)
+NewtonStep::NewtonStep(Assembly& assembly, const StepAccuracy& accuracy, const Values& ordering)
     : assembly_(assembly),
-      scheme_(scheme),
       accuracy_(accuracy),
       tensions_(assembly),
       factors_(assembly.pattern(), places(assembly, ordering)),
@@ -57,45 +54,27 @@ NewtonStep::NewtonStep(Assembly& assembly, NewtonScheme scheme, const StepAccura
   pull_.tension.resize(static_cast<std::size_t>(assembly.model().constraints()));
 }
 
-NewtonStep::Rule NewtonStep::set_rule(const Past& past, double h) {
-  const Motion& now = past.now;
-  b_rest_.setZero(now.x.size());
-  if (scheme_ == NewtonScheme::backward_euler || past.steps == 0) {
-    v_rest_.setZero(now.x.size());
-    a_rest_ = -now.v / h;
-    return {1.0 / h, 1.0 / (h * h), 1.0, 0.5 * h, true};
-  }
-  const double h_before = past.last_step();
-  if (scheme_ == NewtonScheme::generalised_alpha) {
-    const double b = 1.0 / (beta * h * h);
-    // b1 = b (x1 - x0) + b1_rest
-    const Values b1_rest = -b * (h * now.v + (h * h * (0.5 - beta)) * now.b);
-    v_rest_ = now.v + h * ((1.0 - gamma) * now.b + gamma * b1_rest);
-    const double share = (1.0 - alpha_mass) / (1.0 - alpha_force);
-    a_rest_ = share * b1_rest + (alpha_mass * now.b - alpha_force * now.a) / (1.0 - alpha_force);
-    b_rest_ = (alpha_force * now.a - alpha_mass * now.b) / (1.0 - alpha_mass);
-    return {
-        gamma / (beta * h), share * b, 1.0 / share,
-        2.0 * (beta + 0.5 * (alpha_mass - alpha_force) - 1.0 / 6.0) * h * h * h / (h + h_before),
-        false};
-  }
-  const double w = h / h_before;
-  const double p = (1.0 + 2.0 * w) / ((1.0 + w) * h), q = w * w / ((1.0 + w) * h);
-  v_rest_ = -q * (now.x - past.before.x);
-  a_rest_ = p * (v_rest_ - now.v) - q * (now.v - past.before.v);
-  return {p, p * p, 1.0, h * h * (1.0 + w) / (3.0 * (1.0 + 2.0 * w)), false};
-}
-
-void NewtonStep::follow(const Rule& rule, const Motion& now, Motion& next) const {
+void NewtonStep::follow(const Motion& now, Motion& next) const {
   for (const int node : assembly_.free_nodes()) {
     const Vector moved = at(next.x.data(), node) - at(now.x.data(), node);
-    at(next.v.data(), node) = rule.p * moved + at(v_rest_.data(), node);
-    at(next.a.data(), node) = rule.m * moved + at(a_rest_.data(), node);
-    at(next.b.data(), node) = rule.b_by_a * at(next.a.data(), node) + at(b_rest_.data(), node);
+    at(next.v.data(), node) = p_ * moved + at(v_rest_.data(), node);
+    at(next.a.data(), node) = p_ * p_ * moved + at(a_rest_.data(), node);
   }
 }
 
-double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
+double NewtonStep::allowed_error(const Values& moved) const {
+  if (accuracy_.rate == 0.0) return accuracy_.position;
+  const int nodes = assembly_.model().nodes;
+  Vector mean = Vector::Zero();
+  for (int n = 0; n < nodes; ++n) mean += at(moved.data(), n) / nodes;
+  double farthest = 0.0;
+  for (int n = 0; n < nodes; ++n) {
+    farthest = std::max(farthest, (at(moved.data(), n) - mean).norm());
+  }
+  return std::max(accuracy_.position, accuracy_.rate * farthest);
+}
+
+double NewtonStep::imbalance(const Motion& next, int& worst) {
   assembly_.move_to(next.x.data(), next.v.data());
   assembly_.residual(force_.data());
   assembly_.mass(mass_.data());
@@ -111,8 +90,8 @@ double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
     const Vector inertia = at(inertia_.data(), node);
     const double left = (at(force_.data(), node) - inertia).norm();
     // Effect of rounding errors in positions and velocities on accelerations.
-    const double rounded = rounding * (rule.m * at(next.x.data(), node).norm() +
-                                       rule.p * at(next.v.data(), node).norm());
+    const double rounded =
+        rounding * (p_ * p_ * at(next.x.data(), node).norm() + p_ * at(next.v.data(), node).norm());
     tolerated_[i] =
         allowed_[static_cast<std::size_t>(node)] + balance_share * inertia.norm() + heavy * rounded;
     const double ratio = left / tolerated_[i];
@@ -126,7 +105,7 @@ double NewtonStep::imbalance(const Rule& rule, const Motion& next, int& worst) {
 
 // Computes one Newton step into dx_. `share` is the fraction that rotates lines by at most their
 // own length. Returns false for a singular matrix.
-bool NewtonStep::correct(const Rule& rule, bool first, double& share) {
+bool NewtonStep::correct(bool first, double& share) {
   const std::vector<int>& free = assembly_.free_nodes();
   tensions_.prepare();
   assembly_.residual(force_.data(), &tensions_.right());
@@ -134,8 +113,8 @@ bool NewtonStep::correct(const Rule& rule, bool first, double& share) {
     at(right_.data(), static_cast<int>(i)) =
         at(force_.data(), free[i]) - at(inertia_.data(), free[i]);
   }
-  assembly_.jacobian({1.0, rule.p}, values_.data(), &tensions_.current());
-  assembly_.add_mass(mass_.data(), rule.m, values_.data());
+  assembly_.jacobian({1.0, p_}, values_.data(), &tensions_.current());
+  assembly_.add_mass(mass_.data(), p_ * p_, values_.data());
   factors_.set_matrix(values_, first);
   if (!factors_.solve(right_, tolerated_, newton_tolerance, solved_)) return false;
   for (std::size_t i = 0; i < free.size(); ++i) {
@@ -143,60 +122,97 @@ bool NewtonStep::correct(const Rule& rule, bool first, double& share) {
   }
   const LineChange& change = assembly_.line_change(dx_.data());
   share = change.rotation > 1.0 ? 1.0 / change.rotation : 1.0;
-  tensions_.advance(change.strain, rule.p, share);
+  tensions_.advance(change.strain, p_, share);
   return true;
 }
 
-StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions, Motion& next) {
-  const Motion& now = past.now;
+void NewtonStep::guess(const Motion& begin, const Values& change, Motion& next) {
   const std::vector<int>& free = assembly_.free_nodes();
-  conditions.to_time(now.time, Side::after, next);
-  assembly_.move_to(now.x.data(), now.v.data());
-  tensions_.begin();
-  next.time = now.time + h;
-  conditions.to_time(next.time, Side::before, next);
-  const Rule rule = set_rule(past, h);
   left_out_.assign(free.size(), 0);
   for (std::size_t i = 0; i < free.size(); ++i) {
     left_out_[i] = assembly_.held_back(free[i]) && !assembly_.in_body(free[i]);
   }
   factors_.leave_out(left_out_);
+  const double h = next.time - begin.time;
   for (const int node : free) {
-    at(next.x.data(), node) = at(now.x.data(), node) + h * at(now.v.data(), node);
-    if (past.steps == 0) continue;
-    const Vector change = at(now.v.data(), node) - at(past.before.v.data(), node);
-    at(next.x.data(), node) += 0.5 * h * h / past.last_step() * change;
+    at(next.x.data(), node) = at(begin.x.data(), node) + h * at(begin.v.data(), node) +
+                              0.5 * h * h * at(change.data(), node);
   }
   next.a.setZero(next.x.size());
-  next.b.setZero(next.x.size());
-  follow(rule, now, next);
+}
+
+StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions, Motion& next) {
+  const Motion& now = past.now;
+  const double found = std::min(accuracy_.found, found_share * allowed_error(h * now.v));
+  conditions.to_time(now.time, Side::after, next);
+  assembly_.move_to(now.x.data(), now.v.data());
+  next.time = now.time + h;
+  StepOutcome out;
+  if (past.steps == 0) {
+    tensions_.begin();
+    conditions.to_time(next.time, Side::before, next);
+    p_ = 1.0 / h;
+    v_rest_.setZero(now.x.size());
+    a_rest_ = -p_ * now.v;
+    guess(now, v_rest_, next);
+    out = solve_stage(now, found, true, next);
+    if (!out.found) return out;
+    for (const int node : assembly_.free_nodes()) {
+      at(dx_.data(), node) = 0.5 * h * (at(next.v.data(), node) - at(now.v.data(), node));
+    }
+  } else {
+    tensions_.begin();
+    stage_ = next;
+    stage_.time = now.time + stage_share * h;
+    conditions.to_time(stage_.time, Side::before, stage_);
+    p_ = 2.0 / (stage_share * h);
+    v_rest_ = -now.v;
+    a_rest_ = -2.0 * p_ * now.v - now.a;
+    guess(now, (now.v - past.before.v) / past.last_step(), stage_);
+    out = solve_stage(now, found, true, stage_);
+    if (!out.found) return out;
+    tensions_.begin();
+    conditions.to_time(next.time, Side::before, next);
+    v_rest_ = -p_ * by_stage * (stage_.x - now.x);
+    a_rest_ = p_ * (v_rest_ - by_stage * stage_.v + (by_stage - 1.0) * now.v);
+    guess(stage_, (stage_.v - now.v) / (stage_share * h), next);
+    const int iterations = out.iterations;
+    out = solve_stage(now, found, false, next);
+    out.iterations += iterations;
+    if (!out.found) return out;
+    const double b = 1.0 / stage_share, e = 1.0 / (1.0 - stage_share);
+    for (const int node : assembly_.free_nodes()) {
+      at(dx_.data(), node) = 2.0 * error_constant * h *
+                             (b * at(now.v.data(), node) - b * e * at(stage_.v.data(), node) +
+                              e * at(next.v.data(), node));
+    }
+  }
+  filter_error(allowed_error(next.x - now.x), out);
+  return out;
+}
+
+StepOutcome NewtonStep::solve_stage(const Motion& now, double found, bool first, Motion& end) {
+  const std::vector<int>& free = assembly_.free_nodes();
+  follow(now, end);
   StepOutcome out;
   double moved = 0.0, moved_before = 0.0;
   for (;; ++out.iterations) {
-    const bool balanced = imbalance(rule, next, out.worst_node) <= 1.0;
+    const bool balanced = imbalance(end, out.worst_node) <= 1.0;
     if (out.iterations > 0 && balanced) {
       // Geometric series: r/(1 - r) times the last correction remains, with contraction rate r.
       const double ratio = out.iterations > 1 ? moved / moved_before : 1.0;
-      if (moved <= accuracy_.found ||
-          (ratio < 0.5 && ratio / (1.0 - ratio) * moved <= accuracy_.found)) {
-        out.found = true;
-        out.error = error(rule, past, next, out.worst_node);
-        return out;
-      }
+      out.found = moved <= found || (ratio < 0.5 && ratio / (1.0 - ratio) * moved <= found);
     }
-    if (free.empty()) {
-      out.found = true;
-      return out;
-    }
-    if (out.iterations == most_iterations) return out;
+    out.found = out.found || free.empty();
+    if (out.found || out.iterations == most_iterations) return out;
     if (out.iterations == 0) tensions_.tighten();
     double share;
-    if (!correct(rule, out.iterations == 0, share)) return out;
+    if (!correct(first && out.iterations == 0, share)) return out;
     moved_before = moved;
     moved = 0.0;
     for (const int node : free) {
       const Vector dx = share * at(dx_.data(), node);
-      at(next.x.data(), node) += dx;
+      at(end.x.data(), node) += dx;
       const double size = dx.norm();
       if (!(size <= moved)) {
         moved = size;
@@ -204,24 +220,13 @@ StepOutcome NewtonStep::step(const Past& past, double h, Conditions& conditions,
       }
       if (!(size < most_move)) return out;
     }
-    follow(rule, now, next);
+    follow(now, end);
   }
 }
 
-// Returns the error of the step over the allowance.
-double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next, int& worst) {
-  if (!std::isfinite(accuracy_.position) && !std::isfinite(accuracy_.tension)) return 0.0;
-  const double h = next.time - past.now.time, h_before = past.last_step();
+void NewtonStep::filter_error(double allowed, StepOutcome& out) {
   const std::vector<int>& free = assembly_.free_nodes();
-  for (const int node : free) {
-    const Vector change = at(next.v.data(), node) - at(past.now.v.data(), node);
-    if (rule.first_order) {
-      at(dx_.data(), node) = rule.error * change;
-    } else {
-      const Vector before = at(past.now.v.data(), node) - at(past.before.v.data(), node);
-      at(dx_.data(), node) = rule.error * (change / h - before / h_before);
-    }
-  }
+  if (free.empty() || (!std::isfinite(allowed) && !std::isfinite(accuracy_.tension))) return;
   const std::vector<double>& change = tensions_.with_sag(assembly_.line_change(dx_.data()).strain);
   const std::size_t lines = static_cast<std::size_t>(assembly_.model().lines());
   const std::vector<double>& modulus = tensions_.current().modulus;
@@ -234,16 +239,16 @@ double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next,
         at(answer_.data(), free[i]) - at(force_.data(), free[i]);
   }
   factors_.solve(right_, tolerated_, error_tolerance, solved_);
-  double most = 0.0;
   for (std::size_t i = 0; i < free.size(); ++i) {
     at(dx_.data(), free[i]) += at(solved_.data(), static_cast<int>(i));
-    const double size = at(dx_.data(), free[i]).norm() / accuracy_.position;
-    if (!(size <= most)) {
-      most = size;
-      worst = free[i];
+    const double size = at(dx_.data(), free[i]).norm();
+    if (!(size <= out.place_error)) {
+      out.place_error = size;
+      out.worst_node = free[i];
     }
   }
-  if (!std::isfinite(accuracy_.tension)) return most;
+  out.error = out.place_error / allowed;
+  if (!std::isfinite(accuracy_.tension)) return;
   // Errors of bars are relative to the largest pull of a bar, of netting to the largest of a twine.
   const std::vector<double>& left = tensions_.with_sag(assembly_.line_change(dx_.data()).strain);
   const LineArrays& arrays = assembly_.lines();
@@ -251,7 +256,7 @@ double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next,
   double bar_error = 0.0, twine_error = 0.0, bar_pull = 0.0, twine_pull = 0.0;
   for (std::size_t k = 0; k < lines; ++k) {
     const double tension = arrays.tension[k];
-    const double off = modulus[k] > 0.0 ? std::abs(tensions_.change(k, left[k], rule.p)) : 0.0;
+    const double off = modulus[k] > 0.0 ? std::abs(tensions_.change(k, left[k], p_)) : 0.0;
     if (k < bars) {
       bar_error = std::max(bar_error, arrays.multiplicity[k] * off);
       bar_pull = std::max(bar_pull, arrays.multiplicity[k] * std::abs(tension));
@@ -260,9 +265,9 @@ double NewtonStep::error(const Rule& rule, const Past& past, const Motion& next,
       twine_pull = std::max(twine_pull, std::abs(tension));
     }
   }
-  if (bar_pull > 0.0) most = std::max(most, bar_error / (accuracy_.tension * bar_pull));
-  if (twine_pull > 0.0) most = std::max(most, twine_error / (accuracy_.tension * twine_pull));
-  return most;
+  const double most = accuracy_.tension;
+  if (bar_pull > 0.0) out.error = std::max(out.error, bar_error / (most * bar_pull));
+  if (twine_pull > 0.0) out.error = std::max(out.error, twine_error / (most * twine_pull));
 }
 
 }  // namespace codend

@@ -206,6 +206,15 @@ void ScheduledConditions::break_rope(Rupture& rope, int bar, double time) {
   model_.break_bar(bar);
 }
 
+Schedule ScheduledConditions::schedule_at(double time) const {
+  Schedule out = schedule_;
+  for (GrowingGroup& group : out.growing) {
+    group.control.length = group.control.length_at(time);
+    group.control.since = time;
+  }
+  return out;
+}
+
 double ScheduledConditions::longest_step() const {
   double longest = std::numeric_limits<double>::infinity();
   if (time_ < all_released_) longest = releasing_step;

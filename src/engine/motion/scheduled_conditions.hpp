@@ -26,6 +26,8 @@ class ScheduledConditions : public Conditions {
 
   Schedule& schedule() { return schedule_; }
   const Schedule& schedule() const { return schedule_; }
+  // Returns the schedule with its controlled lengths at a time (s).
+  Schedule schedule_at(double time) const;
   // For changes that are not part of the schedule.
   ChangingModel& model() { return model_; }
 

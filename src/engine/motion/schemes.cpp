@@ -10,11 +10,13 @@ namespace codend {
 namespace {
 
 constexpr int most_substitutions = 200;
+// Allowed position error per travelled distance, and of one step over the size of the gear, as
+// fractions of the accuracy. The latter bounds the cost of impacts, whose errors decrease slowly.
+constexpr double rate_share = 0.1, size_share = 1e-5;
 
-template <NewtonScheme scheme>
 std::unique_ptr<Stepper> newton(Assembly& assembly, const StepAccuracy& accuracy, const Motion&,
                                 const Values& ordering) {
-  return std::make_unique<NewtonStep>(assembly, scheme, accuracy, ordering);
+  return std::make_unique<NewtonStep>(assembly, accuracy, ordering);
 }
 
 std::unique_ptr<Stepper> by_substitution(Assembly& assembly, const StepAccuracy& accuracy,
@@ -30,11 +32,18 @@ std::unique_ptr<Stepper> explicitly(Assembly& assembly, const StepAccuracy&, con
 
 }  // namespace
 
+StepAccuracy relative_accuracy(double accuracy, const Values& shape) {
+  const Eigen::Map<const Eigen::Matrix3Xd> place(shape.data(), 3, shape.size() / 3);
+  const double size = (place.rowwise().maxCoeff() - place.rowwise().minCoeff()).norm();
+  StepAccuracy out;
+  out.position = size_share * accuracy * size;
+  out.rate = rate_share * accuracy;
+  return out;
+}
+
 const std::vector<Scheme>& schemes() {
   static const std::vector<Scheme> all = {
-      {"bdf2", true, newton<NewtonScheme::bdf2>},
-      {"generalised_alpha", true, newton<NewtonScheme::generalised_alpha>},
-      {"backward_euler", true, newton<NewtonScheme::backward_euler>},
+      {"tr_bdf2", true, newton},
       {"substitution", false, by_substitution},
       {"symplectic_euler", false, explicitly<SymplecticEulerStep>},
       {"rk4", false, explicitly<RungeKuttaStep>},

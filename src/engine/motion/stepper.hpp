@@ -10,17 +10,25 @@
 namespace codend {
 
 struct StepAccuracy {
-  // Allowed errors of one step: position of a node (m), and tension of a line as a fraction of the
-  // gear's largest. Infinite values disable the check.
+  // Allowed errors of one step. Infinite values disable the check.
+  // - position of a node: `position` (m), or if larger `rate` times the distance that the fastest
+  //   node travels in the step, relative to the mean of all nodes;
+  // - tension of a line, as a fraction of the gear's largest.
   double position = std::numeric_limits<double>::infinity();
   double tension = std::numeric_limits<double>::infinity();
-  double found = 1e-6;  // convergence tolerance of an implicit step, m; of a substitution, m/s
+  // Convergence tolerance of an implicit step (m), unless an allowed error demands a smaller one; of
+  // a substitution (m/s).
+  double found = std::numeric_limits<double>::infinity();
+  double rate = 0.0;
 };
+
+// Returns the allowed errors for a relative accuracy of a motion. shape: positions (m, 3 per node).
+StepAccuracy relative_accuracy(double accuracy, const Values& shape);
 
 struct StepOutcome {
   bool found = false;
-  // Error of the step over the allowance; 0 without an estimate.
-  double error = 0.0;
+  // Error of the step over the allowance, and position error (m); 0 without an estimate.
+  double error = 0.0, place_error = 0.0;
   int iterations = 0;   // Newton iterations, substitutions or stages
   int worst_node = -1;  // node with the largest error or residual
 };
@@ -33,11 +41,8 @@ class Stepper {
   // past.now; after convergence, `next` is the end of the step.
   virtual StepOutcome step(const Past& past, double h, Conditions& conditions, Motion& next) = 0;
 
-  // Called at the start and after discontinuities; sets the initial a and b of the scheme.
-  virtual void begin(Motion& motion) {
-    motion.a.setZero(motion.x.size());
-    motion.b.setZero(motion.x.size());
-  }
+  // Called at the start and after discontinuities; sets the initial a of the scheme.
+  virtual void begin(Motion& motion) { motion.a.setZero(motion.x.size()); }
 
   // Discards earlier steps except `past`, so that a continued integration gives identical steps.
   virtual void forget() {}

@@ -9,16 +9,15 @@ namespace {
 // Number of steps between comparisons of explicit steps with the present stability limit.
 constexpr int steps_between_limits = 200;
 constexpr double share_of_limit = 0.9;
-// BDF2 is stable if steps grow by less than 2.4 (Grigorieff 1983). The limit is lower, because
-// errors exceed their order when slack lines become taut.
-constexpr double most_growth = 1.5;
+// Errors exceed their order when slack lines become taut.
+constexpr double most_growth = 2.0;
 // The error of the first step, whose length is arbitrary, allows larger growth.
 constexpr double first_growth = 30.0;
 constexpr double most_shrinking = 0.2;
-// Steps with less possible growth are not changed, because each change costs accuracy.
+// Steps with less possible growth are not changed, because each change costs a factorisation.
 constexpr double least_growth = 1.2;
 // Steps do not grow for a while after slow or failed convergence, or after a rejected step.
-constexpr int many_iterations = 6;
+constexpr int many_iterations = 10;
 constexpr int steps_of_caution = 4;
 constexpr int steps_of_caution_after_error = 3;
 // Length of a repeated step, as a fraction of the rejected one.
@@ -27,13 +26,10 @@ constexpr double least_repeated = 0.1, most_repeated = 0.9;
 constexpr double aimed_again = 0.8;
 // Exponent of the error in the step length: assumed, and limits of the estimate from two attempts.
 constexpr double assumed_exponent = 2.0, least_exponent = 1.0, most_exponent = 3.0;
-// Limit of halvings of one step because of its energy, and the smallest imbalance of a step that
-// causes one, as a fraction of the allowance.
+// Limit of halvings of one step because of its energy.
 constexpr int most_halvings = 10;
-constexpr double least_drift = 0.01;
-// Longest adaptive step, as a fraction of the interval between two output times. One step per
-// interval would not resolve the motion, and its errors would accumulate.
-constexpr double most_of_interval = 0.5;
+// States closer to the start of a step, as a fraction of its length, are interpolated.
+constexpr double least_share = 1e-6;
 // Fraction of the last step length used after a restart.
 constexpr double distribute_again = 0.1;
 
@@ -76,7 +72,6 @@ TimeIntegration::TimeIntegration(Assembly& assembly, Stepper& stepper, Condition
   if (control_.account) account_ = std::make_unique<EnergyAccount>(assembly_);
 }
 
-// Restarts at every output time, so that a continued integration gives the same balance.
 void TimeIntegration::begin_account() {
   if (!account_) return;
   next_ = past_.now;
@@ -84,13 +79,12 @@ void TimeIntegration::begin_account() {
   account_->begin(next_);
 }
 
-// True if the imbalance exceeds its allowance and this step increases it.
+// True if the imbalance of the step exceeds its allowance.
 bool TimeIntegration::too_unbalanced(const EnergyTotals& totals) const {
-  const double now = totals.imbalance(), change = now - energy_.imbalance();
+  const double change = totals.imbalance() - energy_.imbalance();
   const double through = totals.put_through - energy_.put_through;
-  const double allowed = control_.energy_share * totals.put_through + control_.energy_floor;
-  return std::abs(now) > allowed && change * now > 0.0 &&
-         std::abs(change) > std::max(control_.energy_share * through, least_drift * allowed);
+  return std::abs(change) >
+         control_.energy_share * (account_->present() + through) + control_.energy_floor;
 }
 
 void TimeIntegration::restart_iteration() {
@@ -99,6 +93,18 @@ void TimeIntegration::restart_iteration() {
   stepper_.begin(past_.now);
   if (control_.adaptive) step_ = std::max(distribute_again * step_, control_.least_step);
   begin_account();
+}
+
+Motion TimeIntegration::at(double time, Stepper& stepper) {
+  const Motion &begin = past_.before, &end = past_.now;
+  const double h = time - begin.time;
+  if (h > least_share * past_.last_step() && time < end.time) {
+    // The change of velocity in the last step is the best guess of acceleration.
+    const Past from{begin, end, past_.steps > 1 ? 1 : 0, 0};
+    Motion out = begin;
+    if (stepper.step(from, h, conditions_, out).found) return out;
+  }
+  return between(begin, end, time);
 }
 
 void TimeIntegration::limit_step() {
@@ -118,12 +124,11 @@ IntegrationReport::End TimeIntegration::to(double time) {
   // An integration that is continued from this time then takes the same steps.
   since_limited_ = 0;
   stepper_.forget();
-  const double most = (adaptive ? most_of_interval : 1.0) * (time - past_.now.time);
   while (time - past_.now.time > 1e-9 * std::max(1.0, std::abs(time))) {
     limit_step();
     const double left = time - past_.now.time;
-    double h = std::min({step_, conditions_.longest_step(), most, left});
-    // The last two steps before an output time have equal length.
+    double h = std::min({step_, conditions_.longest_step(), left});
+    // The last two steps before the requested time have equal length.
     if (adaptive && h < left && 2.0 * h > left) h = 0.5 * left;
     if (!adaptive && left < (1.0 + 1e-6) * h) h = left;
     const StepOutcome outcome = stepper_.step(past_, h, conditions_, next_);
@@ -156,6 +161,7 @@ IntegrationReport::End TimeIntegration::to(double time) {
         continue;
       }
       account_->take();
+      energy_before_ = energy_;
       energy_ = totals;
       halvings = 0;
     }
@@ -172,8 +178,9 @@ IntegrationReport::End TimeIntegration::to(double time) {
     ++report_.steps;
     report_.shortest_step = report_.steps == 1 ? h : std::min(report_.shortest_step, h);
     report_.longest_step = std::max(report_.longest_step, h);
+    report_.largest_error = std::max(report_.largest_error, outcome.place_error);
     if (adaptive) {
-      // The error of a step shortened for an output time does not predict the next error.
+      // The error of a step shortened for a requested time does not predict the next error.
       if (past_.caution > 0 || outcome.iterations > many_iterations) factor = std::min(factor, 1.0);
       past_.caution = std::max(past_.caution - 1, 0);
       if (factor >= least_growth || factor < 1.0) {
@@ -181,6 +188,7 @@ IntegrationReport::End TimeIntegration::to(double time) {
                            control_.least_step, control_.most_step);
       }
     }
+    if (control_.passed) control_.passed(past_);
     if (conditions_.broken_at(past_.now)) restart_iteration();
     if (control_.watch && !control_.watch(past_.now)) {
       return report_.end = IntegrationReport::End::stopped;

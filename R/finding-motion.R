@@ -1,0 +1,22 @@
+# Dissipation of the time scheme, as fractions of the physical dissipation and of the energy that
+# the gear exchanges, above which it counts.
+greatest_scheme_loss <- 0.05
+greatest_energy_loss <- 0.01
+
+define_finding("numerical dissipation", "state",
+  "At a moment of a tow, the time scheme has removed more than 5 % of the energy that water, ground
+  and dampers have removed, and more than 1 % of the energy that the gear exchanges.",
+  function(gear, state) {
+    lost <- state$energy_lost
+    if (is.null(lost)) return(list())
+    share <- lost[["scheme"]] / lost[["physical"]]
+    if (lost[["scheme"]] <= greatest_energy_loss * lost[["exchanged"]] ||
+      share <= greatest_scheme_loss) return(list())
+    list(finding("tow", lost[["scheme"]], paste(figures(lost[["scheme"]]), "J"),
+      template("the time scheme has removed {energy}, {part} of the energy exchanged: oscillations
+        die too early.", energy = paste(figures(lost[["scheme"]]), "J"),
+        part = percent_text(lost[["scheme"]] / lost[["exchanged"]])),
+      template("Use a smaller accuracy of the tow."), field = "tow.accuracy"))
+  },
+  rank = 3L
+)
