@@ -1,4 +1,4 @@
-# Motions at the default accuracy, compared with analytical solutions, with equations of motion
+# Motions at an accuracy of 0.1 %, or at the default if they are stiff, compared with analytical solutions, with equations of motion
 # integrated by deSolve, and with explicit time steps.
 
 # Compares series over time. The misfit is the largest deviation as a ratio of `scale`, which is by
@@ -64,7 +64,7 @@ case_pendulum <- function() {
   found <- tow(
     pulled_load(light_line("top", "load", length, stiffness), mass, at, at + c(10, 0, 0),
       mass * gear_gravity * tan(pi / 6)),
-    until = 20, every = 0.1
+    until = 20, every = 0.1, accuracy = "0.1 %"
   )
   track <- track_of(found, "load", 1)
   exact <- integrated(c(track$x[1], track$z[1], 0, 0), track$time, function(t, y) {
@@ -91,7 +91,8 @@ case_ringing_wire <- function() {
     segments = n)
   stretch <- (force + gear_gravity * (load + per_metre * length / 2)) * length / stiffness
   at <- c(0, 0, -length - stretch)
-  found <- tow(pulled_load(line, load, at, at - c(0, 0, 100), force), until = 7, every = 0.01)
+  found <- tow(pulled_load(line, load, at, at - c(0, 0, 100), force), until = 7, every = 0.01,
+    accuracy = "0.1 %")
   track <- track_of(found, "load", 1)
   mass <- rep(per_metre * length / n, n)
   mass[n] <- load + mass[n] / 2
@@ -113,7 +114,7 @@ case_moored_float <- function() {
     line = light_line("anchor", "float", 10, 1e4),
     buoy = piece(at = "float", mass = 20, diameter = 0.6),
     water = list(waves = list(height = 0.8, period = 7, rising = 5))
-  ), until = 33, every = 0.25)
+  ), until = 33, every = 0.25, accuracy = "0.1 %")
   track <- track_of(found, "float")
   volume <- pi / 6 * 0.6^3
   density <- 1025
@@ -158,7 +159,7 @@ case_sinking_sphere <- function() {
     line = light_line("top", "sphere", 5, 1e6),
     ball = piece(at = "sphere", mass = 100, diameter = diameter),
     tow = list(breaking = list(list(rope = "line", time = 1, position = "end")))
-  ), until = 5, every = 0.25)
+  ), until = 5, every = 0.25, accuracy = "0.1 %")
   track <- track_of(found, "sphere", 1)
   compared_series("position", "down", -speed * slow * log(cosh(track$time / slow)),
     track$z - track$z[1])
