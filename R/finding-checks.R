@@ -4,10 +4,11 @@
 # All checks by name. The files of checks fill this environment when the package is built.
 finding_checks <- new.env(parent = emptyenv())
 
-# Defines a check. `of`: "plan" if the plan is enough, "state" if the check needs a settled shape.
-# `message`: a sentence about the odd property, with bounds and sources, or a function that returns
-# it. `test(gear, state)`: returns a list of `finding()` and NULL. `rank`: 1 if the gear breaks or
-# does not fish, 2 if it is out of proportion, 3 if the model is used outside its tested range.
+# Defines a check. `of`: "plan" if the plan is enough, "state" if the check needs a settled shape,
+# "tow" if it needs a trajectory. `message`: a sentence about the odd property, with bounds and
+# sources, or a function that returns it. `test(gear, state)`: returns a list of `finding()` and
+# NULL. `rank`: 1 if the gear breaks or does not fish, 2 if it is out of proportion, 3 if the model
+# is used outside its tested range.
 define_finding <- function(name, of, message, test, rank = 2L) {
   finding_checks[[name]] <- list(name = name, message = message, of = of, test = test, rank = rank)
 }

@@ -6,43 +6,101 @@ greatest_footrope_share <- 0.25
 define_finding("net off the bed", "state",
   "Half of the footrope or ground gear hangs more than 0.5 m, or a quarter of the headline height,
   plus the reported error of heights above the sea bed. This check omits midwater trawls.",
-  function(gear, state) {
-    if (is.null(state$si$ground)) return(list())
-    lapply(si_by_net(state$si), function(si) {
-      if (length(si$nets) && si$nets[[1L]]$kind == "midwater_trawl") return(NULL)
-      net_off_bed(si, state)
-    })
-  },
+  function(gear, state) lapply(nets_on_bed(state$si), net_off_bed, state),
   rank = 1L
 )
 
+define_finding("net leaves the bed", "tow",
+  "A footrope or ground gear leaves the sea bed during a tow, by the heights of the check 'net off
+  the bed'. This check omits the time before it first lies on the bed, and hauling: warps shorter
+  than 1.5 times the depth.",
+  function(gear, trajectory) lapply(nets_on_bed(trajectory$si), net_leaves_bed, trajectory),
+  rank = 1L
+)
+
+# Returns the numbers of each net that lies on the sea bed.
+nets_on_bed <- function(si) {
+  if (is.null(si$ground)) return(list())
+  Filter(function(net) !(length(net$nets) && net$nets[[1L]]$kind == "midwater_trawl"),
+    si_by_net(si))
+}
+
+# Warps lift a net off the sea bed below this ratio of their length to the depth, the least usual
+# ratio in bands.csv.
+lifting_scope <- 1.5
+
+# Returns the finding of a net (`si`) that leaves the sea bed in a tow, or NULL.
+net_leaves_bed <- function(si, trajectory) {
+  time <- trajectory$time
+  mesh <- trajectory$mesh
+  ground <- trajectory$si$ground
+  found <- lapply(seq_along(time), function(k) {
+    footrope_height(si, mesh, ground, as.matrix(trajectory$position[, , k]))
+  })
+  if (!length(found[[1L]])) return(NULL)
+  height <- vapply(found, `[[`, 0, "height")
+  above <- height > vapply(found, `[[`, 0, "allowed")
+  off <- above & cumsum(!above) > 0 & !hauls_up(si, trajectory)
+  if (!any(off)) return(NULL)
+  worst <- which.max(ifelse(off, height, -Inf))
+  if (height[worst] <= found[[worst]]$allowed + height_error(state_at(trajectory, time[worst]))) {
+    return(NULL)
+  }
+  label <- paste(figures(height[worst]), "m")
+  finding(paste("rope", found[[worst]]$rope), height[worst], label,
+    template("it leaves the sea bed at {begin} s; at {time} s one half is {height} or more above
+      it.", begin = figures(time[off][1L]), time = figures(time[worst]), height = label),
+    bed_advice(),
+    field = "warps.length")
+}
+
+# Returns TRUE for each time of a tow at which a warp is too short for a net on the sea bed.
+hauls_up <- function(si, trajectory) {
+  conditions <- trajectory$conditions
+  warps <- ropes_of_role(si, "warp")
+  depth <- height_above_ground(trajectory$si$ground, rbind(conditions$x, conditions$y, 0))
+  out <- vapply(warps, function(name) {
+    first_of(conditions[[name]], rep(si$ropes[[name]]$length, nrow(conditions)))
+  }, conditions$time)
+  rowSums(matrix(out < lifting_scope * depth, nrow(conditions))) > 0
+}
+
 # Returns the finding of one net (`si`) off the sea bed, or NULL.
 net_off_bed <- function(si, state) {
-  # Returns for each rope the height (m) that half of its underside exceeds.
+  found <- footrope_height(si, state$mesh, si$ground, state$position)
+  if (is.null(found) || found$height <= found$allowed + height_error(state)) return(NULL)
+  label <- paste(figures(found$height), "m")
+  finding(paste("rope", found$rope), found$height, label,
+    if (is.finite(found$line)) {
+      template("one half is {height} or more above the sea bed; the headline is at {line} m.",
+        height = label, line = figures(found$line))
+    } else {
+      template("one half is {height} or more above the sea bed.", height = label)
+    },
+    bed_advice(),
+    field = "warps.length")
+}
+
+bed_advice <- function() {
+  template("Pay out more warp, tow more slowly, or add weight to the footrope or the boards.")
+}
+
+# Returns list(rope, height, line, allowed) [m] of the lowest footrope of one net (`si`), or NULL.
+# Half of the footrope's underside is above `height`. `line`: height of the headline, -Inf without
+# one; `allowed`: height above which the footrope is off the sea bed.
+footrope_height <- function(si, mesh, ground, position) {
   height_of <- function(roles) {
     vapply(ropes_of_role(si, roles), function(name) {
-      node <- state$mesh$ropes[[name]]$node
-      height <- height_above_ground(si$ground, state$position[, node])
+      height <- height_above_ground(ground, position[, mesh$ropes[[name]]$node])
       stats::median(height) - si$ropes[[name]]$diameter / 2
     }, 0)
   }
   low <- height_of(c("ground_gear", "footrope"))
   if (!length(low)) return(NULL)
-  least <- min(low)
-  above <- max(height_of("headline"), -Inf)
+  line <- max(height_of("headline"), -Inf)
   allowed <- greatest_footrope_height
-  if (above > 0) allowed <- min(allowed, greatest_footrope_share * above)
-  if (least <= allowed + height_error(state)) return(NULL)
-  label <- paste(figures(least), "m")
-  finding(paste("rope", names(low)[which.min(low)]), least, label,
-    if (above > 0) {
-      template("one half is {height} or more above the sea bed; the headline is at {line} m.",
-        height = label, line = figures(above))
-    } else {
-      template("one half is {height} or more above the sea bed.", height = label)
-    },
-    template("Pay out more warp, tow more slowly, or add weight to the footrope or the boards."),
-    field = "warps.length")
+  if (line > 0) allowed <- min(allowed, greatest_footrope_share * line)
+  list(rope = names(low)[which.min(low)], height = min(low), line = line, allowed = allowed)
 }
 
 # Returns the largest reported error (m) of the heights of a gear, 0 without heights.

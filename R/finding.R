@@ -1,4 +1,4 @@
-#' List warnings about a gear or state
+#' List warnings about a gear, state or tow
 #'
 #' A valid plan can still describe a useless gear: a unit is missing, a bridle carries no load, or
 #' the net flies above the sea bed. `findings()` lists properties of a gear or settled state that
@@ -10,8 +10,8 @@
 #'
 #' @eval finding_help()
 #'
-#' @param x A gear ([read_gear()]) for checks of the plan only, or a state ([settle()],
-#'   [state_at()]).
+#' @param x A gear ([read_gear()]) for checks of the plan only; a state ([settle()], [state_at()]);
+#'   or a trajectory ([tow()]) for checks of the tow and of the state at its start.
 #' @return A data frame of class `codend_findings`, one row per warning, most important first. It
 #'   has no rows if there are no warnings. Columns:
 #'
@@ -60,13 +60,18 @@ finding_lines <- function(found) {
 findings_by <- function(x, checks) finding_rows(list_findings(x, checks))
 
 list_findings <- function(x, checks) {
+  of <- function(...) Filter(function(check) check$of %in% c(...), checks)
+  if (inherits(x, "codend_trajectory")) {
+    start <- if (starts_elsewhere(x)) x$gear else state_at(x, x$time[1L])
+    found <- unlist(lapply(unname(of("tow")), found_by, x$gear, x), recursive = FALSE)
+    return(c(found, list_findings(start, checks)))
+  }
   if (inherits(x, "codend_state")) {
-    found <- lapply(checks, found_by, x$gear, x)
+    found <- lapply(of("plan", "state"), found_by, x$gear, x)
   } else if (inherits(x, "codend_gear")) {
-    of_plan <- Filter(function(check) check$of == "plan", checks)
-    found <- lapply(of_plan, found_by, x, NULL)
+    found <- lapply(of("plan"), found_by, x, NULL)
   } else {
-    abort_argument("{.arg x} must be a gear or a state, not {.cls {class(x)}}.")
+    abort_argument("{.arg x} must be a gear, a state or a trajectory, not {.cls {class(x)}}.")
   }
   unlist(unname(found), recursive = FALSE)
 }

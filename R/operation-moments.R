@@ -4,10 +4,6 @@
 
 little_finer <- 1.6
 
-starts_elsewhere <- function(trajectory) {
-  !isTRUE(trajectory$mesh$let_go) && any(c("shooting", "laid") %in% names(trajectory$si))
-}
-
 # Returns measures of the tow on another mesh at the saved times: list(time, nodes, measures, values
 # = measures x times, SI). NULL: no other mesh reached the end. `own`: nodes of the tow's mesh;
 # other arguments as in tow().

@@ -105,7 +105,7 @@ trajectory_report <- function(trajectory) {
       "The gear in three dimensions, as seen from the vessel; a button plays the tow and a slider",
       "steps through it."
     ))),
-    finding_section(findings(start)),
+    finding_section(findings(trajectory)),
     conditions_section(start),
     plan_section(trajectory$gear),
     version_section(),

@@ -164,7 +164,8 @@ judged_text <- function(method) {
 #' @return A data frame of class `codend_trajectory_summary`, one row per measure. Columns:
 #'   `measure`, `unit`, `start`, `end`, `least`, `least_at_s`, `greatest` and `greatest_at_s`. The
 #'   attribute `energy` (J) contains `imbalance`, `put_through`, `scheme` and `physical` at the end.
-#'   The last two are the energy removed by the time scheme, and by water, ground and dampers.
+#'   The last two are the energy removed by the time scheme, and by water, ground and dampers. The
+#'   attribute `findings` contains the warnings ([findings()]).
 #' @seealso [as.data.frame()][as.data.frame.codend_trajectory], [tow()].
 #' @examples
 #' faster <- tow("towed_cable", until = 40, every = 20,
@@ -183,6 +184,7 @@ summary.codend_trajectory <- function(object, ...) {
   })
   n <- length(object$time)
   structure(do.call(rbind, rows), class = c("codend_trajectory_summary", "data.frame"),
+    findings = findings(object),
     main = printed_names(state_values(state_at(object, object$time[n]))),
     energy = c(imbalance = object$conditions$energy_imbalance[n],
       put_through = object$conditions$energy_put_through[n],
@@ -196,6 +198,7 @@ summary.codend_trajectory <- function(object, ...) {
 print.codend_trajectory_summary <- function(x, n = 30, ...) {
   main <- attr(x, "main")
   energy <- attr(x, "energy")
+  warnings <- finding_lines(attr(x, "findings"))
   table <- rows_in_units(x[order(!x$measure %in% main), ], units_option())
   number <- c("start", "end", "least", "least_at_s", "greatest", "greatest_at_s")
   columns <- c(
@@ -211,5 +214,6 @@ print.codend_trajectory_summary <- function(x, n = 30, ...) {
       sprintf("Energy removed by the time scheme: %s J\n", figure("scheme")), sep = ""
     ))
   }
+  if (length(warnings)) cat("", bold("Warnings"), limited_lines(warnings, 9), sep = "\n")
   invisible(x)
 }

@@ -83,6 +83,7 @@ test_that("haul closes, balances energy and ends at vessel plus winch speed", {
   height <- apply(haul$position[, node, ], 3, height_above_ground, ground = haul$si$ground)
   expect_lt(max(apply(height, 2, stats::median)), 0.06)
   expect_lt(max(height[, haul$time >= 720]), 0.5)
+  expect_false("net leaves the bed" %in% findings(haul)$check)
   # wing ends separate first and then close
   wide <- series("wing_end_spread_m")
   expect_gt(max(wide), 0.5 * 36)
@@ -93,6 +94,20 @@ test_that("haul closes, balances energy and ends at vessel plus winch speed", {
   state <- state_at(haul, max(haul$time))
   free <- !state$mesh$model$held
   expect_lt(abs(sum(state$force[1, free])), 0.05 * 1000 * measures(state)[["total_drag_kN"]])
+})
+
+test_that("findings() reports a seine whose floats lift it off the bed", {
+  gear <- update(read_gear("demersal_seine"), warps.segments = 40,
+    ground_gear.mass_in_water = "2 kg/m")
+  haul <- tow(gear, nodes = 150, until = 180, every = 60, accuracy = 0.5)
+  found <- findings(haul)
+  found <- found[found$check == "net leaves the bed", ]
+  # It rises all the time, so the last saved height is the largest. The sea bed is level.
+  node <- haul$mesh$ropes$ground_gear$node
+  above <- haul$position[3, node, length(haul$time)] + 80
+  expect_equal(found$value, stats::median(above) - 0.03, tolerance = 1e-6)
+  expect_match(found$message, "leaves the sea bed at 60.* s; at 180")
+  expect_output(print(summary(haul)), "Warnings.*leaves the sea bed")
 })
 
 test_that("demersal seine plans are rejected with the wrong field", {
