@@ -10,15 +10,30 @@ main_kinds <- c("spread", "height", "area", "volume", "enclosed_volume", "catch_
 light_drag <- 0.01
 
 # Returns standard errors of a state's measures (SI, by name). NA: no other mesh is comparable. In a
-# tow, the errors include the accuracy of the time steps.
+# tow, the errors include the error in time.
 state_errors <- function(state, found = state_values(state)) {
   names <- names(found$values)
   levels <- levels_of(state, found$values)
+  in_time <- state$compared$time_error
   error <- estimate_errors(found$values, found$kinds, state$mesh$nodes, levels,
-    first_of(state$step_accuracy, 0))
+    if (is.null(in_time)) first_of(state$step_accuracy, 0) else 0)
+  if (!is.null(in_time)) error <- sqrt(error^2 + unname(in_time[names])^2)
   # the initial state lacks these measures, so their errors are unknown
-  if (!is.null(state$time)) error[!names %in% names(state$compared$levels[[1L]]$values)] <- NA
+  known <- unlist(lapply(levels, function(level) names(level$values)))
+  if (!is.null(state$time)) error[!names %in% known] <- NA
   setNames(error, names)
+}
+
+# Error in time over its difference from a run with a quarter of the accuracy. It is 2 if errors
+# grow with the square root of the accuracy, and 4/3 if they are proportional to it.
+time_error_share <- 1.5
+
+# Returns standard errors in time of measures at several times, from their values with the tow's
+# accuracy and with a tighter one (measures x times). A difference may vanish by chance, so that
+# half of the variance is the mean square over all times.
+time_errors <- function(coarse, tight) {
+  squares <- (time_error_share * (tight - coarse))^2
+  sqrt((squares + rowMeans(squares, na.rm = TRUE)) / 2)
 }
 
 # Returns standard errors (SI) of named values on a mesh with this number of nodes. `kinds`: their
@@ -40,8 +55,11 @@ plain <- function(values) unname(as.double(values))
 levels_of <- function(state, values) {
   compared <- state$compared
   if (!is.null(compared)) {
-    if (is.null(compared$values)) return(compared$levels)
-    return(carry_levels(compared$levels, compared$values, values))
+    carry <- function(levels, from) {
+      if (is.null(from)) levels else carry_levels(levels, from, values)
+    }
+    coarse <- if (!is.null(compared$coarse)) list(compared$coarse)
+    return(c(carry(coarse, compared$last), carry(compared$levels, compared$values)))
   }
   if (is.null(state$levels)) return(list())
   base <- state$levels$base

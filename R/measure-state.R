@@ -34,10 +34,9 @@
 #' The true error exceeds five estimates for \resultErrorsMissedCoarse{} of the measures with 300 or
 #' 500 nodes, and for \resultErrorsMissedDefault{} with 1,500 nodes.
 #'
-#' A moment of a tow has the relative errors of the settled state at its start. The error of the
-#' time steps is added, from the largest position error e (m) of a step: 1.5 e for lengths, and a
-#' quarter of the root of e for forces. The errors are `NA` if the tow did not start from a settled
-#' state and has no comparison on another model.
+#' A moment of a tow has the relative errors of the settled state at its start. The error in time is
+#' added, see [tow()]. The errors are `NA` if the tow did not start from a settled state and has no
+#' comparison on another model.
 #'
 #' @eval measure_help()
 #'

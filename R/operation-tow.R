@@ -110,10 +110,17 @@
 #' `codend_error_energy`. [summary()][summary.codend_trajectory] lists the energy that the scheme
 #' removes. [findings()] warns if it exceeds 5 % of the energy that water and dampers remove.
 #'
-#' @section Discretisation error:
-#' The relative errors of the measures are those for the settled gear. Gears that are shot or laid
-#' start far from equilibrium: the same tow first runs on a mesh with other `nodes`, and the
-#' difference gives the error.
+#' @section Errors in time and from the mesh:
+#' The tow also runs twice on a coarser mesh: with the same accuracy and with a quarter of it (half
+#' of a fixed `step`).
+#'
+#' - The difference of both runs gives the error in time of each measure at each time.
+#' - The relative error of the mesh is the one of the settled gear. For gears that are shot or laid,
+#'   which start far from equilibrium, it follows from the coarser mesh.
+#'
+#' A continued tow keeps the relative errors of its last time. Usual errors of time steps apply to
+#' tows with `control` or from a moment of another tow, to interrupted tows and to files written
+#' during a tow. `make tow-errors` compares the errors with true errors.
 #'
 #' @param state A state from [settle()]; a gear, or the name or file of a plan; or a trajectory to
 #'   continue.
@@ -199,13 +206,22 @@ tow <- function(state, schedule = NULL, until = NULL, every = NULL, scheme = NUL
   } else {
     settled_trajectory(state, given, until, nodes, netting)
   }
-  if (!going_on && starts_elsewhere(trajectory)) {
-    asked <- trajectory$mesh$counts$asked$nodes
-    trajectory$compared <- moments_elsewhere(state, given, until, every, method, asked, netting,
-      trajectory$mesh$nodes)
+  elsewhere <- function() {
+    moments_elsewhere(trajectory$compared, trajectory$gear, given, until, every, method, netting,
+      trajectory$mesh)
   }
+  # A moment of a tow as the start has no equal on another mesh. Without levels of the start, a file
+  # needs the comparison at once.
+  comparable <- !going_on && is.null(state[["time"]])
+  first <- comparable && is.null(trajectory$compared)
+  if (first) trajectory$compared <- elsewhere()
   record <- if (!is.null(file)) function(what, frames) record_trajectory(what, frames, file)
-  integrate_trajectory(trajectory, until, every, method, measures, record)
+  towed <- integrate_trajectory(trajectory, until, every, method, measures, record)
+  # a controller that stores data must not run again
+  if (comparable && !first && is.null(given[["control"]]) && towed$end == "reached") {
+    towed$compared <- tryCatch(elsewhere(), interrupt = function(e) trajectory$compared)
+  }
+  towed
 }
 
 # Upper limits of the duration (s) and of the number of saved times, to bound memory.
@@ -290,7 +306,8 @@ tow_accuracy <- function(given) {
 default_accuracy <- 0.01
 
 # Returns a trajectory that starts from the equilibrium at time 0, or from the shot or laid gear.
-settled_trajectory <- function(gear, given, until, nodes, netting) {
+# `levels(state)`: returns mesh levels of the settled gear.
+settled_trajectory <- function(gear, given, until, nodes, netting, levels = compared_meshes) {
   check_settle_arguments(gear, nodes, netting)
   si <- gear_si(gear)
   if (!is.null(si$shooting)) {
@@ -309,7 +326,7 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   if (identical(first, si) && !length(what$schedule$growing) && now$heave == 0) {
     state <- if (is.null(planned)) settle(gear, nodes, netting) else planned
     warn_of_doubts(state, swings = TRUE)
-    return(started_trajectory(state, given, until, compared_meshes(state)))
+    return(started_trajectory(state, given, until, levels(state)))
   }
   # A short warp gets few bars, so its shape is transferred to the mesh of the full warp.
   progress <- settle_progress()
@@ -335,6 +352,6 @@ settled_trajectory <- function(gear, given, until, nodes, netting) {
   if (!settled$converged) abort_unsettled(settled, start, settled$position)
   what$mesh$model <- changed_model(what$mesh$model, settled["wake"])
   # assume the relative errors from the gear in its plan's conditions
-  if (!is.null(planned)) what$compared <- compared_meshes(planned)
+  if (!is.null(planned)) what$compared <- levels(planned)
   add_start(what, settled$position, c(-now$speed, 0, 0))
 }

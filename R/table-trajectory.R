@@ -39,7 +39,8 @@
 #' @param optional Not used.
 #' @param what Name of the table, by default `"measures"`. Give it by name, as `what = "nodes"`:
 #'
-#'   - `"measures"`: `measure`, `value`, `error` and `unit` ([measures()] at every time).
+#'   - `"measures"`: `measure`, `value`, `error` and `unit` ([measures()] at every time), and the
+#'     parts `time_error` and `mesh_error` of the error ([tow()]).
 #'   - `"conditions"`: the motion of the vessel and the warp lengths from the schedule.
 #'   - `"tensions"`: `part`, `kind`, `role`, `max_kN` and `mean_kN`, the largest and mean tension of
 #'     one line.
@@ -88,7 +89,15 @@ as.data.frame.codend_trajectory <- function(x, row.names = NULL, optional = FALS
 }
 
 measures_by_time <- function(trajectory, wide) {
-  table <- by_time(trajectory, function(time) as.data.frame(measures(state_at(trajectory, time))))
+  table <- by_time(trajectory, function(time) {
+    state <- state_at(trajectory, time)
+    table <- as.data.frame(measures(state))
+    in_time <- state$compared$time_error[table$measure]
+    if (is.null(in_time)) in_time <- NA * table$value
+    table$time_error <- unname(numbers_in_display_units(in_time, table$unit))
+    table$mesh_error <- sqrt(pmax(table$error^2 - table$time_error^2, 0))
+    table
+  })
   if (!wide) return(table)
   columns <- lapply(split(table, factor(table$measure, unique(table$measure))), function(of) {
     of$value[match(trajectory$time, of$time_s)]
@@ -157,15 +166,21 @@ judged_text <- function(method) {
 
 #' Summarise a trajectory
 #'
-#' Lists start, end, minimum and maximum of every measure of a tow.
+#' Lists start, end, mean, minimum and maximum of every measure of a tow, with errors.
 #'
 #' @param object A trajectory, from [tow()].
 #' @param ... Not used.
+#' @section Errors:
+#' An extreme has the error of the value at its time ([tow()]). The error of its time follows from
+#' the times at which the value differs by less than its error.
+#'
 #' @return A data frame of class `codend_trajectory_summary`, one row per measure. Columns:
-#'   `measure`, `unit`, `start`, `end`, `least`, `least_at_s`, `greatest` and `greatest_at_s`. The
-#'   attribute `energy` (J) contains `imbalance`, `put_through`, `scheme` and `physical` at the end.
-#'   The last two are the energy removed by the time scheme, and by water, ground and dampers. The
-#'   attribute `findings` contains the warnings ([findings()]).
+#'   `measure`, `unit`, `start`, `end`, `mean`, `least`, `least_at_s`, `greatest`, `greatest_at_s`
+#'   and errors: `mean_error`, `least_error`, `least_at_s_error`, `greatest_error` and
+#'   `greatest_at_s_error`. Extremes between saved times are missed. The attribute `energy` (J)
+#'   contains `imbalance`, `put_through`, and the energy removed by the time `scheme` and by
+#'   `physical` causes (water, ground and dampers) at the end. The attribute `findings` contains the
+#'   warnings ([findings()]).
 #' @seealso [as.data.frame()][as.data.frame.codend_trajectory], [tow()].
 #' @examples
 #' faster <- tow("towed_cable", until = 40, every = 20,
@@ -173,22 +188,37 @@ judged_text <- function(method) {
 #' summary(faster)
 #' @export
 summary.codend_trajectory <- function(object, ...) {
-  table <- as.data.frame(object, what = "measures")
-  rows <- lapply(unique(table$measure), function(measure) {
-    of <- table[table$measure == measure, ]
-    data.frame(
-      measure = measure, unit = of$unit[1], start = of$value[1], end = of$value[nrow(of)],
-      least = min(of$value), least_at_s = of$time_s[which.min(of$value)],
-      greatest = max(of$value), greatest_at_s = of$time_s[which.max(of$value)]
-    )
-  })
   n <- length(object$time)
-  structure(do.call(rbind, rows), class = c("codend_trajectory_summary", "data.frame"),
-    findings = findings(object),
-    main = printed_names(state_values(state_at(object, object$time[n]))),
+  last <- state_values(state_at(object, object$time[n]))
+  table <- extremes_table(as.data.frame(object, what = "measures"))
+  structure(table, class = c("codend_trajectory_summary", "data.frame"),
+    findings = findings(object), main = printed_names(last),
     energy = c(imbalance = object$conditions$energy_imbalance[n],
       put_through = object$conditions$energy_put_through[n],
       energy_lost(object$energy)[c("scheme", "physical"), n]))
+}
+
+# Returns the first and last value, the mean and the extremes of each measure, with errors. `table`:
+# measures by time.
+extremes_table <- function(table) {
+  rows <- lapply(split(table, factor(table$measure, unique(table$measure))), function(of) {
+    n <- nrow(of)
+    extreme <- function(sign) {
+      k <- which.max(sign * of$value)
+      # times at which the value differs by less than its error
+      near <- which(abs(of$value - of$value[k]) <= of$error[k])
+      shift <- range(of$time_s[pmax(1L, pmin(n, range(k, near) + c(-1L, 1L)))]) - of$time_s[k]
+      list(value = of$value[k], error = of$error[k], at_s = of$time_s[k],
+        at_s_error = if (is.na(of$error[k])) NA_real_ else max(abs(shift)) / 2)
+    }
+    # errors of neighbouring times are similar and do not average out
+    data.frame(measure = of$measure[1L], unit = of$unit[1L], start = of$value[1L],
+      end = of$value[n], mean = mean(of$value), mean_error = sqrt(mean(of$error^2)),
+      least = extreme(-1), greatest = extreme(1))
+  })
+  rows <- do.call(rbind, unname(rows))
+  names(rows) <- sub("[.]value$", "", sub("[.](error|at_s)", "_\\1", names(rows)))
+  rows
 }
 
 #' @rdname summary.codend_trajectory
@@ -200,10 +230,13 @@ print.codend_trajectory_summary <- function(x, n = 30, ...) {
   energy <- attr(x, "energy")
   warnings <- finding_lines(attr(x, "findings"))
   table <- rows_in_units(x[order(!x$measure %in% main), ], units_option())
-  number <- c("start", "end", "least", "least_at_s", "greatest", "greatest_at_s")
+  number <- c("start", "end", "least", "least_error", "least_at_s", "greatest", "greatest_error",
+    "greatest_at_s")
   columns <- c(
     list(c("", label_of(table$measure, table$unit))), list(c("", table$unit)),
-    lapply(number, function(name) c(gsub("_at_s", " at s", name), figures(table[[name]])))
+    lapply(number, function(name) {
+      c(sub(".*_at_s$", "at s", sub(".*_error$", "error", name)), figures(table[[name]]))
+    })
   )
   lines <- align_columns(columns, left = 1:2)
   cat(lines[1L], limited_lines(lines[-1L], n - 2), sep = "\n")

@@ -53,7 +53,8 @@ in_printed_units <- function(x) {
 
 # Columns of long tables in the unit of their row.
 columns_in_unit <- c(
-  "value", "error", "lower", "upper", "begun", "start", "end", "least", "median", "largest",
+  "value", "error", "time_error", "mesh_error", "mean_error", "least_error", "greatest_error",
+  "lower", "upper", "begun", "start", "end", "least", "median", "largest",
   "greatest", "target", "mean", "sd", "q5", "q50", "q95", "spread", "contribution", "remaining_sd"
 )
 

@@ -49,13 +49,18 @@ state_at <- function(trajectory, time) {
   state
 }
 
-# Returns the comparison values for one moment, in the format of compared_meshes().
+# Returns the comparison values for one moment: list(levels, values) of the start, see
+# compared_meshes(), and from the runs on another mesh `coarse` (a level), `last` (values that it is
+# carried from, or NULL) and `time_error` (SI), both by measure.
 compared_at <- function(trajectory, time) {
   compared <- trajectory$compared
   if (is.null(compared$time)) return(compared)
   k <- which.min(abs(compared$time - time))
-  level <- list(nodes = compared$nodes, values = setNames(compared$values[, k], compared$measures))
-  list(levels = list(level), values = if (time > compared$time[k] + 1e-6) compared$last)
+  at <- function(of) setNames(compared[[of]][, k], compared$measures)
+  c(compared[c("levels", "values")], list(
+    coarse = list(nodes = compared$nodes, values = at("coarse")),
+    last = if (time > compared$time[k] + 1e-6) compared$last, time_error = at("time_error")
+  ))
 }
 
 # Returns the rotation from ground axes to the axes of a vessel with this course [rad].

@@ -18,7 +18,7 @@ test_that("as.data.frame() of a trajectory returns long and wide tables", {
   trajectory <- tow(state, until = 4, every = 2,
     schedule = tow_schedule(speed = data.frame(time = c(0, 2), value = c("4 knot", "4.5 knot"))))
   table <- tidy(trajectory)
-  expect_named(table, c("time_s", "measure", "value", "error", "unit"))
+  expect_named(table, c("time_s", "measure", "value", "error", "unit", "time_error", "mesh_error"))
   now <- measures(state_at(trajectory, 4))
   expect_identical(table$value[table$time_s == 4], as.double(now))
   wide <- as.data.frame(trajectory, wide = TRUE)
