@@ -22,8 +22,10 @@
 #   make bench-tow    cost of one second of motion, by scheme
 #   make netting   discretisation error of netting: known answers, mesh differences, cost
 #   make errors    reliability of error estimates; ERRORS="gears=100 nodes=1500"
+#   make tow-errors  check of the estimated errors of tows; ERRORS="count=24 nodes=300"
 #   make random-gears  success rate of random gears; COUNT=... SEED=... NODES=... NETTING=... LAW=... KIND=...
 #   make robust    success rate of 500 variations of the trawl
+#   make robust-tows  failures of random tows; TOWS="count=500 minutes=1,20"
 #   make validate  compare with analytical solutions, flume tests and hauls: validation/book.md
 #   make condition  fit the model error of uncertainty() to measurements; FIT=1 reuses the last sensitivities
 #
@@ -41,7 +43,7 @@
 # All targets except docs, schema and schema-check install missing dependencies first (tools/setup).
 
 .PHONY: cheat-sheet docs trawl install test fast lint fuzz fuzz-engine sanitize-threads coverage check ci lane \
-  ratchet gallery guides knitted soak bench bench-loops bench-tow netting errors random-gears robust \
+  ratchet gallery guides knitted soak bench bench-loops bench-tow netting errors tow-errors random-gears robust robust-tows \
   validate condition wasm site schema schema-check
 trawl:
 	@tools/setup
@@ -142,6 +144,10 @@ errors:
 	@tools/setup --tests
 	@Rscript bench/errors.R $(ERRORS)
 
+tow-errors:
+	@tools/setup
+	@Rscript bench/tow-errors.R $(ERRORS)
+
 random-gears: COUNT = 300
 random-gears: SEED = 1
 random-gears:
@@ -152,6 +158,10 @@ random-gears:
 robust:
 	@tools/setup --tests
 	@Rscript bench/robust.R
+
+robust-tows:
+	@tools/setup
+	@Rscript bench/robust-tows.R $(TOWS)
 
 validate:
 	@tools/setup --tests
