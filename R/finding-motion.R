@@ -3,12 +3,11 @@
 greatest_scheme_loss <- 0.05
 greatest_energy_loss <- 0.01
 
-define_finding("numerical dissipation", "state",
-  "At a moment of a tow, the time scheme has removed more than 5 % of the energy that water, ground
-  and dampers have removed, and more than 1 % of the energy that the gear exchanges.",
-  function(gear, state) {
-    lost <- state$energy_lost
-    if (is.null(lost)) return(list())
+define_finding("numerical dissipation", "tow",
+  "The time scheme has removed more than 5 % of the energy that water, ground and dampers have
+  removed, and more than 1 % of the energy that the gear exchanges.",
+  function(gear, trajectory) {
+    lost <- energy_lost(trajectory$energy)[, length(trajectory$time)]
     share <- lost[["scheme"]] / lost[["physical"]]
     if (lost[["scheme"]] <= greatest_energy_loss * lost[["exchanged"]] ||
       share <= greatest_scheme_loss) return(list())

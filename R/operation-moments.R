@@ -58,8 +58,8 @@ differ_enough <- function(nodes, others) max(nodes / others, others / nodes) >= 
 
 tighter_method <- function(method) {
   if (method$accuracy == 0) return(utils::modifyList(method, list(step = method$step / 2)))
-  grown <- c("accuracy", "tolerance", "energy_error")
-  method[grown] <- lapply(method[grown], `*`, tighter)
+  limits <- c("accuracy", "tolerance")
+  method[limits] <- lapply(method[limits], `*`, tighter)
   method
 }
 

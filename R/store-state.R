@@ -30,7 +30,7 @@ read_state <- function(nc, file) {
       stop("its positions do not fit its model")
     }
     state <- new_state(what$gear, what$si, mesh, position, what$report, velocity)
-    for (name in moment_fields) state[[name]] <- what[[name]]
+    for (name in c("time", "compared", "step_accuracy")) state[[name]] <- what[[name]]
     if (length(what$levels)) state$levels <- new_levels(what$levels, complete = TRUE)
     state
   })
@@ -73,12 +73,9 @@ state_numbers <- function(state) {
   )
 }
 
-# Fields of a moment of a tow.
-moment_fields <- c("time", "compared", "step_accuracy", "energy_lost")
-
 # Returns variables that read_state() needs to restore the state exactly.
 restored_variables <- function(state) {
-  plain <- c("si", "recipe", "report", moment_fields)
+  plain <- c("si", "recipe", "report", "time", "compared", "step_accuracy")
   saved_variables(c(
     Filter(Negate(is.null), lapply(setNames(nm = plain), function(name) .subset2(state, name))),
     list(gear = state$gear, levels = levels_of(state, plain_measures(measures(state))))

@@ -45,7 +45,6 @@ state_at <- function(trajectory, time) {
   state$time <- trajectory$time[k]
   state$compared <- compared_at(trajectory, state$time)
   state$step_accuracy <- first_of(trajectory$report$largest_error, 0)
-  state$energy_lost <- energy_lost(trajectory$energy)[, k]
   state
 }
 
