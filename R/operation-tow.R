@@ -89,10 +89,9 @@
 #'   accuracy times the distance that the fastest part travels in the step, relative to the mean of
 #'   the gear. Errors below 1e-5 of the accuracy times the size of the gear are ignored.
 #'
-#' Errors of steps accumulate in oscillations with little damping. At the default, a pendulum of 10 m
-#' is off by a tenth of its swing after three periods, and loses a fifth of its amplitude in ten
-#' minutes. At `"0.1 %"` it is off by 0.1 %, and its amplitude changes by 0.3 % in 1,000 periods.
-#' [findings()] warns if the scheme has removed much energy.
+#' Errors of steps accumulate in oscillations with little damping. At the default, such oscillations
+#' die within minutes. At `"0.1 %"`, a pendulum keeps its amplitude within 1 % over 1,000 periods, a
+#' limit that is tested. [findings()] warns if the scheme has removed much energy.
 #'
 #' Peaks of tension depend on the accuracy where slack netting or ropes snap taut. Use
 #' `list(position = , tension = )` to limit tension errors too, as a fraction of the largest tension
