@@ -131,9 +131,9 @@
 #'   plan, or `until / 200`.
 #' @param scheme Name of the time scheme, see the section on schemes. `NULL` (default): as in the
 #'   plan, or `"tr_bdf2"`.
-#' @param accuracy Largest position error of one implicit step, m, or string; or a percentage such as
-#'   `"0.1 %"`; or a list with a tension limit, see the section on accuracy. `NULL` (default): as in
-#'   the plan, or 0.01 m.
+#' @param accuracy Largest position error of one implicit step, m, or string; or a percentage such
+#'   as `"0.1 %"`; or a list with a tension limit, see the section on accuracy. `NULL` (default): as
+#'   in the plan, or 0.01 m.
 #' @param step Fixed step length, s or string, instead of an accuracy. `NULL` (default): adaptive
 #'   for implicit schemes, 0.9 of the longest stable step for the others.
 #' @param nodes,netting As in [settle()], for a gear that is not yet a state. By default the gear is
@@ -253,8 +253,8 @@ continued_accuracy <- function(method) {
   }
 }
 
-# Returns the settings of the time integration: list(scheme, accuracy (m, or a ratio if `relative`; 0
-# for fixed steps), relative, step, tolerance, least_step, most_step, ...).
+# Returns the settings of the time integration: list(scheme, accuracy (m, or a ratio if `relative`;
+# 0 for fixed steps), relative, step, tolerance, least_step, most_step, ...).
 tow_method <- function(scheme, accuracy, step) {
   known <- engine_schemes()
   if (!is_text(scheme) || !scheme %in% known$name) {

@@ -34,7 +34,8 @@ random_tow <- function(number, minutes = c(1, 20), kind = NULL) {
 # Returns a table over time: values[1], then linear changes to the other values at random times.
 random_change <- function(values, until) {
   time <- sort(stats::runif(2L * length(values) - 2L, 0, until))
-  data.frame(time = c(0, time), value = rep(values, times = c(2L, rep(2L, length(values) - 2L), 1L)))
+  times <- c(2L, rep(2L, length(values) - 2L), 1L)
+  data.frame(time = c(0, time), value = rep(values, times = times))
 }
 
 # A turn of up to half a circle, at 0.2 to 2 deg/s.

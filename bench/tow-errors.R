@@ -1,8 +1,9 @@
 # Entry point of `make tow-errors`: checks the reported errors of tows against true errors.
 #
-# Each random tow (random-tows.R) is computed with a coarse mesh and the usual accuracy. The reference
-# has four times as many nodes and a tenth of the accuracy. Their difference counts as the true error,
-# at ten times of each tow and for its means and extremes. The seeds were not used to fit constants.
+# Each random tow (random-tows.R) is computed with a coarse mesh and the usual accuracy. The
+# reference has four times as many nodes and a tenth of the accuracy. Their difference counts as the
+# true error, at ten times of each tow and for its means and extremes. The seeds were not used to
+# fit constants.
 #
 # Named arguments: count=24 (tows), seed=2001 (of the first), nodes=300, minutes=1,3 (range of their
 # duration), seconds=200 (CPU limit of one tow). Writes bench/results/tow-errors.md.

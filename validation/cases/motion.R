@@ -1,5 +1,5 @@
-# Motions at an accuracy of 0.1 %, or at the default if they are stiff, compared with analytical solutions, with equations of motion
-# integrated by deSolve, and with explicit time steps.
+# Motions at an accuracy of 0.1 %, or at the default if they are stiff, compared with analytical
+# solutions, with equations of motion integrated by deSolve, and with explicit time steps.
 
 # Compares series over time. The misfit is the largest deviation as a ratio of `scale`, which is by
 # default the range of the exact series.
