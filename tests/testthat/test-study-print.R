@@ -84,7 +84,7 @@ test_that("prints of an optimum and a trade-off fit a screen", {
 test_that("summary() of a study counts designs", {
   skip_if_not_installed("RNetCDF")
   store <- file.path(test_folder(), "cable.study")
-  vary("towed_cable", designs(towing.speed = paste(3:6, "knot")), store = store, tasks = 0, nodes = 50)
+  vary("towed_cable", towing.speed = paste(3:6, "knot"), store = store, tasks = 0, nodes = 50)
   run_study(store, 1, 2)
   expect_screen(summary(read_result(store)))
 })

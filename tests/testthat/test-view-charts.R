@@ -75,12 +75,14 @@ test_that("constant is drawn as a straight line", {
 })
 
 test_that("equal ropes and equal panels are both visible", {
-  tensions <- as.data.frame(settled("midwater_trawl", nodes = 500), what = "rope_tensions", parts = "warp")
+  tensions <- as.data.frame(settled("midwater_trawl", nodes = 500), what = "rope_tensions",
+    parts = "warp")
   chart <- ggplot2::autoplot(tensions)
   expect_equal(range(chart$data$value), range(tensions$tension_kN))
   built <- ggplot2::layer_data(chart, 2)
   expect_setequal(built$linetype, c("solid", "33"))
-  meshes <- as.data.frame(suppressWarnings(settle("pair_trawl", nodes = 300)), what = "mesh_openings")
+  trawl <- suppressWarnings(settle("pair_trawl", nodes = 300))
+  meshes <- as.data.frame(trawl, what = "mesh_openings")
   lines <- ggplot2::layer_data(ggplot2::autoplot(meshes), 2)
   expect_setequal(lines$linetype, c("solid", "33"))
   # each panel of the net is a line in both facets
