@@ -31,7 +31,8 @@ moments_elsewhere <- function(compared, gear, given, until, every, method, netti
           levels = function(state) NULL)
         if (!is.null(compared) || differ_enough(start$mesh$nodes, own$nodes)) {
           lapply(list(coarse = method, tight = tighter_method(method)), function(how) {
-            moments_of(integrate_trajectory(start, until, every, how, measures))
+            moments_of(integrate_trajectory(start, until, every, how, measures,
+              progress = no_progress))
           })
         }
       }),

@@ -48,8 +48,10 @@ gather_trajectory <- function(what, frames, end) {
 
 # Continues a trajectory until a time. `measured`: function(state) that returns the input of the
 # user's controller. `record`: NULL, or `function(what, frames)` that saves snapshots and returns
-# list(add = function(frame), close = function(end)) for further ones.
-integrate_trajectory <- function(trajectory, until, every, method, measured = NULL, record = NULL) {
+# list(add = function(frame), close = function(end)) for further ones. `progress(begun, until)`:
+# returns a function(time, steps) that shows progress.
+integrate_trajectory <- function(trajectory, until, every, method, measured = NULL, record = NULL,
+                                 progress = tow_progress) {
   what <- constants_of(trajectory)
   what$method <- method
   what$every <- every
@@ -81,11 +83,11 @@ integrate_trajectory <- function(trajectory, until, every, method, measured = NU
   tryCatch(
     {
       model <- model_at_time(what, trajectory)
-      progress <- tow_progress(past$now$time, until)
+      show <- progress(past$now$time, until)
       report <- engine_tow(model, schedule_as_done(what$schedule, past$done), past, method,
-        stops, keep, steerer(what, measured, function() front), refill, progress)
+        stops, keep, steerer(what, measured, function() front), refill, show)
       end <- report$end
-      if (end == "reached") progress(until, report$steps)
+      if (end == "reached") show(until, report$steps)
     },
     interrupt = function(e) NULL,
     codend_error_file = function(e) {
@@ -184,6 +186,8 @@ trajectory_frames <- function(trajectory) {
   })
 }
 
+no_progress <- function(begun, until) function(time, steps) NULL
+
 # Returns a function(time, steps) that shows progress once a run has taken two seconds, or reports
 # percents to progressr.
 tow_progress <- function(begun, until) {
@@ -191,7 +195,7 @@ tow_progress <- function(begun, until) {
   if (!is.null(report)) {
     return(function(time, steps) report(floor(100 * (time - begun) / (until - begun))))
   }
-  if (!cli::is_dynamic_tty()) return(function(time, steps) NULL)
+  if (!cli::is_dynamic_tty()) return(no_progress(begun, until))
   started <- proc.time()[["elapsed"]]
   bar <- NULL
   frame <- parent.frame()

@@ -25,7 +25,7 @@ test_that("two workers give the bytes of one, with or without store", {
 test_that("study continues after a killed worker and names the deadly design", {
   skip_on_os("windows")
   store <- file.path(test_folder(), "a.study")
-  create_store(new_study("towed_cable", list(sixteen), 1500, NULL), store)
+  open_or_create(new_study("towed_cable", list(sixteen), 1500, NULL), store)
   deadly <- new.env()
   deadly$start <- function(store, designs) {
     future::future(
