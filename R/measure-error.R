@@ -24,9 +24,9 @@ state_errors <- function(state, found = state_values(state)) {
   setNames(error, names)
 }
 
-# Error in time over its difference from a run with a quarter of the accuracy. It is 2 if errors
-# grow with the square root of the accuracy, and 4/3 if they are proportional to it.
-time_error_share <- 1.5
+# Error in time over its difference from a run with a quarter of the accuracy: 5/3 for a scheme of
+# second order with an error limit per step, 2 if errors grow with the square root of the accuracy.
+time_error_share <- 2
 
 # Returns standard errors in time of measures at several times, from their values with the tow's
 # accuracy and with a tighter one (measures x times). A difference may vanish by chance, so that
