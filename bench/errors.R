@@ -13,12 +13,8 @@ for (script in c("sizes", "results", "random-gears")) {
   source(file.path("bench", paste0(script, ".R")))
 }
 
-asked <- list(gears = 20, seed = 1001, nodes = c(300, 500, 1500), finest = 12000, speeds = 0.7,
-  tows = 1)
-for (one in strsplit(commandArgs(TRUE), "=", fixed = TRUE)) {
-  stopifnot(length(one) == 2L, one[1L] %in% names(asked))
-  asked[[one[1L]]] <- as.numeric(strsplit(one[2L], ",", fixed = TRUE)[[1L]])
-}
+asked <- given_numbers(list(gears = 20, seed = 1001, nodes = c(300, 500, 1500), finest = 12000,
+  speeds = 0.7, tows = 1))
 limit <- 60  # CPU seconds of one settle()
 commit <- system2("git", c("rev-parse", "--short", "HEAD"), stdout = TRUE)
 

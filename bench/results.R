@@ -53,3 +53,12 @@ bind_rows <- function(rows) {
     }), columns)
   )
 }
+
+# Returns `asked` with the numbers of the command line's arguments "name=1" or "name=1,2".
+given_numbers <- function(asked) {
+  for (one in strsplit(commandArgs(TRUE), "=", fixed = TRUE)) {
+    stopifnot(length(one) == 2L, one[1L] %in% names(asked))
+    asked[[one[1L]]] <- as.numeric(strsplit(one[2L], ",", fixed = TRUE)[[1L]])
+  }
+  asked
+}

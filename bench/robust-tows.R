@@ -6,11 +6,7 @@ library(codend)
 for (script in c("sizes", "results", "random-gears", "random-tows")) {
   source(file.path("bench", paste0(script, ".R")))
 }
-asked <- list(count = 100, seed = 1, nodes = 150, minutes = c(1, 5), seconds = 60)
-for (one in strsplit(commandArgs(TRUE), "=", fixed = TRUE)) {
-  stopifnot(length(one) == 2L, one[1L] %in% names(asked))
-  asked[[one[1L]]] <- as.numeric(strsplit(one[2L], ",", fixed = TRUE)[[1L]])
-}
+asked <- given_numbers(list(count = 100, seed = 1, nodes = 150, minutes = c(1, 5), seconds = 60))
 
 # Returns the row of a tow. `end`: "reached", "refused" (before the motion), "stopped" (during the
 # motion), "slow" (the CPU limit) or "error".

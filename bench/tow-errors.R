@@ -11,11 +11,7 @@ library(codend)
 for (script in c("sizes", "results", "random-gears", "random-tows")) {
   source(file.path("bench", paste0(script, ".R")))
 }
-asked <- list(count = 24, seed = 2001, nodes = 300, minutes = c(1, 3), seconds = 200)
-for (one in strsplit(commandArgs(TRUE), "=", fixed = TRUE)) {
-  stopifnot(length(one) == 2L, one[1L] %in% names(asked))
-  asked[[one[1L]]] <- as.numeric(strsplit(one[2L], ",", fixed = TRUE)[[1L]])
-}
+asked <- given_numbers(list(count = 24, seed = 2001, nodes = 300, minutes = c(1, 3), seconds = 200))
 commit <- system2("git", c("rev-parse", "--short", "HEAD"), stdout = TRUE)
 
 # Group of a kind of measure, or "other".
