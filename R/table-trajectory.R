@@ -229,6 +229,7 @@ print.codend_trajectory_summary <- function(x, n = 30, ...) {
   main <- attr(x, "main")
   energy <- attr(x, "energy")
   warnings <- finding_lines(attr(x, "findings"))
+  if (length(warnings)) warnings <- c("", bold("Warnings"), limited_lines(warnings, 9))
   table <- rows_in_units(x[order(!x$measure %in% main), ], units_option())
   number <- c("start", "end", "least", "least_error", "least_at_s", "greatest", "greatest_error",
     "greatest_at_s")
@@ -239,7 +240,8 @@ print.codend_trajectory_summary <- function(x, n = 30, ...) {
     })
   )
   lines <- align_columns(columns, left = 1:2)
-  cat(lines[1L], limited_lines(lines[-1L], n - 2), sep = "\n")
+  # of n lines, the heading and the energy take three
+  cat(lines[1L], limited_lines(lines[-1L], n - 3 - length(warnings)), sep = "\n")
   if (!is.null(energy)) {
     figure <- function(name) format(signif(energy[[name]], 3))
     with_plain_numbers(cat(
@@ -247,6 +249,6 @@ print.codend_trajectory_summary <- function(x, n = 30, ...) {
       sprintf("Energy removed by the time scheme: %s J\n", figure("scheme")), sep = ""
     ))
   }
-  if (length(warnings)) cat("", bold("Warnings"), limited_lines(warnings, 9), sep = "\n")
+  if (length(warnings)) cat(warnings, sep = "\n")
   invisible(x)
 }

@@ -252,7 +252,7 @@ tow_checks <- list(
       nodes = times * dim(tow$position)[2L])
     for (what in names(rows)) {
       check_table(as.data.frame(tow, what = what), rows[[what]], what,
-        c("role", "error", "swept_volume_m3", "swept_area_m2"))
+        c("role", "error", "time_error", "mesh_error", "swept_volume_m3", "swept_area_m2"))
     }
   },
   "exports" = function(tow, folder) {
