@@ -224,13 +224,9 @@ TEST_CASE("body between springs slides, reverses and sticks as in short explicit
   Schedule schedule;
   schedule.sticking.present = true;
   ScheduledConditions conditions(model, assembly, schedule, start);
-  conditions.to_time(0.0, Side::after, start);
-  NewtonStep stepper(assembly, relative_accuracy(1e-3, start.x), start.x);
-  IntegrationControl control;
-  control.adaptive = true;
-  control.step = 1e-4;
-  Past past;
-  past.now = start;
+  const Past past = started(conditions, start);
+  NewtonStep stepper(assembly, relative_accuracy(1e-3, past.now.x), past.now.x);
+  const IntegrationControl control = adaptive_from(1e-4);
   TimeIntegration integration(assembly, stepper, conditions, control, past);
   // Symplectic Euler with the same law in one dimension, in steps of 10 us.
   const Ground& ground = model.ground;

@@ -6,11 +6,11 @@
 
 #include "base/pi.hpp"
 #include "filled_model.hpp"
+#include "integrated.hpp"
 #include "model/evaluate.hpp"
 #include "motion/explicit_step.hpp"
 #include "motion/newton_step.hpp"
 #include "motion/scheduled_conditions.hpp"
-#include "motion/time_integration.hpp"
 
 using namespace codend;
 
@@ -73,13 +73,9 @@ Track integrate_float(Model& model, const Schedule& schedule, Vector from, doubl
   start.x = from;
   Assembly assembly(model);
   ScheduledConditions conditions(model, assembly, schedule, start);
-  conditions.to_time(0.0, Side::after, start);
-  NewtonStep stepper(assembly, {1e-5, 1e9, 1e-9}, start.x);
-  IntegrationControl control;
-  control.adaptive = true;
-  control.step = 1e-4;
-  Past past;
-  past.now = start;
+  const Past past = started(conditions, start);
+  NewtonStep stepper(assembly, {1e-5, 1e9, 1e-9}, past.now.x);
+  const IntegrationControl control = adaptive_from(1e-4);
   TimeIntegration integration(assembly, stepper, conditions, control, past);
   Track out;
   for (double t = 0.0; t < until + 1e-6; t += 0.05) {
