@@ -140,11 +140,11 @@ double potential_of(const codend::Model& model, double error) {
     } else {
       accuracy.found = number(control, "tolerance");
     }
+    const auto make = [&] { return chosen.make(assembly, accuracy, from.now, ordering); };
+    const std::unique_ptr<codend::Stepper> scheme = make();
     // The second stepper computes states within steps.
-    const std::unique_ptr<codend::Stepper> scheme =
-                                               chosen.make(assembly, accuracy, from.now, ordering),
-                                           inner =
-                                               chosen.make(assembly, accuracy, from.now, ordering);
+    const doubles recorded(stops["recorded"]);
+    const std::unique_ptr<codend::Stepper> inner = recorded.size() > 0 ? make() : nullptr;
 
     codend::IntegrationControl how;
     how.adaptive = adaptive;
@@ -203,7 +203,6 @@ double potential_of(const codend::Model& model, double error) {
     auto last_frame = [&] {
       return frame(integration.now(), conditions.schedule(), integration.energy());
     };
-    const doubles recorded(stops["recorded"]);
     R_xlen_t next = 0;
     how.passed = [&](const codend::Past& step) {
       if (next == recorded.size() || recorded[next] > step.now.time) return;
