@@ -1,8 +1,8 @@
 # Schedule of a tow in the engine's format: moving, growing and breaking parts.
 
 # `given`: fields of a tow_schedule(); `until`: end time (s). Returns list(schedule, curves,
-# breaks, bends). `schedule`: input of engine_tow(). `curves`: speed, course, heave, warps by rope,
-# catch. `breaks`: times (s) at which the motion has a discontinuity; `bends`: kinks of curves.
+# breaks). `schedule`: input of engine_tow(). `curves`: speed, course, heave, warps by rope, catch.
+# `breaks`: times (s) at which the motion has a discontinuity.
 scheduled_motion <- function(si, mesh, given, until) {
   given["winch"] <- list(si_winch(given$winch))
   if (is_swell(given$heave)) given$heave <- swell(given$heave)
@@ -59,8 +59,7 @@ scheduled_motion <- function(si, mesh, given, until) {
       # the water's acceleration jumps if the rate of the current jumps
       unlist(lapply(c(current$x, current$y), curve_breaks, kinks = TRUE)),
       vapply(ruptures, `[[`, 0, "time")
-    ))),
-    bends = sort(unique(unlist(lapply(list(speed, course, heave), curve_breaks, kinks = TRUE))))
+    )))
   )
 }
 

@@ -41,8 +41,7 @@ continued_trajectory <- function(trajectory, given, until) {
     water = list(x = mesh$model$water$x + trajectory$si$towing$speed)
   ))
   fresh <- tow_start(trajectory$gear, trajectory$si, mesh, trajectory$given, until)
-  fresh_parts <- c("schedule", "curves", "breaks", "bends")
-  trajectory[fresh_parts] <- fresh[fresh_parts]
+  trajectory[c("schedule", "curves", "breaks")] <- fresh[c("schedule", "curves", "breaks")]
   trajectory
 }
 

@@ -2,7 +2,7 @@
 
 # Fields that stay constant during time integration.
 trajectory_constants <- c(
-  "gear", "si", "mesh", "given", "schedule", "curves", "breaks", "bends", "compared",
+  "gear", "si", "mesh", "given", "schedule", "curves", "breaks", "compared",
   "method", "every"
 )
 
@@ -125,7 +125,8 @@ tow_stops <- function(begun, until, every, what) {
   within <- function(times) times[times > begun & times <= until]
   broken <- within(what$breaks)
   filled <- if (moves_catch(what)) steps_to(catch_step) else numeric()
-  time <- sort(unique(c(until, broken, within(what$bends), steered, filled)))
+  bends <- unlist(lapply(what$curves[c("speed", "course", "heave")], curve_breaks, kinks = TRUE))
+  time <- sort(unique(c(until, broken, within(bends), steered, filled)))
   list(
     time = time, kept = time %in% kept, broken = time %in% broken, steered = time %in% steered,
     filled = time %in% filled, recorded = setdiff(kept, time)
