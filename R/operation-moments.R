@@ -12,9 +12,9 @@ finer_ratios <- c(1.6, 1.6^2)
 tighter <- 1 / 4
 
 # Adds to `compared`, the start levels of a trajectory, the comparison of a tow from `gear` with its
-# runs on another mesh: time, nodes, measures (names), and values as measures x times in SI:
+# runs on another mesh: time, nodes, measures (names), and as measures x times in SI:
 #
-# - coarse, tight: measures with the tow's accuracy, and with the tighter one;
+# - coarse: measures with the tow's accuracy;
 # - time_error: standard error in time.
 #
 # Returns `compared` if no other mesh reaches the end. `own`: mesh of the tow; other arguments as in
@@ -43,8 +43,8 @@ moments_elsewhere <- function(compared, gear, given, until, every, method, netti
     values <- lapply(runs, function(run) {
       unname(run$values[match(names, rownames(run$values)), , drop = FALSE])
     })
-    return(c(compared, runs$coarse[c("time", "nodes")], list(measures = names), values,
-      list(time_error = time_errors(values$coarse, values$tight))))
+    return(c(compared, runs$coarse[c("time", "nodes")], list(measures = names,
+      coarse = values$coarse, time_error = time_errors(values$coarse, values$tight))))
   }
   compared
 }
