@@ -79,12 +79,13 @@ vary <- function(gear, ..., nodes = NULL, netting = NULL, accuracy = NULL, store
   check_given("gear")
   study <- new_study(gear, list(...), nodes, netting, accuracy)
   if (!is.null(tasks)) check_count("tasks", tasks, 0)
-  if (is.null(store) && identical(as.double(tasks), 0)) {
+  only_create <- identical(as.double(tasks), 0)
+  if (only_create && is.null(store)) {
     abort_argument("With {.code tasks = 0}, {.arg store} must be the path of a new folder.")
   }
   if (!is.null(store)) {
     open_or_create(study, store)
-    if (!identical(as.double(tasks), 0)) vary_stored(store, tasks)
+    if (!only_create) vary_stored(store, tasks)
     return(read_study(store))
   }
   if (!is.null(future_workers())) {
