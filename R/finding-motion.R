@@ -11,9 +11,10 @@ define_finding("numerical dissipation", "tow",
     share <- lost[["scheme"]] / lost[["physical"]]
     if (lost[["scheme"]] <= greatest_energy_loss * lost[["exchanged"]] ||
       share <= greatest_scheme_loss) return(list())
-    list(finding("tow", lost[["scheme"]], paste(figures(lost[["scheme"]]), "J"),
+    label <- paste(figures(lost[["scheme"]]), "J")
+    list(finding("tow", lost[["scheme"]], label,
       template("the time scheme has removed {energy}, {part} of the energy exchanged: oscillations
-        die too early.", energy = paste(figures(lost[["scheme"]]), "J"),
+        die too early.", energy = label,
         part = percent_text(lost[["scheme"]] / lost[["exchanged"]])),
       template("Use a smaller accuracy of the tow."), field = "tow.accuracy"))
   },
