@@ -17,7 +17,6 @@
 #include "elements/netting_screen.cpp"
 #include "elements/netting_screen_drag.cpp"
 #include "elements/polar.cpp"
-#include "elements/sag.cpp"
 #include "elements/sliding_rope.cpp"
 #include "elements/sphere.cpp"
 #include "elements/twine.cpp"

@@ -41,7 +41,7 @@ void sag_weights(const double* twine, double of_h, double* weight) {
 }  // namespace
 
 CellShape cell_shape(const double* twine) {
-  constexpr double third = 1.0 / 3.0, no_area = 1e-9;
+  constexpr double third = 1.0 / 3.0, no_area = 1e-9, rounding = 1e-24;
   const double *u = twine, *v = twine + 1;  // corner k is at index 2 k
   CellShape s{};
   const double d = (u[4] - u[0]) * (v[6] - v[2]) - (u[6] - u[2]) * (v[4] - v[0]);
@@ -71,7 +71,10 @@ CellShape cell_shape(const double* twine) {
     }
   }
   sag_weights(twine, of_h, s.sag_weight);
-  for (int f = 0; f < 2; ++f) s.sag_weight[f] = std::min(s.sag_weight[f], s.twist_weight[f]);
+  for (int f = 0; f < 2; ++f) {
+    s.sag_weight[f] = std::min(s.sag_weight[f], s.twist_weight[f]);
+    if (s.sag_weight[f] < rounding * s.twist_weight[f]) s.sag_weight[f] = 0.0;
+  }
   s.amplitude = 1.0 / of_h;
   if (u[4] == u[6] && v[4] == v[6]) {  // three corners have no twist
     std::fill(s.twist, s.twist + 4, 0.0);

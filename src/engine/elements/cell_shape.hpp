@@ -22,7 +22,7 @@
 // - 4/(3 p^2) for u and 4/(3 q^2) for v, if the cell has p by q bars along its twines.
 //
 // The part b of kappa is due to the change of the bar vector along the family's own twines, their
-// sag (sag.hpp). It is all of kappa in a cell whose sides cross p by q meshes, and zero if the
+// sag (sag.inl). It is all of kappa in a cell whose sides cross p by q meshes, and zero if the
 // sides run along the twines. With half sides (u_s, v_s) and (u_t, v_t) and J = u_s v_t - v_s u_t,
 // for u
 //

@@ -24,8 +24,8 @@ struct LineArrays {
   double* twist_weight;     // kappa at the present sag; L^2 = |e|^2 + kappa |q|^2
   double* twist_stiffness;  // additional stiffness against twist, N/m
   double* held_pull;        // the same for one bar, divided by kappa, N/m
-  double* sag_derivative;   // dL/ds, s the sag parameter of the cell (sag.hpp), m
-  double* sag_stiffness;    // |q|^2 sum k b of sag.hpp, at the cell's u line, N m
+  double* sag_derivative;   // dL/ds, s the sag parameter of the cell (sag.inl), m
+  double* sag_stiffness;    // |q|^2 sum k b of sag.inl, at the cell's u line, N m
   double* damping;          // c, N s; null if no line has damping
   double* rest_rate;        // dL0/dt over L0, 1/s; only with damping
   // Material of each line whose coefficients depend on speed, null for others; null if none do.
@@ -70,8 +70,17 @@ struct LineRequest {
 };
 
 // Shape functions of netting cells (netting_cell.hpp), readable for 7 entries beyond the last cell.
+// The u lines of all cells start at line `first`, the v lines at first + count.
 struct CellArrays {
+  std::int64_t first, count;
   const double *along[2][4], *twist[4], *share[4], *amplitude;
+  const double *twist_weight[2], *sag_weight[2];  // kappa and b
+};
+
+// Arrays per line: tension and modulus (N), difference of the tension from the constitutive law as
+// a strain (or null), change of strain at fixed sag (or null).
+struct SagRequest {
+  const double *tension, *modulus, *mismatch, *change;
 };
 
 // Inner loops, compiled once per instruction set.
@@ -88,15 +97,33 @@ struct LineKernels {
   // Adds the blocks of all bars, lines [0, bars).
   void (*add_bar_blocks)(const LineArrays& lines, const LineRequest& request, std::int64_t bars,
                          const BlockSink& sink);
-  // Adds the blocks of netting cells [begin, end). The u lines of all cells start at `first`, the v
-  // lines at first + cells.
-  void (*add_cell_blocks)(const LineArrays& lines, const LineRequest& request, std::int64_t first,
-                          std::int64_t cells, std::int64_t begin, std::int64_t end,
-                          const CellArrays& shape, const BlockSink& sink);
+  // Adds the blocks of netting cells [begin, end).
+  void (*add_cell_blocks)(const LineArrays& lines, const LineRequest& request,
+                          const CellArrays& cells, std::int64_t begin, std::int64_t end,
+                          const BlockSink& sink);
   // Writes three 3x3 derivatives per line [begin, end), 27 numbers, row-major: pull by e, drag by
   // e, and drag by the water's velocity (zero if not needed).
   void (*slopes)(const LineArrays& lines, const LineRequest& request, std::int64_t begin,
                  std::int64_t end, double* out);
+
+  // Sag of the twines in netting cells [begin, end), see sag.inl.
+  //
+  // Computes the sag from the constitutive law. Sets twist weights, twist stiffnesses and dL/ds of
+  // the cells' lines. Requires the vectors and twists of the lines.
+  void (*set_sag)(const LineArrays& lines, const CellArrays& cells, std::int64_t begin,
+                  std::int64_t end);
+  // Computes the sag from given tensions (N, one line each), starting from `sag` (s, one per cell),
+  // which it updates. Also sets lengths and strains.
+  void (*lead_sag)(const LineArrays& lines, const CellArrays& cells, std::int64_t begin,
+                   std::int64_t end, const double* tension, double* sag);
+  // Corrects changes of strain at fixed sag (per line) for the change of sag: s moves to its
+  // equilibrium by the constitutive law after the change. This is not linearised, because the sag
+  // of slack twines reverses with almost no change of length.
+  void (*change_sag)(const LineArrays& lines, const CellArrays& cells, std::int64_t begin,
+                     std::int64_t end, double* strain);
+  // Adds l ds/L0 to `strain`, per line.
+  void (*add_sag_strains)(const LineArrays& lines, const CellArrays& cells, std::int64_t begin,
+                          std::int64_t end, const SagRequest& request, double* strain);
 };
 
 // Coefficients a, a_n, b, b_n, b_t (cylinder_drag_model.hpp) of a drag model that depends on speed.

@@ -4,6 +4,7 @@
 // other headers here: the linker could give a processor without AVX2 a copy compiled for AVX2.
 
 using Pack = double __attribute__((vector_size(8 * lanes)));
+using Mask = decltype(Pack{} < Pack{});
 // Unaligned pack. With `using`, clang would assume alignment.
 typedef double LoosePack __attribute__((vector_size(8 * lanes), aligned(8), may_alias));
 
@@ -23,6 +24,12 @@ INLINE Pack load_before_end(const double* p, std::int64_t left) {
   Pack x = {};
   for (int l = 0; l < left; ++l) x[l] = p[l];
   return x;
+}
+
+// Stores into an array that ends after `left` numbers.
+INLINE void store_before_end(double* p, std::int64_t left, Pack x) {
+  if (left >= lanes) return store(p, x);
+  for (int l = 0; l < left; ++l) p[l] = x[l];
 }
 
 INLINE Pack size(Pack x) { return x < 0.0 ? -x : x; }
@@ -161,38 +168,56 @@ INLINE Pack straight_share(const LineArrays& lines, Pack strain) {
   return lines.curved ? (strain < 0.0 ? one + strain : one) : one;
 }
 
+// A line shorter than 1e-12 L0 has no direction; its pull is T e/L0.
+INLINE Pack inverse_length(Pack length, Pack inverse_rest) {
+  return length * inverse_rest > 1e-12 ? 1.0 / length : inverse_rest;
+}
+
+// Tension of the constitutive law, before the lower bound: offset + stiffness * strain.
+struct Law {
+  Pack offset, stiffness;
+};
+
+INLINE Law law_at(const LineArrays& lines, std::int64_t i, Pack strain) {
+  Law law = {Pack{}, load(lines.stiffness + i)};
+  if (lines.load_law) {
+    for (int l = 0; l < lanes; ++l) {
+      if (!lines.load_law[i + l] || !(lines.multiplicity[i + l] > 0.0)) continue;
+      double found[2];
+      load_coefficients(*lines.load_law[i + l], strain[l], found);
+      law.offset[l] = found[0];
+      law.stiffness[l] = found[1];
+    }
+  }
+  return law;
+}
+
 void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
   for (std::int64_t i = begin; i < end; i += lanes) {
     const Triple e = load(lines.e, i);
     const Pack inverse_rest = load(lines.inverse_rest + i);
     const Pack span = root(dot(e, e));
-    // A line shorter than 1e-12 L0 has no direction; its pull is T e/L0.
-    const Pack inverse_span = span * inverse_rest > 1e-12 ? 1.0 / span : inverse_rest;
+    const Pack inverse_span = inverse_length(span, inverse_rest);
     store(lines.inverse_span + i, inverse_span);
-    Pack length = span, inverse_length = inverse_span;
+    Pack length = span, inverse = inverse_span;
     if (lines.twist_weight) {
       const Triple q = load(lines.twist, i);
       const Pack twisted = load(lines.twist_weight + i) * dot(q, q);
       const Pack whole = root(dot(e, e) + twisted);
       length = twisted > 0.0 ? whole : span;
-      const Pack inverse = whole * inverse_rest > 1e-12 ? 1.0 / whole : inverse_rest;
-      inverse_length = twisted > 0.0 ? inverse : inverse_span;
-      store(lines.inverse_length + i, inverse_length);
+      inverse = twisted > 0.0 ? inverse_length(whole, inverse_rest) : inverse_span;
+      store(lines.inverse_length + i, inverse);
     }
     const Pack strain = length * inverse_rest - 1.0;
     store(lines.strain + i, strain);
     const Pack least = load(lines.least_tension + i);
+    const Law law = law_at(lines, i, strain);
     if (lines.load_law) {
-      for (int l = 0; l < lanes; ++l) {
-        if (!lines.load_law[i + l] || !(lines.multiplicity[i + l] > 0.0)) continue;
-        double found[2];
-        load_coefficients(*lines.load_law[i + l], strain[l], found);
-        lines.offset[i + l] = found[0];
-        lines.stiffness[i + l] = found[1];
-      }
+      store(lines.offset + i, law.offset);
+      store(lines.stiffness + i, law.stiffness);
     }
-    Pack tension = load(lines.stiffness + i) * strain;
-    if (lines.load_law) tension = tension + load(lines.offset + i);
+    Pack tension = law.stiffness * strain;
+    if (lines.load_law) tension = tension + law.offset;
     if (lines.damping) {
       Pack stretching = dot(e, load(lines.e_rate, i));
       if (lines.twist_weight) {
@@ -200,7 +225,7 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
                                       dot(load(lines.twist, i), load(lines.twist_rate, i));
       }
       const Pack rate =
-          inverse_length * inverse_rest * stretching - (strain + 1.0) * load(lines.rest_rate + i);
+          inverse * inverse_rest * stretching - (strain + 1.0) * load(lines.rest_rate + i);
       tension = tension + load(lines.damping + i) * rate;
     }
     store(lines.tension + i, tension > least ? tension : least);
@@ -428,7 +453,7 @@ struct CellFamily {
   Triple pull[4];    // G_k
   Triple answer[4];  // derivative of tension by the position of point k
   Pack weight;       // kappa
-  // With l and A of sag.hpp, A by the constitutive law without dampers: sag is A l and
+  // With l and A of sag.inl, A by the constitutive law without dampers: sag is A l and
   // sag_stiffness A l^2. As sag increases, the pull at point k decreases by by_pull G_k + by_twist
   // g_k q.
   Pack sag, by_pull, by_twist, sag_stiffness;
@@ -489,16 +514,15 @@ INLINE void cell_family(const LineArrays& lines, const LineRequest& request, std
 }
 
 template <bool with_everywhere>
-void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t first,
-               std::int64_t cells, std::int64_t begin, std::int64_t end, const CellArrays& shape,
-               const BlockSink& sink) {
+void add_cells(const LineArrays& lines, const LineRequest& request, const CellArrays& shape,
+               std::int64_t begin, std::int64_t end, const BlockSink& sink) {
   alignas(64) double block[16][block_step * lanes];
   for (std::int64_t i = begin; i < end; i += lanes) {
-    const std::int64_t at_u = first + i, at_v = at_u + cells;
+    const std::int64_t at_u = shape.first + i, at_v = at_u + shape.count;
     CellFamily u, v;
     cell_family<with_everywhere>(lines, request, at_u, i, shape, 0, u);
     cell_family<with_everywhere>(lines, request, at_v, i, shape, 1, v);
-    // Static condensation of the sag parameter (sag.hpp).
+    // Static condensation of the sag parameter (sag.inl).
     const Pack give = inverse_or_zero(u.sag_stiffness + v.sag_stiffness +
                                       request.stiffness * load(lines.multiplicity + at_u) *
                                           load(lines.sag_stiffness + at_u));
@@ -555,13 +579,12 @@ void add_cells(const LineArrays& lines, const LineRequest& request, std::int64_t
   }
 }
 
-void add_cell_blocks(const LineArrays& lines, const LineRequest& request, std::int64_t first,
-                     std::int64_t cells, std::int64_t begin, std::int64_t end,
-                     const CellArrays& shape, const BlockSink& sink) {
+void add_cell_blocks(const LineArrays& lines, const LineRequest& request, const CellArrays& cells,
+                     std::int64_t begin, std::int64_t end, const BlockSink& sink) {
   if (request.damping != 0.0 || lines.slope[0])
-    add_cells<true>(lines, request, first, cells, begin, end, shape, sink);
+    add_cells<true>(lines, request, cells, begin, end, sink);
   else
-    add_cells<false>(lines, request, first, cells, begin, end, shape, sink);
+    add_cells<false>(lines, request, cells, begin, end, sink);
 }
 
 template <bool with_everywhere>
@@ -593,6 +616,9 @@ void slopes(const LineArrays& lines, const LineRequest& request, std::int64_t be
     put_slopes<false>(lines, request, begin, end, out);
 }
 
+#include "sag.inl"
+
 #undef INLINE
 
-constexpr LineKernels kernels{flow, evaluate, change, add_bar_blocks, add_cell_blocks, slopes};
+constexpr LineKernels kernels{flow,   evaluate, change,   add_bar_blocks, add_cell_blocks,
+                              slopes, set_sag,  lead_sag, change_sag,     add_sag_strains};

@@ -31,6 +31,7 @@ Lines::Lines(const std::vector<TwineMaterial>& materials, const Bars& bars,
       hexagons_(hexagons),
       water_(water),
       count_(bars.count() + 2 * cells.count() + 3 * hexagons.count()),
+      cell_arrays_(cells.arrays()),
       kernels_(kernels) {
   LineArrays& a = arrays_;
   const bool by_height = water.varies_with_height();
@@ -286,7 +287,7 @@ void Lines::move_to(const double* position) {
     double* const q[3] = {a.twist[0] + u, a.twist[1] + u, a.twist[2] + u};
     cells_.vectors(position, begin, end, e_u, e_v, q);
     for (double* twist : q) std::copy_n(twist, size, twist + cells);
-    set_sag(cells_, a, begin, end);
+    kernels_.set_sag(a, cell_arrays_, begin, end);
     kernels_.evaluate(a, u, u + size);
     kernels_.evaluate(a, v, v + size);
   }
@@ -303,14 +304,15 @@ void Lines::move_to(const double* position) {
 
 void Lines::sag_to(const double* tension) {
   for (const auto [begin, end] : moving_cells_) {
-    lead_sag(cells_, arrays_, begin, end, tension, led_sag_.data());
+    kernels_.lead_sag(arrays_, cell_arrays_, begin, end, tension, led_sag_.data());
   }
 }
 
 void Lines::distribute_sag(const double* tension, const double* modulus, const double* mismatch,
                            const double* change, double* strain) const {
   for (const auto [begin, end] : moving_cells_) {
-    add_sag_strains(cells_, arrays_, begin, end, {tension, modulus, mismatch, change}, strain);
+    kernels_.add_sag_strains(arrays_, cell_arrays_, begin, end,
+                             {tension, modulus, mismatch, change}, strain);
   }
 }
 
@@ -325,7 +327,7 @@ void Lines::add_sag_tensions(const double* tension, const double* modulus, const
 
 void Lines::change_sag(double* strain) const {
   for (const auto [begin, end] : moving_cells_) {
-    codend::change_sag(cells_, arrays_, begin, end, strain);
+    kernels_.change_sag(arrays_, cell_arrays_, begin, end, strain);
   }
 }
 
@@ -342,18 +344,8 @@ void Lines::add_jacobian(const JacobianRequest& request, const double* tension,
                          const BlockSink& hexagons) const {
   const LineRequest asked{request.stiffness, request.damping, tension, modulus, count_};
   kernels_.add_bar_blocks(arrays_, asked, bars_.count(), bars);
-  if (cells_.count() > 0) {
-    CellArrays shape{};
-    for (int k = 0; k < 4; ++k) {
-      for (int f = 0; f < 2; ++f) shape.along[f][k] = cells_.along[f][k].data();
-      shape.twist[k] = cells_.twist[k].data();
-      shape.share[k] = cells_.share[k].data();
-    }
-    shape.amplitude = cells_.amplitude.data();
-    for (const CellRange& range : moving_cells_) {
-      kernels_.add_cell_blocks(arrays_, asked, bars_.count(), cells_.count(), range.begin,
-                               range.end, shape, cells);
-    }
+  for (const CellRange& range : moving_cells_) {
+    kernels_.add_cell_blocks(arrays_, asked, cell_arrays_, range.begin, range.end, cells);
   }
   if (hexagons_.count() == 0) return;
   std::vector<double> slopes(27 * 3 * static_cast<std::size_t>(hexagons_.count()));

@@ -13,7 +13,6 @@
 #include "hexagonal_triangle.hpp"
 #include "kind.hpp"
 #include "netting_cell.hpp"
-#include "sag.hpp"
 
 namespace codend {
 
@@ -51,13 +50,13 @@ class Lines {
   // Updates the sag of the cells' twines to equilibrium with given tensions (N, one line each).
   // Until the next move_to(), lengths and strains correspond to this sag, but tensions do not.
   void sag_to(const double* tension);
-  // Adds the changes of strain due to sag, to first order (add_sag_strains() of sag.hpp).
+  // Adds the changes of strain due to sag, to first order (add_sag_strains() of sag.inl).
   void distribute_sag(const double* tension, const double* modulus, const double* mismatch,
                       const double* change, double* strain) const;
   // Adds the changes of tension (N) due to changes of strain by sag.
   void add_sag_tensions(const double* tension, const double* modulus, const double* sag,
                         double* sum) const;
-  // Adds the changes of strain due to sag in its new equilibrium (change_sag() of sag.hpp).
+  // Adds the changes of strain due to sag in its new equilibrium (change_sag() of sag.inl).
   void change_sag(double* strain) const;
 
   // Adds drag and pull to force (N, 3 per point). tension: of one line, N.
@@ -106,6 +105,7 @@ class Lines {
   std::vector<double> numbers_;
   std::vector<const TwineMaterial*> speed_law_, load_law_;
   LineArrays arrays_{};
+  CellArrays cell_arrays_;
   const LineKernels& kernels_;
   std::vector<double> led_sag_;                      // sag of cells by a solver's tensions
   std::vector<char> still_;                          // per line; empty: none

@@ -32,6 +32,23 @@ void NettingCells::prepare() {
   }
 }
 
+CellArrays NettingCells::arrays() const {
+  CellArrays out;
+  out.first = first_line;
+  out.count = count();
+  for (int k = 0; k < 4; ++k) {
+    for (int f = 0; f < 2; ++f) out.along[f][k] = along[f][k].data();
+    out.twist[k] = twist[k].data();
+    out.share[k] = share[k].data();
+  }
+  for (int f = 0; f < 2; ++f) {
+    out.twist_weight[f] = twist_weight[f].data();
+    out.sag_weight[f] = sag_weight[f].data();
+  }
+  out.amplitude = amplitude.data();
+  return out;
+}
+
 Line<4> NettingCells::line(int cell, int which) const {
   const std::size_t e = static_cast<std::size_t>(cell);
   Line<4> out;

@@ -5,7 +5,7 @@
 //
 //   len^2 = |e|^2 + kappa |q|^2,  e the mean bar vector, q the cell's twist
 //
-// kappa depends on the sag of the twines (sag.hpp). The energy is W(len) for every bar, as for a
+// kappa depends on the sag of the twines (sag.inl). The energy is W(len) for every bar, as for a
 // line (twine.hpp). Drag is computed for all bars along e. A three-cornered cell is a triangle of
 // parallel, equally long bars (D. Priour, A Finite Element Method for Netting, Springer 2013).
 //
@@ -50,6 +50,7 @@ class NettingCells {
   // Call once after filling.
   void prepare();
   int count() const { return static_cast<int>(rest.size()); }
+  CellArrays arrays() const;
   // which: 0 along u, 1 along v. The drag of the result is the drag of the whole line.
   Line<4> line(int cell, int which) const;
 
