@@ -389,8 +389,11 @@ std::vector<std::array<int, 3>> row_facets(const std::vector<int>& row,
     while (end < n && row[end] == row[middle]) ++end;
     int upper = begin, lower = middle, last_upper = -1, last_lower = -1;
     while (middle < end && (upper < middle || lower < end)) {
-      // For equal s the point of the upper row comes first.
-      const bool from_upper = upper < middle && (lower == end || s[upper] <= s[lower]);
+      // For equal s the row that is behind comes first, so that facets mirror those of the other
+      // side of the panel.
+      const bool behind = last_lower < 0 || (last_upper >= 0 && s[last_upper] <= s[last_lower]);
+      const bool from_upper = upper < middle && (lower == end || s[upper] < s[lower] ||
+                                                 (s[upper] == s[lower] && behind));
       const int place = from_upper ? upper++ : lower++;
       if (last_upper >= 0 && last_lower >= 0) out.push_back({last_upper, last_lower, place});
       (from_upper ? last_upper : last_lower) = place;
