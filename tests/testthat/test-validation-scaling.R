@@ -27,9 +27,10 @@ test_that("settle() follows Froude's scaling for random gears in bars", {
 
 test_that("settle() returns the same gear in a rotated and translated frame", {
   skip_if_not(file.exists(random_gears))
-  for (kind in c("gillnet", "stow_net", "cage")) {
+  seeds <- c(gillnet = 1, stow_net = 1, cage = 2)
+  for (kind in names(seeds)) {
     for (netting in c("cells", "bars")) {
-      gear <- gear_in_units(random_gear_of(kind, netting = netting), c(1, 1, 1))
+      gear <- gear_in_units(random_gear_of(kind, seeds[[kind]], netting = netting), c(1, 1, 1))
       then <- settle(gear, nodes = 120)
       now <- settle(moved_gear(gear, 0.7, c(30, -50)), nodes = 120)
       expect_scaled(now, then, c(1, 1, 1), paste(kind, netting))
