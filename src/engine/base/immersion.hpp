@@ -18,9 +18,9 @@ struct Immersion {
 };
 
 inline Immersion immersion(double z, double height) {
+  if (2.0 * z <= -height) return {1.0, 0.0, 1.0, 0.0};
+  if (2.0 * z >= height) return {0.0, 0.0, 0.0, 0.0};
   const double t = 0.5 - z / height;
-  if (t >= 1.0) return {1.0, 0.0, 1.0, 0.0};
-  if (t <= 0.0) return {0.0, 0.0, 0.0, 0.0};
   const double rest = 3.0 - 2.0 * t, root = std::sqrt(rest);
   return {t * t * rest, -6.0 * t * (1.0 - t) / height, t * root, -(root - t / root) / height};
 }

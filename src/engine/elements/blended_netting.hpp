@@ -21,22 +21,15 @@
 #pragma once
 
 #include "netting_screen.hpp"
-#include "twine_drag.hpp"
 
 namespace codend {
 
-class BlendedNetting : public ElementKind {
+class BlendedNetting : public WholeCells {
  public:
-  std::vector<int> node;             // 4 per cell; a triangle repeats its last corner
-  std::vector<double> twine;         // u0 v0 ... u3 v3 per cell
-  std::vector<double> rest;          // bar length, m
-  std::vector<double> multiplicity;  // 1, or 1/2 where two triangulations overlap
-  std::vector<double> overlap;       // see NettingScreens
+  std::vector<double> rest;  // bar length, m
   std::vector<int> material;
-  std::vector<double> height;  // vertical size at the free surface, m
   std::vector<TwineMaterial> materials;
   SlackDrag slack = SlackDrag::curved;
-  ScreenMultipliers multipliers;  // of the screen force
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -51,29 +44,9 @@ class BlendedNetting : public ElementKind {
     visit("material", material, {1, Among::own_materials});
   }
 
-  int count() const { return static_cast<int>(rest.size()); }
-  // Call once after filling.
-  void prepare();
-  int nodes_per_element() const override { return 4; }
-  const std::vector<int>& nodes() const override { return node; }
-  void add_force(const Field& field, double* force) const override;
-  // Force (N) on the whole cell.
-  Vector element_force(int e, const Field& field) const;
-  void add_jacobian(const Field& field, const JacobianRequest& request,
-                    const BlockSink& sink) const override;
-  void add_added_mass(const Field&, double*) const override {}
-  void add_drag_scale(const Field& field, double* scale) const override;
-
  private:
-  struct Blended {
-    ScreenFlow flow;
-    ScreenForce force;  // with its derivatives by area vector and velocity
-    // Derivatives of the twine forces by the bar vectors.
-    Matrix by_vector[2];
-  };
-  double bars(int e) const;  // number of bars of one family
-  Blended blended(int e, const Field& field) const;
-  std::vector<CellShape> shape_;
+  void set_twine(std::size_t e, int place, NettingStrip& strip) const override;
+  bool has_twines() const override { return true; }
 };
 
 }  // namespace codend

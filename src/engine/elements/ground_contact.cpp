@@ -40,8 +40,10 @@ void GroundContacts::draw_anchors(const Field& field) {
 
 Vector GroundContacts::element_force(int e, const Field& field) const {
   double slope;
+  const double press = law(e, field, slope);
+  if (press == 0.0) return Vector::Zero();
   Matrix by_position, by_velocity;
-  return law(e, field, slope) * per_press(e, field, by_position, by_velocity);
+  return press * per_press(e, field, by_position, by_velocity);
 }
 
 void GroundContacts::add_force(const Field& field, const double* press, double* force) const {
@@ -50,6 +52,7 @@ void GroundContacts::add_force(const Field& field, const double* press, double* 
       at(force, node[e]) += element_force(e, field);
       continue;
     }
+    if (press[e] == 0.0) continue;
     Matrix by_position, by_velocity;
     at(force, node[e]) += press[e] * per_press(e, field, by_position, by_velocity);
   }

@@ -41,15 +41,17 @@ const LineKernels& line_kernels() {
   return wide ? *wide : kernels;
 }
 
-void speed_coefficients(const TwineMaterial& material, double q_n, double q_t, double viscosity,
-                        double* out) {
-  const CylinderCoefficients k =
-      cylinder_coefficients(material.law, q_n, q_t, material.diameter, viscosity);
-  out[0] = k.a;
-  out[1] = k.a_n;
-  out[2] = k.b;
-  out[3] = k.b_n;
-  out[4] = k.b_t;
+CylinderCoefficients cylinder_coefficients(const CylinderLaw& law, double q_n, double q_t, double d,
+                                           double viscosity) {
+  TwineMaterial material;
+  material.diameter = d;
+  material.law = law;
+  const TwineMaterial* const laws[lanes] = {&material, &material};
+  const Pack normal = Pack{} + law.normal_share * law.normal;
+  const Pack tangential = Pack{} + law.tangential_share * law.tangential;
+  Coefficients k = {normal * q_n, normal, tangential * q_t, Pack{}, tangential, Pack{}};
+  use_speed_laws(laws, viscosity, Pack{} + q_n, Pack{} + q_t, k);
+  return {k.a[0], k.a_n[0], k.b[0], k.b_n[0], k.b_t[0], law.tangential_share * law.skin};
 }
 
 void load_coefficients(const TwineMaterial& material, double strain, double* out) {

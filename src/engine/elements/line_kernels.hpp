@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "../base/block_sink.hpp"
+#include "../base/drag_models.hpp"
 #include "twine.hpp"
 
 namespace codend {
@@ -83,6 +84,37 @@ struct SagRequest {
   const double *tension, *modulus, *mismatch, *change;
 };
 
+// Some netting cells with screen or blended drag (netting_screen.hpp). Entries beyond `count` up to
+// a multiple of 8 repeat the last cell.
+struct NettingStrip {
+  static constexpr int most = 32;
+  int count = 0;
+  double density, viscosity;  // kg/m3, m2/s
+  double drag_multiplier, lift_multiplier;
+  LawRange range[3];  // per NettingScreenLaw
+  double law[most];   // NettingScreenLaw
+  double twine_area[most], overlap[most], diameter[most], multiplicity[most];
+  double across[2][3][most];  // halves of the diagonals 0 to 2 and 1 to 3, m
+  double u[3][most];          // mean relative velocity U, m/s
+  double share[4][most];      // fraction of an evenly distributed load at each corner
+  // Only with slopes: fraction of each corner's own velocity in U, derivative of U by its height.
+  bool with_slopes = false;
+  double own[4][most], slope[4][3][most];
+  double force[3][most];  // on whole cells, N
+
+  // Both families of twines as lines; see LineArrays.
+  struct Twines {
+    bool curved, by_speed = false;
+    double along[2][4][most];
+    double e[2][3][most];
+    double inverse_rest[most], drag_weight[most], normal[most], tangential[most], skin[most];
+    const TwineMaterial* speed_law[most];
+    double own[most];  // 1
+    double speed[most], loose[most], loose_slope[most], drag_scale[most], inverse_span[2][most];
+  };
+  Twines* twines = nullptr;  // null: screens only
+};
+
 // Inner loops, compiled once per instruction set.
 struct LineKernels {
   // Computes all flow quantities of lines [begin, end) from U, except the gradient dU/dz.
@@ -102,7 +134,7 @@ struct LineKernels {
                           const CellArrays& cells, std::int64_t begin, std::int64_t end,
                           const BlockSink& sink);
   // Writes three 3x3 derivatives per line [begin, end), 27 numbers, row-major: pull by e, drag by
-  // e, and drag by the water's velocity (zero if not needed).
+  // e, and drag by the water's velocity.
   void (*slopes)(const LineArrays& lines, const LineRequest& request, std::int64_t begin,
                  std::int64_t end, double* out);
 
@@ -124,11 +156,13 @@ struct LineKernels {
   // Adds l ds/L0 to `strain`, per line.
   void (*add_sag_strains)(const LineArrays& lines, const CellArrays& cells, std::int64_t begin,
                           std::int64_t end, const SagRequest& request, double* strain);
-};
 
-// Coefficients a, a_n, b, b_n, b_t (cylinder_drag_model.hpp) of a drag model that depends on speed.
-void speed_coefficients(const TwineMaterial& material, double q_n, double q_t, double viscosity,
-                        double* out);
+  // Sets the forces of netting cells with screen or blended drag.
+  void (*set_screen_forces)(NettingStrip& cells);
+  // Adds their blocks (JacobianRequest), from element `first` on.
+  void (*add_screen_blocks)(NettingStrip& cells, double stiffness, double damping,
+                            std::int64_t first, const BlockSink& sink);
+};
 
 // Writes tension minus modulus times strain, and the modulus, of a load table (N).
 void load_coefficients(const TwineMaterial& material, double strain, double* out);

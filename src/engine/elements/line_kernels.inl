@@ -33,6 +33,11 @@ INLINE void store_before_end(double* p, std::int64_t left, Pack x) {
 }
 
 INLINE Pack size(Pack x) { return x < 0.0 ? -x : x; }
+INLINE bool any(Mask mask) {
+  auto found = mask[0];
+  for (int l = 1; l < lanes; ++l) found |= mask[l];
+  return found != 0;
+}
 INLINE Pack inverse_or_zero(Pack x) { return x > 0.0 ? 1.0 / x : Pack{}; }
 
 // One vector per lane.
@@ -43,6 +48,9 @@ INLINE Triple operator+(Triple a, Triple b) { return {a.x + b.x, a.y + b.y, a.z 
 INLINE Triple operator-(Triple a, Triple b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 INLINE Triple operator*(Pack k, Triple a) { return {k * a.x, k * a.y, k * a.z}; }
 INLINE Pack dot(Triple a, Triple b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+INLINE Triple cross(Triple a, Triple b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 INLINE Triple load(const double* const p[3], std::int64_t i) {
   return {load(p[0] + i), load(p[1] + i), load(p[2] + i)};
 }
@@ -84,6 +92,8 @@ struct Coefficients {
   Pack a, a_n, b, b_n, b_t, c;
 };
 
+#include "cylinder_drag_model.inl"
+
 INLINE Coefficients coefficients(const LineArrays& lines, std::int64_t i, Pack q_n, Pack q_t) {
   Coefficients k;
   k.a_n = load(lines.normal + i);
@@ -92,29 +102,7 @@ INLINE Coefficients coefficients(const LineArrays& lines, std::int64_t i, Pack q
   k.b = k.b_t * q_t;
   k.b_n = Pack{};
   k.c = load(lines.skin + i);
-  if (lines.speed_law) {
-    // Goes through memory, so that packs stay in registers if no line has a speed-dependent drag
-    // model.
-    double q[2][lanes], out[5][lanes];
-    store(q[0], q_n);
-    store(q[1], q_t);
-    store(out[0], k.a);
-    store(out[1], k.a_n);
-    store(out[2], k.b);
-    store(out[3], k.b_n);
-    store(out[4], k.b_t);
-    for (int l = 0; l < lanes; ++l) {
-      if (!lines.speed_law[i + l]) continue;
-      double found[5];
-      speed_coefficients(*lines.speed_law[i + l], q[0][l], q[1][l], lines.viscosity, found);
-      for (int c = 0; c < 5; ++c) out[c][l] = found[c];
-    }
-    k.a = load(out[0]);
-    k.a_n = load(out[1]);
-    k.b = load(out[2]);
-    k.b_n = load(out[3]);
-    k.b_t = load(out[4]);
-  }
+  if (lines.speed_law) use_speed_laws(lines.speed_law + i, lines.viscosity, q_n, q_t, k);
   return k;
 }
 
@@ -166,6 +154,15 @@ INLINE Pack span_strain(Triple e, Pack inverse_span, Pack inverse_rest) {
 INLINE Pack straight_share(const LineArrays& lines, Pack strain) {
   const Pack one = Pack{} + 1.0;
   return lines.curved ? (strain < 0.0 ? one + strain : one) : one;
+}
+
+INLINE Triple line_drag(const LineArrays& lines, std::int64_t i, Triple e, Pack inverse_span,
+                        Pack inverse_rest) {
+  const StraightDrag s = straight_drag(lines, i, e, inverse_span);
+  const Pack share = straight_share(lines, span_strain(e, inverse_span, inverse_rest));
+  const Pack weight = share * load(lines.drag_weight + i);
+  const Pack by_u = weight * s.by_u + (1.0 - share) * load(lines.loose + i);
+  return by_u * s.u + (weight * s.by_t) * s.t;
 }
 
 // A line shorter than 1e-12 L0 has no direction; its pull is T e/L0.
@@ -230,11 +227,7 @@ void evaluate(const LineArrays& lines, std::int64_t begin, std::int64_t end) {
     }
     store(lines.tension + i, tension > least ? tension : least);
 
-    const StraightDrag s = straight_drag(lines, i, e, inverse_span);
-    const Pack share = straight_share(lines, span_strain(e, inverse_span, inverse_rest));
-    const Pack weight = share * load(lines.drag_weight + i);
-    const Pack by_u = weight * s.by_u + (1.0 - share) * load(lines.loose + i);
-    const Triple drag = by_u * s.u + (weight * s.by_t) * s.t;
+    const Triple drag = line_drag(lines, i, e, inverse_span, inverse_rest);
     store(lines.drag[0] + i, drag.x);
     store(lines.drag[1] + i, drag.y);
     store(lines.drag[2] + i, drag.z);
@@ -399,12 +392,12 @@ INLINE void add_scaled(double* values, double k, const double* block) {
   values[8] += k * block[8];
 }
 
-INLINE void add_block(const BlockSink& sink, std::int64_t slot, const double* block) {
+INLINE void add_block(const BlockSink& sink, std::int64_t slot, double share, const double* block) {
   if (slot >= 0) {
-    add_scaled(sink.values + 9 * slot, 1.0, block);
+    add_scaled(sink.values + 9 * slot, share, block);
   } else if (slot <= -2) {
     for (std::int64_t j = sink.list_start[-2 - slot]; j < sink.list_start[-1 - slot]; ++j)
-      add_scaled(sink.values + 9 * sink.list_block[j], sink.list_weight[j], block);
+      add_scaled(sink.values + 9 * sink.list_block[j], share * sink.list_weight[j], block);
   }
 }
 
@@ -431,7 +424,7 @@ void add_bars(const LineArrays& lines, const LineRequest& request, std::int64_t 
     const int here = bars - i < lanes ? static_cast<int>(bars - i) : lanes;
     for (int l = 0; l < here; ++l) {
       const std::int64_t* slot = sink.slot + 4 * (i + l);
-      for (int k = 0; k < 4; ++k) add_block(sink, slot[k], block[k] + block_step * l);
+      for (int k = 0; k < 4; ++k) add_block(sink, slot[k], 1.0, block[k] + block_step * l);
     }
   }
 }
@@ -574,7 +567,7 @@ void add_cells(const LineArrays& lines, const LineRequest& request, const CellAr
     const int here = end - i < lanes ? static_cast<int>(end - i) : lanes;
     for (int l = 0; l < here; ++l) {
       const std::int64_t* slot = sink.slot + 16 * (i + l);
-      for (int k = 0; k < 16; ++k) add_block(sink, slot[k], block[k] + block_step * l);
+      for (int k = 0; k < 16; ++k) add_block(sink, slot[k], 1.0, block[k] + block_step * l);
     }
   }
 }
@@ -587,18 +580,14 @@ void add_cell_blocks(const LineArrays& lines, const LineRequest& request, const 
     add_cells<false>(lines, request, cells, begin, end, sink);
 }
 
-template <bool with_everywhere>
-void put_slopes(const LineArrays& lines, const LineRequest& request, std::int64_t begin,
-                std::int64_t end, double* out) {
+void slopes(const LineArrays& lines, const LineRequest& request, std::int64_t begin,
+            std::int64_t end, double* out) {
   alignas(64) double block[3][block_step * lanes];
-  const Pack none = {};
-  const Triple row = {none, none, none};
-  store(block[2], Tensor{row, row, row});
   for (std::int64_t i = begin; i < end; i += lanes) {
-    const LineSlopes s = line_slopes<with_everywhere>(lines, request, i, 1.0);
+    const LineSlopes s = line_slopes<true>(lines, request, i, 1.0);
     store(block[0], s.pull);
     store(block[1], s.turn);
-    if (with_everywhere) store(block[2], s.everywhere);
+    store(block[2], s.everywhere);
     const int here = end - i < lanes ? static_cast<int>(end - i) : lanes;
     for (int l = 0; l < here; ++l) {
       for (int k = 0; k < 3; ++k) {
@@ -608,17 +597,11 @@ void put_slopes(const LineArrays& lines, const LineRequest& request, std::int64_
   }
 }
 
-void slopes(const LineArrays& lines, const LineRequest& request, std::int64_t begin,
-            std::int64_t end, double* out) {
-  if (request.damping != 0.0 || lines.slope[0])
-    put_slopes<true>(lines, request, begin, end, out);
-  else
-    put_slopes<false>(lines, request, begin, end, out);
-}
-
+#include "netting_screen.inl"
 #include "sag.inl"
 
 #undef INLINE
 
-constexpr LineKernels kernels{flow,   evaluate, change,   add_bar_blocks, add_cell_blocks,
-                              slopes, set_sag,  lead_sag, change_sag,     add_sag_strains};
+constexpr LineKernels kernels{
+    flow,    evaluate, change,     add_bar_blocks,  add_cell_blocks,   slopes,
+    set_sag, lead_sag, change_sag, add_sag_strains, set_screen_forces, add_screen_blocks};

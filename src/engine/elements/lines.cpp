@@ -189,7 +189,16 @@ void Lines::set_velocity(const Field& field, const int* node, const double* shar
                          double height, std::initializer_list<int> lines) {
   Meeting meeting;
   for (int k = 0; k < points; ++k) meeting.add(field, node[k], share[k]);
-  for (const int line : lines) set_velocity(static_cast<std::size_t>(line), meeting, height);
+  const int first = *lines.begin();
+  set_velocity(static_cast<std::size_t>(first), meeting, height);
+  for (const int line : lines) {
+    arrays_.own[line] = arrays_.own[first];
+    if (arrays_.wet) arrays_.wet[line] = arrays_.wet[first];
+    for (int c = 0; c < 3; ++c) {
+      arrays_.u[c][line] = arrays_.u[c][first];
+      if (arrays_.slope[c]) arrays_.slope[c][line] = arrays_.slope[c][first];
+    }
+  }
 }
 
 void Lines::set_velocity(std::size_t line, const Meeting& meeting, double height) {
@@ -222,9 +231,12 @@ void Lines::set_flow(const Field& field) {
   }
   for (const CellRange& range : cells_to_move()) {
     for (int e = range.begin; e < range.end; ++e) {
-      const Line<4> u = cells_.line(e, 0);
-      const double height = surface ? cells_.height[static_cast<std::size_t>(e)] : 0.0;
-      set_velocity(field, u.nodes, u.share, 4, height, {u.index, u.index + cells_.count()});
+      const std::size_t k = static_cast<std::size_t>(e);
+      const double share[4] = {cells_.share[0][k], cells_.share[1][k], cells_.share[2][k],
+                               cells_.share[3][k]};
+      const int line = bars_.count() + e;
+      set_velocity(field, &cells_.node[4 * k], share, 4, surface ? cells_.height[k] : 0.0,
+                   {line, line + cells_.count()});
     }
   }
   for (int e = 0; e < hexagons_.count(); ++e) {

@@ -19,26 +19,10 @@
 // their coefficients are therefore proportional to Sn.
 #pragma once
 
-#include "../base/drag_models.hpp"
-
 namespace codend {
-
-// A value and its derivatives by cos theta, solidity and Reynolds number.
-struct ScreenCoefficient {
-  double value = 0.0, by_cosine = 0.0, by_solidity = 0.0, by_reynolds = 0.0;
-};
-
-struct ScreenCoefficients {
-  ScreenCoefficient drag;           // C_D
-  ScreenCoefficient lift_per_sine;  // C_L / sin theta
-};
 
 struct ScreenMultipliers {
   double drag = 1.0, lift = 1.0;
 };
-
-// cosine: of theta, 0 to 1; reynolds: U d / nu of a twine.
-ScreenCoefficients screen_coefficients(NettingScreenLaw law, double cosine, double solidity,
-                                       double reynolds);
 
 }  // namespace codend

@@ -34,13 +34,6 @@ struct Sag {
   Pack length[2], inverse_length[2], tension[2], modulus[2];
 };
 
-INLINE bool any(Mask mask) {
-  for (int l = 0; l < lanes; ++l) {
-    if (mask[l]) return true;
-  }
-  return false;
-}
-
 INLINE Pack side(int f, Pack s) { return f == 0 ? 1.0 - s : 1.0 + s; }
 
 // Cells whose sides lie along the twines have no sag.
