@@ -129,6 +129,11 @@ struct LineKernels {
   // Adds the blocks of all bars, lines [0, bars).
   void (*add_bar_blocks)(const LineArrays& lines, const LineRequest& request, std::int64_t bars,
                          const BlockSink& sink);
+  // Adds drag and pull of netting cells [begin, end) to the forces on points (N, 3 per point).
+  // node: 4 points per cell; tension: of one line, N.
+  void (*add_cell_forces)(const LineArrays& lines, const CellArrays& cells, const int* node,
+                          std::int64_t begin, std::int64_t end, const double* tension,
+                          double* force);
   // Adds the blocks of netting cells [begin, end).
   void (*add_cell_blocks)(const LineArrays& lines, const LineRequest& request,
                           const CellArrays& cells, std::int64_t begin, std::int64_t end,

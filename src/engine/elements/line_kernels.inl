@@ -437,6 +437,40 @@ void add_bar_blocks(const LineArrays& lines, const LineRequest& request, std::in
     add_bars<false>(lines, request, bars, sink);
 }
 
+void add_cell_forces(const LineArrays& lines, const CellArrays& cells, const int* node,
+                     std::int64_t begin, std::int64_t end, const double* tension, double* force) {
+  alignas(64) double corner[4][4 * lanes];
+  for (std::int64_t i = begin; i < end; i += lanes) {
+    const std::int64_t u = cells.first + i, v = u + cells.count, left = cells.count - i;
+    auto pull = [&](std::int64_t line) {
+      return load(lines.multiplicity + line) * load_before_end(tension + line, left) *
+             load(lines.inverse_length + line);
+    };
+    const Pack pull_u = pull(u), pull_v = pull(v);
+    const Pack held = pull_u * load(lines.twist_weight + u) +
+                      pull_v * load(lines.twist_weight + v) + load(lines.twist_stiffness + u) +
+                      load(lines.twist_stiffness + v);
+    const Pack amplitude = load(cells.amplitude + i);
+    const Pack damped =
+        (1.0 / 9.0) * amplitude * amplitude * (load(lines.loose + u) + load(lines.loose + v));
+    const Triple drag = load(lines.drag, u) + load(lines.drag, v);
+    const Triple along_u = pull_u * load(lines.e, u), along_v = pull_v * load(lines.e, v);
+    const Triple twisted = held * load(lines.twist, u) + damped * load(lines.twist_rate, u);
+    for (int k = 0; k < 4; ++k) {
+      const Triple f = load(cells.share[k] + i) * drag - load(cells.along[0][k] + i) * along_u -
+                       load(cells.along[1][k] + i) * along_v - load(cells.twist[k] + i) * twisted;
+      store_across(f.x, f.y, f.z, Pack{}, corner[k], 4);
+    }
+    const int here = end - i < lanes ? static_cast<int>(end - i) : lanes;
+    for (int l = 0; l < here; ++l) {
+      for (int k = 0; k < 4; ++k) {
+        double* to = force + 3 * static_cast<std::int64_t>(node[4 * (i + l) + k]);
+        for (int c = 0; c < 3; ++c) to[c] += corner[k][4 * l + c];
+      }
+    }
+  }
+}
+
 // One family of a cell. With G_k = (a_k e + kappa g_k q)/L, the derivative of length by the
 // position of point k, the pull at k is M T G_k. The block of points (k, l) is
 //   M [(EA/L0 - T/L) G_k G_l^T + T/L (a_k a_l + kappa g_k g_l) I]
@@ -603,5 +637,5 @@ void slopes(const LineArrays& lines, const LineRequest& request, std::int64_t be
 #undef INLINE
 
 constexpr LineKernels kernels{
-    flow,    evaluate, change,     add_bar_blocks,  add_cell_blocks,   slopes,
+    flow,    evaluate, change,     add_bar_blocks,  add_cell_forces,   add_cell_blocks,  slopes,
     set_sag, lead_sag, change_sag, add_sag_strains, set_screen_forces, add_screen_blocks};

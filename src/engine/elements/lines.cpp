@@ -346,7 +346,8 @@ void Lines::change_sag(double* strain) const {
 void Lines::add_force(const double* tension, double* force) const {
   bars_.add_force(arrays_, tension, force);
   for (const CellRange& range : moving_cells_) {
-    cells_.add_force(arrays_, tension, range.begin, range.end, force);
+    kernels_.add_cell_forces(arrays_, cell_arrays_, cells_.node.data(), range.begin, range.end,
+                             tension, force);
   }
   hexagons_.add_force(arrays_, tension, force);
 }
@@ -378,9 +379,12 @@ void Lines::add_drag_scale(double* scale) const {
     for (int k = 0; k < 2; ++k) scale[bars_.node[2 * b + k]] += c[b];
   }
   for (int e = 0; e < cells_.count(); ++e) {
-    const Line<4> u = cells_.line(e, 0);
-    const double both = c[u.index] + c[u.index + cells_.count()];
-    for (int k = 0; k < 4; ++k) scale[u.nodes[k]] += u.share[k] * both;
+    const std::size_t cell = static_cast<std::size_t>(e);
+    const int line = cells_.first_line + e;
+    const double both = c[line] + c[line + cells_.count()];
+    for (std::size_t k = 0; k < 4; ++k) {
+      scale[cells_.node[4 * cell + k]] += cells_.share[k][cell] * both;
+    }
   }
   for (int e = 0; e < hexagons_.count(); ++e) {
     double all = 0.0;

@@ -92,30 +92,6 @@ void NettingCells::vectors(const double* x, int begin, int end, double* const u[
   }
 }
 
-void NettingCells::add_force(const LineArrays& lines, const double* tension, int begin, int end,
-                             double* force) const {
-  const int cells = count();
-  for (int e = begin; e < end; ++e) {
-    const int u = first_line + e, v = u + cells;
-    const double pull_u = lines.multiplicity[u] * tension[u] * lines.inverse_length[u];
-    const double pull_v = lines.multiplicity[v] * tension[v] * lines.inverse_length[v];
-    const double pull_q = pull_u * lines.twist_weight[u] + pull_v * lines.twist_weight[v];
-    const double held = pull_q + lines.twist_stiffness[u] + lines.twist_stiffness[v];
-    const double damped = (lines.loose[u] + lines.loose[v]) * amplitude[e] * amplitude[e] / 9.0;
-    const int* n = &node[4 * static_cast<std::size_t>(e)];
-    for (int c = 0; c < 3; ++c) {
-      const double drag = lines.drag[c][u] + lines.drag[c][v];
-      const double along_u = pull_u * lines.e[c][u], along_v = pull_v * lines.e[c][v];
-      const double twisted = held * lines.twist[c][u] + damped * lines.twist_rate[c][u];
-      for (int k = 0; k < 4; ++k) {
-        force[3 * static_cast<std::ptrdiff_t>(n[k]) + c] +=
-            share[k][e] * drag - along[0][k][e] * along_u - along[1][k][e] * along_v -
-            twist[k][e] * twisted;
-      }
-    }
-  }
-}
-
 void NettingCells::add_added_mass(const LineArrays& lines, double* mass) const {
   for (int e = 0; e < count(); ++e) {
     const int u = first_line + e, v = u + count();

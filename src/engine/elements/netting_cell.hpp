@@ -58,9 +58,6 @@ class NettingCells {
   // are interpolated from positions. Writes by component to u[.], v[.] and q[.][0 .. end - begin).
   void vectors(const double* x, int begin, int end, double* const u[3], double* const v[3],
                double* const q[3]) const;
-  // Adds drag and pull to the points of cells [begin, end). tension: of one line, N.
-  void add_force(const LineArrays& lines, const double* tension, int begin, int end,
-                 double* force) const;
   // Adds the added mass of all cells to their points, kg (9 per point).
   void add_added_mass(const LineArrays& lines, double* mass) const;
 };
