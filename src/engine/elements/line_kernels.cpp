@@ -8,6 +8,11 @@
 #include <cmath>
 #endif
 
+// On Linux only processors without AVX2 use these kernels on x86-64, so they are compiled for size.
+#if defined(__linux__) && defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("Os")
+#endif
+
 namespace codend {
 
 namespace {
