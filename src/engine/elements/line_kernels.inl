@@ -18,18 +18,30 @@ inline void store_across(Pack a, Pack b, Pack c, Pack d, double* out, int step);
 INLINE Pack load(const double* p) { return *reinterpret_cast<const LoosePack*>(p); }
 INLINE void store(double* p, Pack x) { *reinterpret_cast<LoosePack*>(p) = x; }
 
+// Calls for the last lanes of an array keep the machine code small.
+#define CALLED __attribute__((noinline))
+CALLED void load_part(const double* p, std::int64_t left, double* out) {
+  for (int l = 0; l < lanes; ++l) out[l] = l < left ? p[l] : 0.0;
+}
+CALLED void store_part(double* p, std::int64_t left, const double* from) {
+  for (int l = 0; l < left; ++l) p[l] = from[l];
+}
+#undef CALLED
+
 // Loads from an array that ends after `left` numbers, with zeros beyond.
 INLINE Pack load_before_end(const double* p, std::int64_t left) {
   if (left >= lanes) return load(p);
-  Pack x = {};
-  for (int l = 0; l < left; ++l) x[l] = p[l];
-  return x;
+  double part[lanes];
+  load_part(p, left, part);
+  return load(part);
 }
 
 // Stores into an array that ends after `left` numbers.
 INLINE void store_before_end(double* p, std::int64_t left, Pack x) {
   if (left >= lanes) return store(p, x);
-  for (int l = 0; l < left; ++l) p[l] = x[l];
+  double part[lanes];
+  store(part, x);
+  store_part(p, left, part);
 }
 
 INLINE Pack size(Pack x) { return x < 0.0 ? -x : x; }
