@@ -26,7 +26,7 @@ calls <- list(
   # Netting of thin twine needed 363 steps with the screen drag model at large angles.
   thin_trawl = function() settle(thin_trawl, nodes = 1500),
   thin_trawl_faster = function() {
-    settle(update(thin_trawl, towing.speed = "4.95 knot"), from = thin)
+    settle(update(thin_trawl, towing.speed = "5 knot"), from = thin)
   },
   thin_trawl_larger_boards = function() {
     settle(update(thin_trawl, otter_boards.area = "13.2 m2"), from = thin)
