@@ -2,7 +2,6 @@
 # and gravity. Results must therefore follow if length, time and mass scale with gravity unchanged
 # (Froude's scaling, here with viscosity too, so that the Reynolds number is constant).
 
-
 random_gears <- test_path("..", "..", "bench", "random-gears.R")
 
 random_gear_of <- function(kind, seed = 1, ...) {
