@@ -88,6 +88,16 @@ test_that("dip net reports the mean depth of its corners on any mesh", {
   expect_lt(diff(range(of_frame("value"))), sum(of_frame("error")))
 })
 
+test_that("netting in bars holds the point of a cone", {
+  depth <- function(nodes, netting) {
+    measures(settle("dip_net", nodes = nodes, netting = netting))[["bottom_depth_m"]]
+  }
+  # 0.2 % on 400 nodes; without a twine at the point, the depth is 0.3 to 900 % larger
+  for (nodes in c(250, 400, 500)) {
+    expect_equal(depth(nodes, "bars"), depth(1000, "cells"), tolerance = 0.01)
+  }
+})
+
 test_that("set net plans are rejected with the wrong field", {
   wrong <- function(plan, field, ...) {
     expect_refused(update(read_gear(plan), ...), field)

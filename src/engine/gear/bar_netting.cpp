@@ -19,6 +19,7 @@ struct Knot {
   double left, right;  // i of the panel's sides in its row
   int edge = inside;   // side to which it was moved
   bool kept = false;
+  bool gathered = false;  // moved farther, because its row is too narrow for a knot
 };
 
 // All candidate knots of a panel, row by row, with two beyond the panel at both ends of a row.
@@ -65,6 +66,31 @@ int count_rows(const GearPanel& panel, double lambda) {
   return at_least_one(std::nearbyint((2 - panel.square()) * panel.deep / lambda));
 }
 
+double distance_outside(const Knot& knot) {
+  return std::max({knot.left - knot.at, knot.at - knot.right, 0.0});
+}
+
+// Moves the nearest knots to the sides in a row without a knot. Otherwise no twine would hold the
+// point of a panel that narrows to less than a mesh.
+void gather_row(std::vector<Knot>::iterator begin, std::vector<Knot>::iterator end, double lambda) {
+  if (std::any_of(begin, end, [](const Knot& knot) { return knot.kept; })) return;
+  double nearest = lambda;
+  std::for_each(begin, end,
+                [&](const Knot& knot) { nearest = std::min(nearest, distance_outside(knot)); });
+  std::for_each(begin, end, [&](Knot& knot) {
+    if (distance_outside(knot) > nearest + 1e-9 * lambda) return;
+    knot.kept = knot.gathered = true;
+    knot.edge = knot.at < knot.left ? on_left : on_right;
+    knot.i = knot.edge == on_left ? knot.left : knot.right;
+  });
+}
+
+// True if both knots lie on one side of the panel. A row without width lies on both sides.
+bool on_one_side(const Knot& a, const Knot& b) {
+  if (a.edge == inside || b.edge == inside) return false;
+  return a.edge == b.edge || a.left == a.right || b.left == b.right;
+}
+
 KnotRows knot_rows(const GearPanel& panel, double lambda, int rows) {
   KnotRows out;
   out.rows = rows;
@@ -100,6 +126,7 @@ KnotRows knot_rows(const GearPanel& panel, double lambda, int rows) {
       knot.kept = from_left >= -near && from_right >= -near;
       out.knots.push_back(knot);
     }
+    gather_row(out.knots.end() - out.width, out.knots.end(), lambda);
   }
   return out;
 }
@@ -121,7 +148,7 @@ bool cut_twine(const std::vector<Knot>& knots, Twine& twine) {
   };
   const double within = gap(inner), share = within / (within - gap(outer));
   // A knot on the side belongs to the side.
-  if (inner.edge != inside) return false;
+  if (inner.edge != inside || outer.gathered) return false;
   if (!leaves && !(std::abs(gap(outer)) > 1e-9 * within && std::isfinite(share) && share > 0.45 &&
                    share < 1.55)) {
     return false;
@@ -161,8 +188,7 @@ std::vector<Twine> knot_twines(const GearPanel& panel, const KnotRows& rows) {
         cut.push_back(twine);
       } else if (from.kept && there) {
         const bool ends_row = panel.square() && (from.row == 0 || from.row == rows.rows);
-        twine.along_edge = (from.edge == knots[to].edge && from.edge != inside) ||
-                           (ends_row && from.row == knots[to].row);
+        twine.along_edge = on_one_side(from, knots[to]) || (ends_row && from.row == knots[to].row);
         whole.push_back(twine);
       }
     }
