@@ -14,7 +14,7 @@
 //               T_k += share (max(l_k, 0) - T_k)
 //
 // The same tensions set the sag of cell twines. Here ds_k includes the change of sag to its
-// equilibrium after dx (elements/sag.hpp), because linearised sag of nearly slack twines
+// equilibrium after dx (elements/sag.inl), because linearised sag of nearly slack twines
 // oscillates between two states. The step has converged when tensions and sag satisfy the law.
 // Ground contacts use their own law.
 #pragma once
