@@ -4,7 +4,7 @@
 
 random_gears <- test_path("..", "..", "bench", "random-gears.R")
 
-random_gear_of <- function(kind, seed = 1, ...) {
+random_gear_of <- function(kind, seed, ...) {
   source(random_gears, local = TRUE)
   update(random_gear(seed, kind), ...)
 }
