@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "../base/fields.hpp"
-#include "netting_screen_drag.hpp"
 
 namespace codend {
 

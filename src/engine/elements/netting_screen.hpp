@@ -1,4 +1,4 @@
-// Screen drag model: drag and lift of a whole netting cell (netting_screen_drag.hpp) instead of
+// Screen drag model: drag and lift of a whole netting cell (netting_screen.inl) instead of
 // Morison-type (twine-by-twine) drag.
 //
 // Let S = 1/2 (x2-x0) x (x3-x1) be the cell's area vector, A = |S|, and n = S/A with the sign that
@@ -12,9 +12,12 @@
 #include "cell_shape.hpp"
 #include "kind.hpp"
 #include "line_kernels.hpp"
-#include "netting_screen_drag.hpp"
 
 namespace codend {
+
+struct ScreenMultipliers {
+  double drag = 1.0, lift = 1.0;
+};
 
 // Netting cells whose drag is computed for whole cells.
 class WholeCells : public ElementKind {
