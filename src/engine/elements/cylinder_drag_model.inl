@@ -47,18 +47,24 @@ INLINE Slope exponential(Slope x) {
   return {e, e * x.slope};
 }
 
+// Rises from 0 at `first` to 1 at `last` as a cubic.
+INLINE Slope rise(Pack x, double first, double last) {
+  const Pack s = (x - first) / (last - first);
+  const Pack bounded = s < 0.0 ? Pack{} : s > 1.0 ? Pack{} + 1.0 : s;
+  return {bounded * bounded * (3.0 - 2.0 * bounded),
+          6.0 * bounded * (1.0 - bounded) / (last - first)};
+}
+
 // Blends two branches of a published drag model within +-10 % of their switch, where their values
 // differ. A jump in force would prevent an equilibrium near the switch. log_re: of the Reynolds
 // number; log_at: of its value at the switch.
 INLINE Slope join(Slope log_re, double log_at, Slope below, Slope above) {
   constexpr double half = 0.1;
-  const Pack s = (log_re.value - log_at + half) / (2.0 * half), one = Pack{} + 1.0;
-  const Pack bounded = s < 0.0 ? Pack{} : s > 1.0 ? one : s;
-  const Slope w{bounded * bounded * (3.0 - 2.0 * bounded),
-                6.0 * bounded * (1.0 - bounded) / (2.0 * half) * log_re.slope};
+  const Pack after = log_re.value - log_at;
+  const Slope risen = rise(after, -half, half), w = {risen.value, risen.slope * log_re.slope};
   const Slope blend = (constant(1.0) + -1.0 * w) * below + w * above;
-  return {s > 0.0 ? s < 1.0 ? blend.value : above.value : below.value,
-          s > 0.0 ? s < 1.0 ? blend.slope : above.slope : below.slope};
+  return {after > -half ? after < half ? blend.value : above.value : below.value,
+          after > -half ? after < half ? blend.slope : above.slope : below.slope};
 }
 
 INLINE Slope choo_casarella_normal(Slope re, Slope log_re) {

@@ -227,14 +227,6 @@ INLINE LineArrays twine_lines(NettingStrip& cells, int family) {
   return lines;
 }
 
-// Rises from 0 at `first` to 1 at `last` as a cubic.
-INLINE Slope rise(Pack x, double first, double last) {
-  const Pack s = (x - first) / (last - first);
-  const Pack bounded = s < 0.0 ? Pack{} : s > 1.0 ? Pack{} + 1.0 : s;
-  return {bounded * bounded * (3.0 - 2.0 * bounded),
-          6.0 * bounded * (1.0 - bounded) / (last - first)};
-}
-
 // Adds the twines' drag to `out`, the force of cells as screens. Sets the derivatives `turn` by the
 // bar vectors.
 template <bool with_slopes>
