@@ -31,6 +31,7 @@
 #
 # Generated files:
 #   make gallery   all pictures of gears and of the tank, and their scenes in gallery/scenes.csv
+#   make web       the scripts of pages in inst/, from web/src; needs Node.js with npm
 #   make wasm      the engine as WebAssembly in inst/share, for pages of share(); installs codend
 #   make site      help, guides, pictures and live gears as a site in site/; runs make wasm first
 #   make cheat-sheet  the guide "Cheat sheet" as one page: pkgdown/assets/codend-cheat-sheet.pdf
@@ -44,7 +45,7 @@
 
 .PHONY: cheat-sheet docs trawl install test fast lint fuzz fuzz-engine sanitize-threads coverage check ci lane \
   ratchet gallery guides knitted soak bench bench-loops bench-tow netting errors tow-errors random-gears robust robust-tows \
-  validate condition wasm site schema schema-check
+  validate condition web wasm site schema schema-check
 trawl:
 	@tools/setup
 	@exec/codend settle midwater_trawl --out out
@@ -63,7 +64,7 @@ fast:
 
 lint:
 	@tools/setup --ci
-	@Rscript tools/ci.R style layers format engine-files wasm schema help-index generated docs prose
+	@Rscript tools/ci.R style layers format engine-files web wasm schema help-index generated docs prose
 
 ci:
 	@tools/setup --ci
@@ -172,6 +173,10 @@ condition:
 	@tools/setup --tests
 	@Rscript validation/condition.R $(if $(FIT),--fit)
 	@Rscript validation/heights.R
+
+web:
+	@tools/setup --ci
+	@npm run --silent --prefix web build
 
 wasm:
 	@tools/setup --wasm

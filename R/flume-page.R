@@ -14,8 +14,7 @@ flume_page <- function(opens = TRUE, say = make_translator(), shares = FALSE) {
       tags$link(rel = "icon", href = "data:,"),
       tags$link(rel = "stylesheet", href = of_viewer("viewer.css")),
       tags$link(rel = "stylesheet", href = asset("flume.css")),
-      lapply(viewer_scripts, function(name) tags$script(src = of_viewer(name))),
-      lapply(flume_scripts, function(name) tags$script(src = asset(name)))
+      tags$script(src = of_viewer("viewer.js")), tags$script(src = asset("tank.js"))
     ),
     tags$a(class = "skip-link", href = "#controls", say("skip")),
     tags$div(
@@ -32,13 +31,6 @@ flume_page <- function(opens = TRUE, say = make_translator(), shares = FALSE) {
     )
   )
 }
-
-# The page's own scripts, in load order after the viewer's scripts.
-flume_scripts <- c(
-  "words.js", "talk.js", "tank.js", "form.js", "files.js", "designs.js", "drawing.js", "gallery.js",
-  "slopes.js", "graphs.js", "vary.js", "target.js", "tow.js",
-  "page.js"
-)
 
 flume_header <- function(say) {
   tags <- shiny::tags
@@ -128,7 +120,7 @@ flume_tank <- function(say) {
   )
 }
 
-# form.js adds the controls, from the data of form_message().
+# web/src/tank/form.ts adds the controls, from the data of form_message().
 flume_controls <- function(say) {
   tags <- shiny::tags
   tags$section(

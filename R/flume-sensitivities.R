@@ -92,7 +92,7 @@ sensitivities_html <- function(slopes, say = make_translator()) {
 # change first if there are no paths.
 serve_sensitivities <- function(input, output, session, tank, request_slow_worker, said, say) {
   show <- function() {
-    said("serve_sensitivities", fields = sensitivities_message(tank$slopes, tank$preferred, say))
+    said("flume_sensitivities", fields = sensitivities_message(tank$slopes, tank$preferred, say))
     tank$count_slopes()
   }
   shiny::observeEvent(input$slopes_wanted, {

@@ -122,7 +122,8 @@ measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key
   )
 }
 
-# Returns opening tags of the buttons that open the form for a required value (inst/app/target.js).
+# Returns opening tags of the buttons that open the form for a required value
+# (web/src/tank/target.ts).
 target_buttons <- function(names, unit, label, say) {
   sprintf(
     "<button type='button' class='measure-value' title='%s' data-measure='%s' data-unit='%s'

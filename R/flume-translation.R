@@ -5,8 +5,8 @@
 # `usual` (fields that users change first), `kind` (of gear) and `unit`. The families `busy` and
 # `tow_saves` have progress messages and downloads of a tow. The family `also` has other trade names
 # of fields. Keys of `measure` are kinds of measures, with # for a number. Keys of the families
-# `view` (inst/view) and `finding` (R/finding-*.R) are English strings, because these are also used
-# without the tank.
+# `view` (web/src/view) and `finding` (R/finding-*.R) are English strings, because these are also
+# used without the tank.
 
 word_table <- remembered(function(version = 1) {
   table <- utils::read.csv(

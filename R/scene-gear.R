@@ -1,6 +1,6 @@
-# Scene for the viewer (inst/view/viewer.js): a list that becomes JSON, with the same structure for
-# a state, a trajectory and the tank's designs. Connectivity is separate from moving data, so that
-# the tank sends it once.
+# Scene for the viewer (web/src/view/scene.ts): a list that becomes JSON, with the same structure
+# for a state, a trajectory and the tank's designs. Connectivity is separate from moving data, so
+# that the tank sends it once.
 
 # Maximum number of lines and cells in a scene.
 scene_limit <- 12000L

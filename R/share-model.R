@@ -1,4 +1,4 @@
-# The data of a gear in a shared page: arrays, and input of the page's scripts (inst/share).
+# The data of a gear in a shared page: arrays, and input of the page's scripts (web/src/share).
 
 # Returns a list for JSON: `head` and `body` of packed arrays, and input of the scripts. `left_out`
 # has the reason for each field without a slider. `misfit` is the largest error of the sliders'

@@ -1,9 +1,5 @@
 # The page that share() writes: its text as HTML, all other data deflated.
 
-# Scripts of the page and of its worker, in load order.
-page_scripts <- c("arrays.js", "page.js")
-worker_scripts <- c("engine.js", "arrays.js", "model.js", "worker.js")
-
 # A tow has fewer stored times than given if the page would exceed this size [bytes].
 shared_bytes <- 1e6
 
@@ -18,12 +14,10 @@ shared_parts <- function(state, model, tow) {
   wasm <- gzfile(system.file("share", "engine.wasm.gz", package = "codend", mustWork = TRUE), "rb")
   on.exit(close(wasm))
   scene <- packed_scene(state_scene(state))
-  js <- function(names, of) paste(vapply(names, view_file, "", of), collapse = "\n;\n")
   parts <- list(
-    three = packed_text(view_file("three.js")),
-    viewer = packed_text(js(setdiff(viewer_scripts, "three.js"), "view")),
-    page = packed_text(js(page_scripts, "share")),
-    worker = packed_text(js(worker_scripts, "share")),
+    viewer = packed_text(view_file("viewer.js")),
+    worker = packed_text(paste(view_file("engine.js", "share"), view_file("worker.js", "share"),
+      sep = "\n;\n")),
     wasm = deflated(readBin(wasm, "raw", 1e8)),
     scene = packed_text(scene_json(scene[c("scene", "head")])), shapes = scene$body,
     model = packed_text(scene_json(model[setdiff(names(model), "body")])), arrays = model$body,
@@ -81,7 +75,7 @@ write_shared_page <- function(file, state, model, parts) {
   write_html(
     file, state$gear$plan$name,
     c(inline_style(view_file("viewer.css")), inline_style(view_file("page.css", "share"))),
-    c(body, packed, inline_script(view_file("boot.js", "share"))), policy
+    c(body, packed, inline_script(view_file("page.js", "share"))), policy
   )
 }
 

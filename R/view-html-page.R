@@ -61,9 +61,3 @@ view_file <- function(name, of = "view") {
   path <- system.file(of, name, package = "codend", mustWork = TRUE)
   paste(readLines(path, encoding = "UTF-8", warn = FALSE), collapse = "\n")
 }
-
-# The viewer's scripts in load order, as in inst/htmlwidgets/codend.yaml.
-viewer_scripts <- c(
-  "three.js", "element.js", "materials.js", "gear.js", "graph.js", "motion.js", "save.js",
-  "viewer.js"
-)

@@ -134,8 +134,7 @@ texts <- list(
   messages = by_file(messages, "R/*.R"),
   r_comments = by_file(r_comments, "R/*.R"),
   cpp_comments = lapply(stats::setNames(nm = engine), line_comments),
-  js_comments = by_file(line_comments, "inst/*.js", ":!inst/view/three.js",
-    ":!inst/share/engine.js"),
+  js_comments = by_file(line_comments, "web/*.ts", "web/*.js"),
   tests = by_file(test_names, "tests/testthat/*.R", "tests/engine/*.cpp"),
   test_comments = by_file(r_comments, "tests/*.R", "bench/*.R", "validation/*.R", "tools/*.R"),
   commits = list(`git log` = subjects)

@@ -1,15 +1,1 @@
-// The viewer as an HTML widget.
-HTMLWidgets.widget({
-  name: 'codend',
-  type: 'output',
-  factory: function (el) {
-    var viewer = null;
-    return {
-      renderValue: function (x) {
-        if (!viewer) viewer = window.codendView.viewer(el, { title: x.title });
-        if (viewer) viewer.show(x.scene);
-      },
-      resize: function () {}
-    };
-  }
-});
+"use strict";(()=>{var w=Object.create;var o=Object.defineProperty;var s=Object.getOwnPropertyDescriptor;var p=Object.getOwnPropertyNames;var u=Object.getPrototypeOf,a=Object.prototype.hasOwnProperty;var g=(t,e)=>()=>{try{return e||t((e={exports:{}}).exports,e),e.exports}catch(i){throw e=0,i}};var m=(t,e,i,r)=>{if(e&&typeof e=="object"||typeof e=="function")for(let n of p(e))!a.call(t,n)&&n!==i&&o(t,n,{get:()=>e[n],enumerable:!(r=s(e,n))||r.enumerable});return t};var y=(t,e,i)=>(i=t!=null?w(u(t)):{},m(e||!t||!t.__esModule?o(i,"default",{value:t,enumerable:!0}):i,t));var l=g((v,d)=>{d.exports=codendView});var c=y(l(),1);HTMLWidgets.widget({name:"codend",type:"output",factory(t){let e=null;return{renderValue(i){e=e||(0,c.new_viewer)(t,{title:i.title}),e?.show(i.scene)},resize(){}}}});})();

@@ -35,11 +35,11 @@ const clean = (page) => {
   assert.deepEqual(page.strange, []);
 };
 // Returns the image, and the number of pixels that differ from the background.
-const picture = (page) => page.evaluate(() => window.codendTank.viewer().picture().toDataURL());
+const picture = (page) => page.evaluate(() => window.codendTank.Tank.shown().picture().toDataURL());
 const painted = (page, id) => page.evaluate(async (id) => {
   let canvas = document.getElementById(id);
   if (id === 'tank') {
-    const png = await fetch(window.codendTank.viewer().picture().toDataURL());
+    const png = await fetch(window.codendTank.Tank.shown().picture().toDataURL());
     canvas = await createImageBitmap(await png.blob());
   }
   const copy = new OffscreenCanvas(canvas.width, canvas.height)
@@ -50,7 +50,7 @@ const painted = (page, id) => page.evaluate(async (id) => {
   for (let i = 3; i < data.length; i += 4) if (data[i] > 0) count++;
   return count / (data.length / 4);
 }, id);
-const plane = (page) => page.evaluate(() => window.codendTank.point(0));
+const plane = (page) => page.evaluate(() => window.codendTank.Tank.point(0));
 const changed = (page, name, from) => page.waitForFunction(([name, from]) => {
   const row = [...document.querySelectorAll('.measures tbody tr')]
     .find((r) => r.cells[0].textContent.startsWith(name + ' ('));
@@ -62,7 +62,7 @@ test('tank shows the settled trawl on opening without network requests', async (
   assert.match(await page.textContent('h1'), /Midwater trawl/);
   const spread = number((await measure(page, 'door spread'))[0]);
   assert.ok(spread > 140 && spread < 165, `door spread ${spread}`);
-  await page.waitForFunction(() => !window.codendTank.waits(), null, patience);
+  await page.waitForFunction(() => !window.codendTank.Tank.waits(), null, patience);
   assert.ok(await painted(page, 'tank') > 0.02);
   for (const plane of ['plane_xy', 'plane_xz', 'plane_yz']) {
     assert.ok(await painted(page, plane) > 0.5, plane);
@@ -330,16 +330,16 @@ test('tank starts at a gallery with shipped gears and new ones', async (t) => {
   await page.waitForFunction(() => /headline 22 m/.test(document.querySelector('h1').textContent), null,
     patience);
   // a running solve is displayed and can be cancelled
-  const before = await page.evaluate(() => window.codendTank.point(0));
-  await page.evaluate(() => Shiny.setInputValue('plan_text', { number: window.codendTalk.next('settling'),
+  const before = await page.evaluate(() => window.codendTank.Tank.point(0));
+  await page.evaluate(() => Shiny.setInputValue('plan_text', { number: window.codendTank.Talk.next(),
     asked: document.getElementById('plan_area').value + '\nname: x' }, { priority: 'event' }));
-  await page.evaluate(() => { window.codendTalk.ask('shipped', 'cage'); });
+  await page.evaluate(() => { window.codendTank.Talk.ask('shipped', 'cage'); });
   await page.waitForSelector('#cancel', { state: 'visible', ...patience });
   // the solve may end before a pointer reaches the button
   await page.$eval('#cancel', (button) => button.click());
-  await page.waitForFunction(() => !window.codendTalk.waits(), null, patience);
+  await page.waitForFunction(() => !window.codendTank.Talk.waits(), null, patience);
   if (!/cage/i.test(await page.textContent('h1'))) {
-    assert.deepEqual(await page.evaluate(() => window.codendTank.point(0)), before);
+    assert.deepEqual(await page.evaluate(() => window.codendTank.Tank.point(0)), before);
   }
   clean(page);
   await page.close();
@@ -400,11 +400,11 @@ test('drawing edits the net and marks an unfinished net until it fits', async ()
 
 test('tank opens a part\'s fields on a click, but not on rotation', async () => {
   const page = await open(browser, tank.url);
-  await page.waitForFunction(() => !window.codendTank.waits(), null, patience);
+  await page.waitForFunction(() => !window.codendTank.Tank.waits(), null, patience);
   // image positions that show a panel of a section
   const place = await page.evaluate(() => {
     const canvas = document.querySelector('#tank canvas'), box = canvas.getBoundingClientRect();
-    const viewer = window.codendTank.viewer(), gear = viewer.gear();
+    const viewer = window.codendTank.Tank.shown(), gear = viewer.gear();
     for (let x = 20; x < box.width; x += 7) {
       for (let y = 120; y < box.height - 120; y += 7) {
         const found = viewer.under(x, y);
@@ -419,9 +419,9 @@ test('tank opens a part\'s fields on a click, but not on rotation', async () => 
   assert.ok(place);
   const marked = page.locator('#form .part.marked');
   await page.evaluate(() => {
-    const { tell } = window.codendTalk;
+    const { setInputValue } = window.Shiny;
     window.asked = [];
-    window.codendTalk.tell = (name, what) => { window.asked.push(name); tell(name, what); };
+    window.Shiny.setInputValue = (name, ...rest) => { window.asked.push(name); setInputValue(name, ...rest); };
   });
   await page.mouse.click(place.x, place.y);
   await marked.waitFor(patience);
@@ -604,7 +604,7 @@ test('tank tows, plays and saves the design and rejects wrong input', async () =
   for (const kind of [/spread/, /height/, /tension/, /depth/, /energy/]) {
     assert.ok(graphs.some((words) => kind.test(words)), `${kind} of ${graphs}`);
   }
-  const shown = () => page.evaluate(() => window.codendTow.viewer().picture().toDataURL());
+  const shown = () => page.evaluate(() => window.codendTank.Tow.shown().picture().toDataURL());
   const start = await shown();
   // the time slider plays the tow, and the graphs follow
   const spread = await page.textContent('.graph .now');
@@ -640,7 +640,7 @@ test('gallery opens a gear at the top of the page on phones', async (t) => {
   await page.waitForFunction(() => /stow net/i.test(document.querySelector('h1').textContent), null,
     patience);
   await page.waitForSelector('#quick .control', patience);
-  await page.waitForFunction(() => !window.codendTank.waits(), null, patience);
+  await page.waitForFunction(() => !window.codendTank.Tank.waits(), null, patience);
   assert.equal(await page.evaluate(() => window.scrollY), 0);
   clean(page);
   await page.close();
@@ -682,7 +682,7 @@ test('tank, gallery and drawing pass the checks of axe-core', async () => {
     await finds(page, `gallery at ${size.width}`);
     await page.click('#gears');
     // catalogue entries, and an invalid value
-    await page.evaluate(() => window.codendForm.open('otter_boards'));
+    await page.evaluate(() => window.codendTank.Form.open('otter_boards'));
     await page.locator('.pick').first().click();
     await control(page, 'towing.speed').locator('.number').fill('-3');
     await page.waitForSelector('#unfinished', { state: 'visible', ...patience });
@@ -745,7 +745,7 @@ test('tank stores user-defined rows and shares designs that other browsers canno
   const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
   const page = await open(browser, tank.url);
   const pick = async (at) => {
-    await at.evaluate(() => window.codendForm.open('otter_boards'));
+    await at.evaluate(() => window.codendTank.Form.open('otter_boards'));
     await at.locator('#form [data-path="otter_boards"].pick').click();
   };
   await pick(page);
@@ -776,7 +776,7 @@ test('tank stores user-defined rows and shares designs that other browsers canno
     await at.fill('#shared_name', name);
     await at.click('#shared_put');
   };
-  await page.waitForFunction(() => !window.codendTalk.waits(), null, patience);
+  await page.waitForFunction(() => !window.codendTank.Talk.waits(), null, patience);
   await share(page, 'Anna', '../../Heavy boards');
   await page.waitForSelector('#shared .shared-list li >> text=../../Heavy boards', patience);
   await finds(page, 'shared');
@@ -786,8 +786,8 @@ test('tank stores user-defined rows and shares designs that other browsers canno
   const phone = await open(browser, tank.url, { width: 390, height: 844 });
   await phone.click('#gears');
   await phone.locator('#gallery .shared-list').getByRole('button', { name: /Heavy boards/ }).click();
-  await phone.waitForFunction(() => String(window.codendForm.field('otter_boards.mass')?.value) === '1234.5' &&
-    !window.codendTalk.waits() && document.getElementById('gallery').hidden, null, patience);
+  await phone.waitForFunction(() => String(window.codendTank.Form.field('otter_boards.mass')?.value) === '1234.5' &&
+    !window.codendTank.Talk.waits() && document.getElementById('gallery').hidden, null, patience);
   await tab(phone, 'Designs');
   await share(phone, 'Anna', '../../Heavy boards');
   await phone.waitForSelector('#shared_error:not([hidden])', patience);
@@ -798,7 +798,7 @@ test('tank stores user-defined rows and shares designs that other browsers canno
   // the row came with the copy, and a reload keeps it
   await answered(phone);
   await phone.reload();
-  await phone.waitForFunction(() => String(window.codendForm.field('otter_boards.mass')?.value) === '1234.5',
+  await phone.waitForFunction(() => String(window.codendTank.Form.field('otter_boards.mass')?.value) === '1234.5',
     null, patience);
   await pick(phone);
   await phone.locator('.pick-list li', { hasText: 'Loft 7' }).waitFor(patience);

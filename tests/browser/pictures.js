@@ -12,7 +12,7 @@ const patience = { timeout: 120000 };
 
 async function still(page) {
   await page.waitForSelector('.measures td', patience);
-  await page.waitForFunction(() => !window.codendTalk.waits() && !window.codendTank.waits(), null, patience);
+  await page.waitForFunction(() => !window.codendTank.Talk.waits() && !window.codendTank.Tank.waits(), null, patience);
   await page.waitForTimeout(2500);
 }
 
@@ -69,7 +69,7 @@ const scenes = {
   },
   async catalogue(page) {
     await gear(page, 'poly_noreastern_trawl');
-    await page.evaluate(() => window.codendForm.open('otter_boards'));
+    await page.evaluate(() => window.codendTank.Form.open('otter_boards'));
     await page.locator('.pick').first().click();
     await page.locator('.pick-list').first().scrollIntoViewIfNeeded();
     await page.waitForTimeout(1000);

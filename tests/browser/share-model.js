@@ -20,7 +20,7 @@ exports.opened = async function (file) {
   const packed = JSON.parse(html.split('id="packed">')[1].split('</script>')[0]);
   const page = JSON.parse(bytes(packed.model).toString());
   const code = bytes(packed.worker).toString();
-  const made = new Function('require', '__dirname', code + '\n;return [codendEngine, codendModel];')(require, __dirname);
+  const made = new Function('require', '__dirname', code + '\n;return [codendEngine, codendWorker.new_model];')(require, __dirname);
   const engine = await made[0]({ wasmBinary: bytes(packed.wasm) });
   const model = made[1](engine, page, new Uint8Array(bytes(packed.arrays)));
   return {

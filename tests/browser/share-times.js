@@ -17,7 +17,7 @@ async function timed(browser, file) {
   const session = await page.context().newCDPSession(page);
   await session.send('Emulation.setCPUThrottlingRate', { rate });
   await page.goto('file://' + path.resolve(file), { waitUntil: 'commit' });
-  await page.waitForFunction(() => window.codendReady || window.codendFailed, null, { timeout: 120000 });
+  await page.waitForFunction(() => window.codendShared?.ready || window.codendShared?.failed, null, { timeout: 120000 });
   const found = await page.evaluate(async () => {
     const fields = Array.from(document.querySelectorAll('#sliders input'))
       .map((input) => ({ lower: Number(input.min), upper: Number(input.max), value: Number(input.value) }));
@@ -30,8 +30,8 @@ async function timed(browser, file) {
     }, 4);
     async function move(values) {
       const began = performance.now();
-      window.codendMove(values);
-      while (!window.codendSettled) await new Promise((go) => setTimeout(go, 2));
+      window.codendShared.move(values);
+      while (!window.codendShared.settled) await new Promise((go) => setTimeout(go, 2));
       return performance.now() - began;
     }
     const own = fields.map((field) => field.value), moves = [], jumps = [];
@@ -53,8 +53,8 @@ async function timed(browser, file) {
       jumps.push(await move(fields.map((field) => random() < 0.5 ? field.lower : field.upper)));
     }
     clearInterval(beat);
-    return { moves, jumps, stall, picture: window.codendTimes.picture, first: window.codendTimes.first,
-      stuck: window.codendTimes.stuck };
+    return { moves, jumps, stall, picture: window.codendShared.times.picture, first: window.codendShared.times.first,
+      stuck: window.codendShared.times.stuck };
   });
   await page.close();
   return found;

@@ -37,20 +37,20 @@ async function opened(gear, size) {
   page.errors = [];
   page.on('pageerror', (error) => page.errors.push(String(error)));
   await page.goto('file://' + path.join(folder, gear + '.html'));
-  await page.waitForFunction(() => window.codendReady || window.codendFailed, null, { timeout: 120000 });
-  assert.strictEqual(await page.evaluate(() => window.codendFailed), undefined);
+  await page.waitForFunction(() => window.codendShared?.ready || window.codendShared?.failed, null, { timeout: 120000 });
+  assert.strictEqual(await page.evaluate(() => window.codendShared.failed), undefined);
   return page;
 }
 async function moved(page, values) {
-  await page.evaluate((to) => window.codendMove(to), values);
-  await page.waitForFunction(() => window.codendSettled, null, { timeout: 120000 });
+  await page.evaluate((to) => window.codendShared.move(to), values);
+  await page.waitForFunction(() => window.codendShared.settled, null, { timeout: 120000 });
 }
 // Returns the displayed shape: slider values, measures and the viewer's data.
 const shown = (page) => page.evaluate(() => {
   const { told, ropes } = document.getElementById('tank').codendViewer.gear();
   const drawn = {};
   for (const name of ['points', 'rope_tension', 'u', 'v']) drawn[name] = Array.from(told[name].floats);
-  return { ...window.codendShown, drawn, lines: ropes.part.length };
+  return { ...window.codendShared.shown, drawn, lines: ropes.part.length };
 });
 
 // Measures that jump when a twine becomes slack, and measures that count pixels.
@@ -60,7 +60,7 @@ for (const gear of gears) {
   test(`${gear} page shows R's measures and tensions after ${moves[gear]} moves`, async () => {
     assert.ok(fs.statSync(path.join(folder, gear + '.html')).size < 1e6);
     const page = await opened(gear);
-    const sizes = await page.evaluate(() => window.codendSizes);
+    const sizes = await page.evaluate(() => window.codendShared.sizes);
     let worst = 0;
     for (const [k, move] of JSON.parse(fs.readFileSync(path.join(folder, gear + '.json'))).entries()) {
       if (k) await moved(page, move.values);
@@ -160,9 +160,9 @@ test('shared page drops overtaken moves and shows the last one\'s result', async
     }
     const last = Number(inputs[0].value);
     await new Promise((resolve) => {
-      const wait = setInterval(() => { if (window.codendSettled) { clearInterval(wait); resolve(); } }, 20);
+      const wait = setInterval(() => { if (window.codendShared.settled) { clearInterval(wait); resolve(); } }, 20);
     });
-    return { last, settled: window.codendShown.values[0], moves: window.codendTimes.moves };
+    return { last, settled: window.codendShared.shown.values[0], moves: window.codendShared.times.moves };
   });
   assert.ok(Math.abs(found.settled - found.last) < 1e-9 * found.last);
   assert.ok(found.moves < 5, `${found.moves} of 40 moves were settled`);

@@ -52,7 +52,7 @@ const begin = async (page, gear) => {
   const title = await card.locator('.card-title').textContent();
   await card.click();
   await page.waitForFunction((t) => document.querySelector('h1').textContent === t &&
-    document.getElementById('gallery').hidden && window.codendTank.viewer() && !window.codendTank.waits(),
+    document.getElementById('gallery').hidden && window.codendTank.Tank.shown() && !window.codendTank.Tank.waits(),
   title.trim(), patience);
   await page.waitForSelector('.measures td', patience);
 };

@@ -58,8 +58,8 @@ async function measure(page, name) {
 }
 
 // Resolves when a page has its answers and its address stores the design.
-const answered = (page) => page.waitForFunction(() => window.codendForm.still() &&
-  !window.codendTalk.waits() && !window.codendDesigns.waits(), null, { timeout: 60000 });
+const answered = (page) => page.waitForFunction(() => window.codendTank.Form.still() &&
+  !window.codendTank.Talk.waits() && !window.codendTank.Designs.waits(), null, { timeout: 60000 });
 
 // Opens a tab by its English name and waits for its content.
 async function tab(page, name) {

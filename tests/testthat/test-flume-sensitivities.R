@@ -4,7 +4,7 @@ skip_if_not_installed("bslib")
 test_that("page receives sensitivities to a field in its preferred units", {
   in_flume("towed_cable", function(session, sent, tank) {
     session$setInputs(slopes_wanted = list(paths = list("ropes.cable.length"), number = 1))
-    told <- sent("serve_sensitivities")[[1]]$fields
+    told <- sent("flume_sensitivities")[[1]]$fields
     expect_length(told, 1L)
     expect_identical(unclass(told[[1]]$paths), "ropes.cable.length")
     expect_identical(told[[1]]$unit, "m")
@@ -22,7 +22,7 @@ test_that("page receives sensitivities to a field in its preferred units", {
 
     session$setInputs(preferred = list(length = "fathom"))
     session$setInputs(slopes_wanted = list(number = 2))
-    told <- sent("serve_sensitivities")[[1]]$fields
+    told <- sent("flume_sensitivities")[[1]]$fields
     expect_gt(length(told), 1L)
     depth <- match("body depth", told[[1]]$measures)
     expect_identical(unclass(told[[1]]$units)[depth], "fathom")

@@ -15,12 +15,6 @@ keys_of_r <- function() {
   unique(said)
 }
 
-scripts <- function(folder = "app") {
-  files <- list.files(system.file(folder, package = "codend"), "[.]js$", full.names = TRUE)
-  files <- files[basename(files) != "three.js"]
-  paste(unlist(lapply(files, readLines, encoding = "UTF-8")), collapse = "\n")
-}
-
 # Strings of the viewer: its own, headings of scales and marks, and roles of ropes.
 viewer_words <- function() {
   roles <- unlist(lapply(gears()$name, function(name) {
@@ -33,7 +27,7 @@ viewer_words <- function() {
     "Drag over area of netting", "Mesh opening over mesh size", "Mesh angle"
   )
   labels <- setdiff(view_symbols$label, sub("_", " ", sub("^field[.]", "", word_table()$key)))
-  own <- found_in(scripts("view"), "\\bsay\\(\\s*'([^']+)'")
+  own <- found_in(web_source("view"), "\\bsay\\(\\s*'([^']+)'")
   unique(c(own, headings, labels, gsub("_", " ", roles)))
 }
 
@@ -95,13 +89,13 @@ families <- function() {
     view = viewer_words(), finding = finding_words()
   )
 }
-named <- families()
 
 test_that("word table contains exactly the strings of the page", {
   skip_if_not_installed("shiny")
+  named <- families()
   keys <- word_table()$key
   expect_identical(anyDuplicated(keys), 0L)
-  code <- scripts()
+  code <- web_source("tank")
   said <- c(keys_of_r(), found_in(code, "\\bsay\\('([^']+)'"))
   expect_gt(length(said), 150L)
   of_family <- paste0(names(named), ".")
@@ -115,6 +109,7 @@ test_that("word table contains exactly the strings of the page", {
 })
 
 test_that("every language translates the most visible strings", {
+  named <- families()
   keys <- word_table()$key
   of_all <- c("room", "kind", "measure", "usual", "field", "tow_saves", "busy", "view", "finding")
   for (family in of_all) {

@@ -86,7 +86,7 @@ test_that("long tow makes a page of less than 2 MB", {
   moved <- scene_moved(lapply(trajectory$time, function(t) {
     scene_shape(state_at(trajectory, t))
   }))
-  rest <- sum(file.size(system.file("view", c(viewer_scripts, "viewer.css"), package = "codend")))
+  rest <- sum(file.size(system.file("view", c("viewer.js", "viewer.css"), package = "codend")))
   # the connectivity of the largest drawn mesh takes about 100 kB
   expect_lt(scene_bytes + rest + 1.5e5, 2e6)
   # two of four times if all times would exceed the limit

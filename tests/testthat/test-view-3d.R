@@ -67,8 +67,9 @@ test_that("view colours have a contrast of 3 to 1 or more", {
   }
   contrast <- function(a, b) (pmax(light(a), light(b)) + 0.05) / (pmin(light(a), light(b)) + 0.05)
   # the water from the surface down, the bed, and paper
-  water <- regmatches(view_file("materials.js"),
-    regexpr("waters = \\[[^]]*\\], sands = \\['#[0-9A-F]{6}'", view_file("materials.js")))
+  code <- web_source("view/materials.ts")
+  water <- regmatches(code,
+    regexpr("waters = \\[[^]]*\\], sands = \\['#[0-9A-F]{6}'", code))
   behind <- unique(c(regmatches(water, gregexpr("#[0-9A-F]{6}", water))[[1]], "#FFFFFF"))
   expect_length(behind, 5)
   shown <- c(
@@ -89,7 +90,7 @@ test_that("view_3d() file is one small reproducible page without network request
   expect_equal(list.files(folder, all.files = TRUE, no.. = TRUE), "gear.html")
   expect_lt(file.size(file), 2e6)
   html <- paste(readLines(file, warn = FALSE), collapse = "\n")
-  expect_match(html, "codendView.viewer", fixed = TRUE)
+  expect_match(html, "codendView", fixed = TRUE)
   asking <- "(src|href|url)\\s*[=(]\\s*[\"']?(https?:)?//[^\"' )>]*"
   expect_equal(regmatches(html, gregexpr(asking, html))[[1]], character())
   expect_false(grepl("src=[\"'](?!data:)", html, perl = TRUE))

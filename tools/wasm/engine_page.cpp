@@ -1,4 +1,4 @@
-// C interface of the engine for a page (inst/share/worker.js). Input: named arrays. Output: the
+// C interface of the engine for a page (web/src/share/model.ts). Input: named arrays. Output: the
 // equilibrium shape, forces and measures. A page has one worker with one engine and one gear at a
 // time.
 //

@@ -1,0 +1,181 @@
+// Messages between R and the page of the flume tank. tests/testthat/helper-flume.R reads this file and
+// checks the messages of all tests against it. Each message and each of its fields has its own line.
+
+import type { Measured, Scene } from './view';
+
+// A change of a plan field; R/flume-edits.R describes them.
+export interface Edit {
+  value?: string | number | boolean; unit?: string; gone?: true; like?: string; after?: string; rename?: string;
+  move?: number;
+}
+export type Edits = Record<string, Edit>;
+
+// A control of the form; R/flume-fields.R describes it.
+export interface Field {
+  label: string; paths: string[]; help: string; must: string | null; required: boolean;
+  kind: 'number' | 'choice' | 'truth' | 'word' | 'yaml'; value: string | number | boolean | null;
+  unit: string; factor: number; dimension: string | null; whole: boolean; low?: number; high?: number; step?: number;
+  typed: string | null; choices: string[]; suggest: string[];
+}
+// A part of a group of the form; R/flume-form.R describes both. The fields of a group itself are a part
+// without a path.
+export interface Part {
+  path: string; title: string; fields: Field[] | null; help?: string; picks?: { path: string; classes: string[] }[];
+  absent?: string[]; open?: boolean; named?: boolean; required?: boolean;
+}
+export interface Group { title: string; words: string; parts: Part[] | null; open: boolean; absent: string[] }
+export interface Form {
+  turn: number; kind: string; quick: Field[]; groups: Group[]; units: Record<string, Record<string, number>>;
+}
+
+export interface Problem { path: string | null; message: string }
+// R's interpretation of a typed number
+export interface Understood { text: string; doubt: { message: string; instead: string | null } | null }
+
+// A row of the catalogue; R/flume-catalogue.R describes it.
+export interface CatalogueRow {
+  class: string; title: string; says: string; values: Record<string, string>; source: string;
+}
+export type OwnRow = Pick<CatalogueRow, 'class' | 'title' | 'values'>;
+export interface Catalogue { things: CatalogueRow[]; fields: Record<string, Record<string, string>> }
+
+// The designs of an address or a file; R/flume-tank.R describes them.
+export interface Words { now?: object; kept?: object[]; draft?: object | null; own?: OwnRow[]; units?: Units }
+export type Units = Record<string, string>;
+export interface KeptDesign { id: number; name: string; seen: boolean }
+export interface SharedDesign { author: string; name: string; changed: string }
+
+// The effect of a field on the measures; R/flume-sensitivities.R describes it.
+export interface Sensitivity {
+  paths: string[]; words: string; value: number; unit: string; more: number; measures: string[]; units: string[];
+  slope: number[]; below: (number | null)[]; above: (number | null)[]; smooth: boolean[];
+}
+// Measures over a field; R/flume-vary.R describes them.
+export interface Varied {
+  words: string; unit: string; now: number | null; of: number; range: number[]; values: number[]; problems: string[];
+  measures: Measured[];
+}
+
+// A change of speed, course or warp, as typed.
+export interface Change { from: string; over: string; to?: string; by?: string }
+
+// Messages from R. `answers` is the number of a request, 0 without one.
+export interface FromR {
+  flume_picture: {
+    answers: number;
+    said: string;
+    notes: string[];
+    towed: boolean;
+    now: Partial<Scene>;
+    kept: { id: number; name: string; scene: Partial<Scene> | null }[];
+    of_all: Partial<Scene>;
+    name: string;
+    conditions: string;
+  };
+  flume_idle: {
+    answers: number;
+  };
+  flume_refused: {
+    answers: number;
+    where: string;
+    message: string;
+    path?: string | null;
+    cancelled?: boolean;
+  };
+  flume_draft: {
+    form?: Form | null;
+    understood: Record<string, Understood | null>;
+    problems: Problem[];
+    settling: boolean;
+    undo: number;
+    redo: number;
+  };
+  flume_clerk: {
+    busy: boolean;
+    what: string;
+  };
+  flume_offers: {
+    path: string;
+    title: string;
+    offers: Field[];
+  };
+  flume_kept: {
+    kept: KeptDesign[];
+  };
+  flume_words: {
+    words: Words | null;
+    number: number;
+  };
+  flume_own: {
+    rows: CatalogueRow[];
+  };
+  flume_shared: {
+    designs: SharedDesign[];
+  };
+  flume_shared_done: Record<string, never>;
+  flume_drawing: {
+    svg: string;
+  };
+  flume_part: {
+    path: string;
+  };
+  flume_plan: {
+    text: string;
+  };
+  flume_sensitivities: {
+    fields: Sensitivity[];
+  };
+  flume_varied: {
+    running: boolean;
+    varied: Varied;
+  };
+  flume_target: {
+    paths: string[];
+    value: number;
+    unit: string;
+    reached: boolean;
+    message: string;
+  };
+  flume_tow: {
+    scene: Scene;
+  };
+}
+
+// The header of the binary message flume_moved: a shape while a slider moves. Floats follow it, `counts`
+// by name. R/flume-picture.R describes the bytes.
+export interface MovedHeader {
+  answers: number; counts: Record<string, number>; conditions: string; part: Partial<Scene>;
+}
+
+// Requests with an answer. `asked` of the message has the type that is listed here.
+export interface Asked {
+  shipped: string;
+  new: { kind: string; values: Record<string, string> };
+  plan_file: { name: string; text: string };
+  plan_text: string;
+  words: Required<Omit<Words, 'units'>>;
+  undo: 1;
+  redo: 1;
+  shared_open: { author: string; name: string };
+}
+
+// Other messages to R. `number` makes equal messages distinct.
+export interface Told {
+  design: { number: number; turn: number; gesture: number; edits: Edits; anew: boolean };
+  kept: { number: number; id: number; act: string; name?: string };
+  keep: { number: number };
+  own: { number: number; rows: OwnRow[] };
+  offers: { path: string; title: string };
+  shared: { number: number; act: string; name: string; author: string; key: string };
+  preferred: Units;
+  cancel: number;
+  plan_wanted: number;
+  words_wanted: number;
+  drawing_wanted: number;
+  part_wanted: { number: number; name: string };
+  slopes_wanted: { number: number; paths: string[] | null };
+  vary_wanted: { asked: number; paths: string[]; unit: string; from: string; to: string; number: number };
+  vary_stop: number;
+  target_wanted: { number: number; paths: string[]; measure: string; unit: string; target: string };
+  tow_wanted: { number: number; until: string; planned?: true; changes?: Record<string, Change> };
+}

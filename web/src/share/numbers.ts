@@ -1,0 +1,30 @@
+// Numbers of a shared page as strings.
+
+// Returns four significant digits, and at most four decimals, like figures() in R.
+export function figures(x: number): string {
+  if (!isFinite(x)) return 'none';
+  if (x === 0) return '0';
+  const decimals = Math.min(Math.max(3 - Math.floor(Math.log10(Math.abs(x))), 0), 4);
+  const text = x.toFixed(decimals);
+  if (!/[1-9]/.test(text)) return '0';
+  const parts = text.split('.');
+  if (Math.abs(x) >= 1e4) parts[0] = parts[0].replace(/\B(?=(\d{3})+$)/g, '\u202f');
+  return parts.join('.').replace('-', '\u2212');
+}
+
+// Returns an error, rounded up to one or two digits, like error_text() in R.
+export function error_digits(error: number): string {
+  if (!(error > 0)) return '';
+  const size = Math.floor(Math.log10(error)), unit = Math.pow(10, error < 2 * Math.pow(10, size) ? size - 1 : size);
+  const up = Math.max(Math.ceil(error / unit * (1 - 1e-9)) * unit, 1e-4);
+  return up.toFixed(Math.min(Math.max(-Math.round(Math.log10(unit)), 0), 4));
+}
+
+// Returns the nearest value of a slider, in its steps and range. The shared value is one of them.
+export function snapped(
+  field: { value: number; step: number; lower: number; upper: number }, value: number
+): number {
+  if (Math.abs(value - field.value) < field.step / 2) return field.value;
+  const low = Math.round(value / field.step) * field.step;
+  return Math.min(Math.max(Number(low.toPrecision(12)), field.lower), field.upper);
+}

@@ -1,0 +1,230 @@
+// A shared page: viewer, sliders and measures of a gear that a worker settles. The picture is shown
+// before the engine starts.
+
+import type * as View from '../view';
+import { array_reader, type Head } from './arrays';
+import type { ToPage, ToWorker } from './messages';
+import type { SharedGear, Shape } from './model';
+import { unpacker, type Part } from './packed';
+import { error_digits, figures, snapped } from './numbers';
+
+// `codendView` is defined by the packed viewer, `codendShared` is for tests.
+declare global {
+  interface Window { codendView: typeof View; codendShared: typeof state }
+}
+const state = {
+  times: { picture: 0, first: 0, moves: 0, stuck: 0 },
+  ready: false, settled: false, failed: undefined as string | undefined,
+  shown: null as Pick<Shape, 'measures' | 'values'> | null, sizes: {} as Record<string, number>,
+  move: undefined as ((to: number[]) => void) | undefined
+};
+window.codendShared = state;
+
+function by_id<Kind extends HTMLElement>(id: string): Kind { return document.getElementById(id) as Kind; }
+const told = by_id('told'), packed = JSON.parse(by_id('packed').textContent ?? '') as Record<Part, [number, string]>;
+const { bytes, text, json } = unpacker(packed);
+
+function failed(error: unknown) {
+  told.textContent = 'This browser cannot run the page: ' + (error instanceof Error ? error.message : String(error)) +
+    '. The page needs Chrome 91, Firefox 113, Safari 16.4 or newer.';
+  state.failed = String(error);
+}
+
+type Packed<Kind> = { scene: Kind; head: Head };
+type Numbers = { floats: unknown };
+interface PackedScene extends Partial<Record<(typeof moving)[number], Numbers>> {
+  ropes?: { ends: unknown; part: unknown }; netting: { point: unknown; mesh: unknown }[];
+}
+const moving = ['points', 'places', 'boards', 'rope_tension', 'u', 'v', 'drag', 'opening', 'angle'] as const;
+
+// Replaces the numbers of arrays by the arrays.
+function unpacked({ scene, head }: Packed<PackedScene>, shapes: Uint8Array): View.Scene {
+  const array = array_reader(head, shapes);
+  if (scene.ropes) {
+    scene.ropes = { ...scene.ropes, ends: array(String(scene.ropes.ends)), part: array(String(scene.ropes.part)) };
+  }
+  scene.netting.forEach((panel) => {
+    panel.point = array(String(panel.point));
+    panel.mesh = array(String(panel.mesh));
+  });
+  moving.forEach((name) => {
+    const numbers = scene[name];
+    if (numbers) numbers.floats = array(String(numbers.floats));
+  });
+  return scene as unknown as View.Scene;
+}
+
+function start(scene: View.Scene, page: SharedGear) {
+  const viewer = window.codendView.new_viewer(by_id('tank'));
+  viewer?.show(scene);
+  state.times.picture = performance.now();
+
+  // ---- sliders ----------------------------------------------------------------------------------
+
+  const fields = page.fields, own = fields.map((field) => field.value), values = own.slice();
+  const inputs = fields.map((_, k) => by_id<HTMLInputElement>('slider-' + (k + 1)));
+  const reset = by_id<HTMLButtonElement>('reset');
+  function with_unit(k: number, value: number) { return (Number(value.toPrecision(6)) + ' ' + fields[k].unit).trim(); }
+  function tell_slider(k: number) {
+    const words = with_unit(k, values[k]);
+    by_id('slider-' + (k + 1) + '-value').textContent = words;
+    inputs[k].setAttribute('aria-valuetext', words);
+  }
+  // Returns the sliders that stopped early, each with the reached and the requested value.
+  function met(at: number[]) {
+    return fields.map((field, k) => at[k] === values[k] ? '' :
+      field.label + ' ' + with_unit(k, at[k]) + ' (of ' + with_unit(k, values[k]) + ')').filter(Boolean).join(', ');
+  }
+  let number = 0, shown = 0;
+  function move() {
+    number += 1;
+    reset.disabled = values.every((v, k) => v === own[k]);
+    if (towing) tow_off();
+    state.settled = false;
+    send({ kind: 'move', number, values: values.slice() });
+    busy(true);
+  }
+  function slide(k: number, value: number) {
+    values[k] = snapped(fields[k], value);
+    tell_slider(k);
+    move();
+  }
+  const steps: Record<string, number> = {
+    ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10
+  };
+  inputs.forEach((input, k) => {
+    input.step = 'any';
+    input.addEventListener('input', () => slide(k, Number(input.value)));
+    // A key moves the slider by one step or by ten.
+    input.addEventListener('keydown', (event) => {
+      const by = steps[event.key];
+      if (!by) return;
+      event.preventDefault();
+      slide(k, values[k] + by * fields[k].step);
+      input.value = String(values[k]);
+    });
+  });
+  function set(to: number[]) {
+    to.forEach((value, k) => {
+      values[k] = value;
+      inputs[k].value = String(value);
+      tell_slider(k);
+    });
+  }
+  reset.addEventListener('click', () => { set(own); move(); });
+  state.move = (to) => { set(to); move(); };
+
+  // ---- results ----------------------------------------------------------------------------------
+
+  const names = Object.keys(page.programs), rows = Array.from(by_id<HTMLTableSectionElement>('measures').rows);
+  names.forEach((name) => { state.sizes[name] = page.programs[name].size; });
+  function busy(is: boolean) { document.body.classList.toggle('busy', is); }
+  function show(shape: Shape) {
+    const fixed: Partial<View.Scene> = { flow: shape.flow };
+    moving.forEach((name) => {
+      const floats = shape.moved[name];
+      if (floats) fixed[name] = { floats };
+    });
+    viewer?.pass(fixed);
+    names.forEach((name, k) => {
+      const of = page.programs[name], now = shape.measures[name] / of.size, cells = rows[k].cells;
+      cells[1].textContent = figures(now) + ' ' + of.unit;
+      cells[2].textContent = of.error ? error_digits(of.error * Math.abs(now)) : '';
+      const change = now - of.value, size = Math.max(Math.abs(of.value), 1e-12);
+      const words = Math.abs(change) < 5e-4 * size ? '' : (change > 0 ? '+' : '') + figures(change) + (of.value !== 0 ?
+        ' (' + (change > 0 ? '+' : '\u2212') + Math.abs(100 * change / of.value).toFixed(1) + ' %)' : '');
+      cells[3].textContent = words;
+      cells[3].className = 'change' + (words ? change > 0 ? ' more' : ' less' : '');
+    });
+    by_id('conditions').textContent = shape.conditions;
+    const list = by_id('warnings');
+    list.replaceChildren(...shape.warnings.map((words) => window.codendView.element('li', '', words)));
+    list.hidden = !shape.warnings.length;
+    state.shown = { measures: shape.measures, values: shape.values };
+  }
+
+  // ---- the worker -------------------------------------------------------------------------------
+
+  let send: (said: ToWorker) => void = () => {};
+  function hear(said: ToPage) {
+    if (said.kind === 'failed') {
+      told.textContent = 'The engine stopped: ' + said.words;
+      state.failed = said.words;
+      busy(false);
+      return;
+    }
+    show(said.shape);
+    if (!state.ready) {
+      state.times.first = performance.now();
+      inputs.forEach((input) => { input.disabled = false; });
+      told.textContent = 'Move a slider: the gear settles in this page.';
+      state.ready = true;
+      return;
+    }
+    if (said.number < number) return;
+    if (said.kind === 'stuck') {
+      state.times.stuck += 1;
+      told.textContent = 'The gear does not settle beyond ' + met(said.shape.values) +
+        '; the picture shows the gear there.';
+      set(said.shape.values);
+      busy(false);
+    } else if (said.done) {
+      state.times.moves += 1;
+      shown = said.number;
+      told.textContent = 'Settled.';
+      busy(false);
+    }
+    state.settled = shown === number || said.kind === 'stuck';
+  }
+  Promise.all([text('worker'), bytes('wasm'), bytes('arrays')]).then(([code, wasm, arrays]) => {
+    const made = new Worker(URL.createObjectURL(new Blob([code], { type: 'text/javascript' })));
+    made.onmessage = (event) => hear(event.data);
+    made.onerror = (event) => failed(event.message || 'the worker did not start');
+    send = (said) => made.postMessage(said);
+    const first: ToWorker = { kind: 'start', page, wasm, bytes: new Uint8Array(arrays) };
+    made.postMessage(first, [wasm, arrays]);
+  }).catch(failed);
+
+  // ---- drawing and tow --------------------------------------------------------------------------
+
+  const drawing = by_id<HTMLDetailsElement>('drawing'), place = drawing.querySelector('.drawing') as Element;
+  drawing.addEventListener('toggle', async () => {
+    if (!drawing.open || !('drawing' in packed)) return;
+    const svg = new Blob([await bytes('drawing')], { type: 'image/svg+xml' });
+    place.appendChild(window.codendView.element('img', '', undefined, {
+      alt: 'The net laid flat with meshes, mesh sizes, twines and cutting rates, and its rigging. ' +
+        'The plan as text is at the end of this page.',
+      src: URL.createObjectURL(svg)
+    }));
+  });
+  let towing = false, motion: View.Scene | null = null;
+  const button = document.getElementById('tow');
+  function tow_off() {
+    towing = false;
+    button?.setAttribute('aria-pressed', 'false');
+    if (button) button.textContent = 'Play the tow';
+    viewer?.show(scene);
+  }
+  button?.addEventListener('click', async () => {
+    if (!viewer) return;
+    if (towing) { tow_off(); move(); return; }
+    motion = motion ?? await json<View.Scene>('tow');
+    towing = true;
+    button.setAttribute('aria-pressed', 'true');
+    button.textContent = 'Back to the sliders';
+    viewer.show(motion);
+  });
+}
+
+async function open() {
+  const script = document.createElement('script');
+  script.textContent = await text('viewer');
+  document.head.appendChild(script);
+  const [scene, shapes, page] = await Promise.all([
+    json<Packed<PackedScene>>('scene'), bytes('shapes'), json<SharedGear>('model')
+  ]);
+  start(unpacked(scene, new Uint8Array(shapes)), page);
+}
+
+if (!('DecompressionStream' in window) || !('WebAssembly' in window) || !('Worker' in window)) failed('it is too old');
+else open().catch(failed);

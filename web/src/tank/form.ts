@@ -1,0 +1,480 @@
+// The flume tank's form: all fields of the plan, from the description that R/flume-form.R makes of
+// the schema. Edits are sent to R as changes of the plan that the form shows.
+
+import type { Edit, Edits, Field, Form, FromR, Group, Part, Problem, Understood, Units } from '../protocol';
+import { element, find } from '../view';
+import { pick_from } from './catalogue';
+import { liked, new_control, set_known, set_preferred, tidy } from './control';
+import * as Drawing from './drawing';
+import { on } from './events';
+import { new_group, open_later, tool_row, unfold } from './parts';
+import { send as send_to_r } from './server';
+import * as Talk from './talk';
+import { bare, say, say_field, say_path, sought } from './words';
+
+// A field in its displayed unit.
+export type ShownField = Pick<Field, 'label' | 'kind' | 'choices' | 'unit' | 'value' | 'low' | 'high'>;
+interface Entry { group: Group; part: Part; field: Field }
+
+let form: Form | null = null, entries: Entry[] = [];
+let unsent: Edits = {};                     // by path
+let sent: number | null = null;             // number of the pending request
+let typing: number | undefined;             // timer while a number is typed
+let anew = false;                           // true if R must send a new form with the reply
+let last: Element | null = null;            // control that was edited last
+let gesture = 0;                            // number of the present gesture, which undo reverts as one step
+let adding: HTMLElement | null = null;      // the button that requested the list of fields
+let problems: Problem[] = [];
+
+// ---- layout -------------------------------------------------------------------------------------
+
+export function show(message: Form): void {
+  if (form && form.turn !== message.turn) unsent = {};
+  form = message;
+  entries = message.groups.flatMap((group) => (group.parts ?? []).flatMap((part) =>
+    (part.fields ?? []).map((field) => ({ group, part, field }))));
+  last = null;
+  set_known(message.units);
+  lay_out(message);
+}
+export function prefer(units: Units): void {
+  set_preferred(units);
+  if (form) lay_out(form);
+}
+
+function lay_out({ quick, groups }: Form) {
+  const active = document.activeElement as HTMLInputElement | null, at = active?.closest<HTMLElement>('.control');
+  const focused = at && active ? { paths: at.dataset.paths ?? '', type: active.type } : null, kept = window.scrollY;
+  find('quick').replaceChildren(...quick.map((field) => new_control(field, false)));
+  find('form').replaceChildren(...groups.filter((one) => one.parts?.length || one.open).map(new_group));
+  search();
+  mark();
+  window.scrollTo({ top: kept, behavior: 'instant' });
+  if (!focused) return;
+  controls_of(focused.paths.split(' ')[0]).some((box) => {
+    const to = box.querySelector<HTMLElement>('[type="' + focused.type + '"]') ??
+      box.querySelector<HTMLElement>('input, select');
+    to?.focus({ preventScroll: true });
+    return !!to;
+  });
+}
+
+function all<Kind extends HTMLElement = HTMLElement>(selector: string, within: ParentNode = document): Kind[] {
+  return Array.from(within.querySelectorAll<Kind>(selector));
+}
+function paths_of(box: HTMLElement): string[] { return (box.dataset.paths ?? '').split(' '); }
+function controls_of(path: string): HTMLElement[] {
+  return all('.control').filter((box) => paths_of(box).includes(path));
+}
+function part_has(part: Part, path: string): boolean {
+  return (part.fields ?? []).some((field) => field.paths.includes(path));
+}
+
+// Opens the part of a path, or its nearest parent. Returns false if there is none.
+// quiet: true leaves the keyboard focus unchanged.
+export function open(path: string, quiet = false): boolean {
+  if (!form) return false;
+  const places = form.groups.flatMap((group) => (group.parts ?? []).map((part) => ({ group, part })));
+  const steps = path.split('.');
+  let place, near = '';
+  while (steps.length && !place) {
+    near = steps.join('.');
+    place = places.find(({ part }) => part.path === near || part_has(part, near));
+    steps.pop();
+  }
+  if (!place) return false;
+  const { group, part } = place;
+  find<HTMLInputElement>('find_field').value = '';
+  search();
+  const outer = all<HTMLDetailsElement>('#form > .group').find((box) => box.dataset.key === group.title);
+  if (!outer) return false;
+  unfold(outer);
+  const inner = all<HTMLDetailsElement>('.part', outer).find((box) => box.dataset.key === part.path);
+  if (inner) unfold(inner);
+  const target = controls_of(near).find((one) => outer.contains(one)) ?? inner ?? outer;
+  all('.marked').forEach((one) => one.classList.remove('marked'));
+  target.classList.add('marked');
+  if (quiet) return true;
+  target.scrollIntoView({ block: 'nearest' });
+  target.querySelector<HTMLElement>('input[type=text], select, textarea, input')?.focus({ preventScroll: true });
+  return true;
+}
+
+// ---- search -------------------------------------------------------------------------------------
+
+function label_in({ part, field }: Entry) { return (part.path ? part.title + ': ' : '') + field.label.toLowerCase(); }
+
+function search() {
+  const words = bare(find<HTMLInputElement>('find_field').value).split(/\s+/).filter(Boolean), whole = find('form');
+  let place = document.getElementById('found_fields');
+  if (!place) {
+    place = element('div', '', undefined, { id: 'found_fields' });
+    whole.before(place);
+  }
+  place.textContent = '';
+  whole.hidden = words.length > 0;
+  if (!words.length || !form) return;
+  const found = entries.filter(({ group, part, field }) =>
+    matches(words, [group.title, group.words, part.title, field.label].join(' '), field.paths.join(' ')));
+  place.append(...found.slice(0, 30).map((one) =>
+    new_control({ ...one.field, label: label_in(one) }, !one.field.required)));
+  const n = found.length;
+  if (n !== 1) {
+    place.appendChild(element('p', 'note', n > 30 ? say('and_more_fields', { n: n - 30 }) :
+      n ? say('fields_many', { n }) : say('no_field')));
+  }
+  const absent = n ? [] : absent_fields(form, words);
+  if (!absent.length) return;
+  place.append(element('p', 'note', say('could_have')), ...absent.slice(0, 8).map((button) => tool_row([button])));
+}
+
+// Returns true if all words match: anywhere in names and labels, or at the start of synonyms in any
+// language.
+function matches(words: string[], text: string, paths: string): boolean {
+  const named = bare(text + ' ' + paths.replace(/[._]/g, ' ')), called = ' ' + sought(paths);
+  return words.every((word) => named.includes(word) || called.includes(' ' + word));
+}
+
+// Returns buttons that add the absent fields that match.
+function absent_fields({ groups }: Form, words: string[]): HTMLElement[] {
+  const add = (label: string, path: string, title: string, wanted: string) =>
+    element('button', 'btn btn-outline-secondary btn-sm add-field', label,
+      { type: 'button', 'data-path': path, 'data-title': title, 'data-wanted': wanted });
+  return groups.flatMap(({ title, absent, parts }) => [
+    ...absent.filter((name) => matches(words, '', name)).map((name) => add(say_field(name), '', title, name)),
+    ...(parts ?? []).flatMap((part) => part.absent ?? []).flatMap((path) => {
+      const steps = path.split('.'), name = steps.pop() ?? '';
+      return matches(words, '', name) ? [add(say_path(path), steps.join('.'), title, path)] : [];
+    })
+  ]);
+}
+on('input', ({ id }) => { if (id === 'find_field') search(); });
+
+// ---- edits --------------------------------------------------------------------------------------
+
+function send() {
+  if (sent || !form || !Object.keys(unsent).length) return;
+  sent = Talk.next();
+  const edits = unsent;
+  unsent = {};
+  send_to_r('design', { number: sent, turn: form.turn, gesture, edits, anew });
+  anew = false;
+}
+
+// The latest change of a path is the last one that R applies.
+function add(path: string, edit: Edit) {
+  delete unsent[path];
+  unsent[path] = edit;
+}
+
+function change(box: HTMLElement, edit: Edit) {
+  if (last !== box) gesture += 1;
+  last = box;
+  paths_of(box).forEach((path) => add(path, edit));
+  send();
+}
+
+// Applies changes as one undo step.
+export function edits(changes: Edits): void {
+  gesture += 1;
+  last = null;
+  Object.entries(changes).forEach(([path, edit]) => add(path, edit));
+  anew = true;
+  send();
+  gesture += 1;
+}
+export function edit(path: string, what: Edit): void { edits({ [path]: what }); }
+
+const slider_of = (box: HTMLElement) => box.querySelector<HTMLInputElement>('[type=range]');
+const number_of = (box: HTMLElement) => box.querySelector('.number') as HTMLInputElement;
+const unit_of = (box: HTMLElement) => box.querySelector<HTMLSelectElement>('.unit');
+const truth_of = (box: HTMLElement) => box.querySelector('.truth') as HTMLInputElement;
+const text_of = (box: HTMLElement) => box.querySelector('.choice, .text') as HTMLInputElement;
+
+// Copies an edit to the other controls of the same field.
+function mirror(box: HTMLElement, { value = '' }: Edit) {
+  controls_of(paths_of(box)[0]).forEach((other) => {
+    if (other === box || other.dataset.kind !== box.dataset.kind) return;
+    if (other.dataset.kind === 'number') {
+      const unit = unit_of(other), mine = unit_of(box), convert = unit && mine && typeof value === 'number';
+      const shown = convert ? tidy(value * Number(mine.dataset.factor) / Number(unit.dataset.factor)) : value;
+      number_of(other).value = String(shown);
+      reach(slider_of(other), Number(shown));
+    } else if (other.dataset.kind === 'truth') truth_of(other).checked = value === true;
+    else text_of(other).value = String(value);
+  });
+}
+
+// Extends the range of a slider to a typed value.
+function reach(slider: HTMLInputElement | null, value: number) {
+  if (!slider) return;
+  if (value < Number(slider.min)) slider.min = String(value);
+  if (value > Number(slider.max)) slider.max = String(value);
+  slider.value = String(value);
+}
+
+function move(box: HTMLElement, source: Element) {
+  let edit: Edit;
+  if (box.dataset.kind === 'number') {
+    const slider = slider_of(box), field = number_of(box), slid = source === slider;
+    if (slider && slid) field.value = slider.value;
+    const typed = field.value.trim(), plain = /^[-+]?\d*\.?\d+$/.test(typed);
+    if (!typed) return;
+    if (source === field && plain) reach(slider, Number(typed));
+    edit = { value: slid ? Number(typed) : typed, unit: unit_of(box)?.value ?? '' };
+    slider?.setAttribute('aria-valuetext', typed + ' ' + edit.unit);
+  } else if (box.dataset.kind === 'truth') {
+    edit = { value: truth_of(box).checked };
+  } else {
+    edit = { value: text_of(box).value };
+    if (edit.value === '') return;
+  }
+  mirror(box, edit);
+  change(box, edit);
+}
+
+// Converts the displayed numbers to another unit.
+function convert(box: HTMLElement, unit: HTMLSelectElement) {
+  const factor = unit.selectedOptions[0].dataset.factor, share = Number(unit.dataset.factor) / Number(factor);
+  unit.dataset.factor = factor;
+  const slider = slider_of(box), field = number_of(box);
+  const converted = (value: string) => String(tidy(Number(value) * share));
+  if (field.value === '' || !isFinite(Number(field.value))) return;
+  field.value = converted(field.value);
+  if (!slider) return;
+  const { min, max, step } = slider;
+  slider.min = converted(min);
+  slider.max = converted(max);
+  slider.step = converted(step);
+  slider.value = field.value;
+}
+
+on('input', (target) => {
+  const box = target.closest<HTMLElement>('.control');
+  if (!box) return;
+  if (target.type === 'range') move(box, target);
+  else if (target.classList.contains('number')) {
+    window.clearTimeout(typing);
+    typing = window.setTimeout(() => {
+      typing = undefined;
+      move(box, target);
+    }, 400);
+  }
+});
+on('change', (target) => {
+  const box = target.closest<HTMLElement>('.control');
+  if (!box) return;
+  const unit = unit_of(box);
+  if (unit && target.classList.contains('unit')) convert(box, unit);
+  else if (target.classList.contains('number')) {
+    if (typing !== undefined) {
+      window.clearTimeout(typing);
+      typing = undefined;
+      move(box, target);
+    }
+  } else if (target.matches('.choice, .truth, .text')) move(box, target);
+  gesture += 1;
+});
+
+on('click', (target) => {
+  const button = target.closest('button');
+  if (!button) return;
+  const { path = '', act = '', title = '', instead = '' } = button.dataset;
+  const is = (name: string) => button.classList.contains(name);
+  if (is('take-out')) {
+    const box = button.closest<HTMLElement>('.control');
+    if (box) change(box, { gone: true });
+  } else if (is('take-part')) edit(path, { gone: true });
+  else if (is('pick')) pick_from(button, edits);
+  else if (is('doubt')) edit(path, { value: instead, unit: '' });
+  else if (is('add-field')) {
+    adding = button;
+    send_to_r('offers', { path, title });
+  } else if (is('part-act')) {
+    if (act === 'ahead' || act === 'behind') edit(path, { move: act === 'ahead' ? -1 : 1 });
+    else ask_name(button, path, act);
+  } else if (is('go-to')) {
+    open(path);
+    Drawing.seek(path);
+  }
+});
+
+// Shows a text field for the name of a copy or for a new name.
+function ask_name(button: HTMLElement, path: string, act: string) {
+  const steps = path.split('.'), name = steps.pop() ?? '', parent = steps.join('.');
+  const number = name.match(/^(.*?)(\d+)$/);
+  const row = element('form', 'control-row name-row');
+  const input = element('input', 'form-control form-control-sm', undefined,
+    { type: 'text', 'aria-label': act === 'copy' ? say('copy_name') : say('new_name', { name }), autocomplete: 'off' });
+  input.value = act === 'rename' ? name : number ? number[1] + (Number(number[2]) + 1) : name + '_2';
+  const words = act === 'copy' ? say('copy') : say('rename');
+  row.append(input, element('button', 'btn btn-primary btn-sm', words, { type: 'submit' }));
+  row.addEventListener('submit', (event) => {
+    event.preventDefault();
+    const made = input.value.trim().replace(/[^A-Za-z0-9_]+/g, '_');
+    if (!made || made === name) return;
+    open_later(parent + '.' + made);
+    Drawing.seek(parent + '.' + made);
+    if (act === 'copy') edit(parent + '.' + made, { like: path, after: name });
+    else edit(path, { rename: made });
+  });
+  button.replaceWith(row);
+  input.select();
+  input.focus();
+}
+
+// Lists the fields that can be added. The chosen field becomes a control.
+export function offers(message: FromR['flume_offers']): void {
+  const button = adding, fields = message.offers;
+  if (!button?.isConnected || button.dataset.path !== message.path || button.dataset.title !== message.title) return;
+  const select = element('select', 'form-select form-select-sm offered', undefined,
+    { 'aria-label': say('field_to_add') });
+  select.append(element('option', '', say('which_field'), { value: '' }),
+    ...fields.map((field, k) => element('option', '', field.label, { value: k, title: field.help })));
+  select.addEventListener('change', () => {
+    if (select.value === '') return;
+    const field = fields[Number(select.value)], box = new_control(field, false);
+    box.classList.add('marked');
+    select.closest('.part-tools')?.before(box);
+    open_later(field.paths[0]);
+    select.replaceWith(button);
+    box.querySelector<HTMLElement>('input, select, textarea')?.focus();
+  });
+  button.replaceWith(select);
+  const wanted = fields.findIndex((field) => field.paths[0] === button.dataset.wanted);
+  if (wanted >= 0) {
+    select.value = String(wanted);
+    select.dispatchEvent(new Event('change'));
+  } else select.focus();
+}
+
+// ---- problems -----------------------------------------------------------------------------------
+
+function show_error(box: HTMLElement, words: string) {
+  const place = box.querySelector<HTMLElement>('.field-error');
+  if (!place) return;
+  place.textContent = words;
+  place.hidden = !words;
+  all('input, select, textarea', box).forEach((field) => {
+    if (words) field.setAttribute('aria-invalid', 'true');
+    else field.removeAttribute('aria-invalid');
+  });
+}
+function plain_path(path: string | null | undefined): string { return (path ?? '').replace(/\[(\d+)\]/g, '.$1'); }
+
+// Marks all fields and parts that prevent the draft from settling.
+function mark() {
+  all('.control').forEach((box) => show_error(box, ''));
+  all('.group, .part').forEach((box) => box.classList.remove('wrong'));
+  problems.forEach((problem) => {
+    const path = plain_path(problem.path);
+    if (!path) return;
+    form?.groups.forEach((group) => (group.parts ?? []).forEach((part) => {
+      const inside = part.path && (path === part.path || path.startsWith(part.path + '.'));
+      if (!inside && !part_has(part, path)) return;
+      all('.group, .part').filter(({ dataset: { key } }) => key && [group.title, part.path].includes(key))
+        .forEach((box) => box.classList.add('wrong'));
+    }));
+    controls_of(path).forEach((box) => show_error(box, problem.message));
+  });
+}
+
+// Displays R's interpretation of typed numbers, with its doubts.
+function echo(understood: Record<string, Understood | null>) {
+  Object.entries(understood ?? {}).forEach(([path, one]) => {
+    if (!one) return;
+    controls_of(path).forEach((box) => {
+      const place = box.querySelector<HTMLElement>('.echo');
+      if (!place) return;
+      place.textContent = '= ' + one.text + (one.doubt ? '. ' + one.doubt.message + ' ' : '');
+      place.hidden = false;
+      if (!one.doubt?.instead) return;
+      place.appendChild(element('button', 'btn btn-outline-secondary btn-sm doubt',
+        say('no_instead', { instead: one.doubt.instead }),
+        { type: 'button', 'data-path': path, 'data-instead': one.doubt.instead }));
+    });
+  });
+}
+
+// Shows the problems of the draft, unless it is settling, and R's interpretation of typed numbers.
+export function draft(message: FromR['flume_draft']): void {
+  if (!form) return;
+  if (!message.settling) {
+    problems = message.problems;
+    mark();
+    find('draft_problems').replaceChildren(...problems.map((problem) => {
+      const item = element('li'), path = plain_path(problem.path);
+      if (path) {
+        item.appendChild(element('button', 'btn btn-link btn-sm go-to', problem.message,
+          { type: 'button', 'data-path': path }));
+      } else item.textContent = problem.message;
+      return item;
+    }));
+    find('unfinished').hidden = !problems.length;
+    Drawing.wrong(problems.map((one) => plain_path(one.path)));
+  }
+  echo(message.understood);
+}
+
+// Marks the control of a rejected edit. Returns false if no control shows it.
+export function refused(message: FromR['flume_refused']): boolean {
+  if (message.answers !== sent) return false;
+  const boxes = message.path ? controls_of(plain_path(message.path)) : [];
+  boxes.forEach((box) => show_error(box, message.message));
+  return boxes.length > 0;
+}
+
+export function answered(number: number): void {
+  if (number !== sent) return;
+  sent = null;
+  send();
+}
+
+// ---- for other modules --------------------------------------------------------------------------
+
+// Returns the number of the opened gear, or null.
+export function turn(): number | null { return form ? form.turn : null; }
+
+// For measurements: returns the number of the pending request, or null.
+export function pending(): number | null { return sent; }
+
+// Returns true if no edit is pending.
+export function still(): boolean { return !sent && typing === undefined; }
+
+// Returns the field of a path in its displayed unit, or null.
+export function field(path: string): ShownField | null {
+  const found = entries.filter((one) => one.field.paths.includes(path)).pop()?.field;
+  if (!found) return null;
+  const { label, kind, choices, unit } = found, like = kind === 'number' ? liked(found) : null;
+  const in_unit = (value?: number) => like && value !== undefined ? tidy(value * found.factor / like.factor) : value;
+  const value = typeof found.value === 'number' ? in_unit(found.value) ?? null : found.value;
+  return {
+    label, kind, choices, unit: like ? like.unit : unit ?? '', value: found.typed ?? value, low: in_unit(found.low),
+    high: in_unit(found.high)
+  };
+}
+
+// Fills a list with all numeric fields, frequently changed ones first. The selection stays; the
+// default is the field whose path matches `first`.
+export function offer(select: HTMLSelectElement, first?: RegExp): void {
+  const names: string[] = [], before = select.value;
+  const list = (label: string, fields: { field: Field; label: string }[]) => {
+    const group = element('optgroup', '', undefined, { label });
+    fields.forEach(({ field, label }) => {
+      const key = field.paths.join(' ');
+      if (field.kind !== 'number' || !field.value || names.includes(key)) return;
+      names.push(key);
+      group.appendChild(element('option', '', label, { value: key }));
+    });
+    return group;
+  };
+  const groups = [
+    list(say('changed_first'), (form?.quick ?? []).map((field) => ({ field, label: field.label }))),
+    list(say('all_others'), entries.map((one) => ({ field: one.field, label: label_in(one) })))
+  ];
+  if (select.dataset.names === names.join('|')) return;
+  select.dataset.names = names.join('|');
+  select.replaceChildren(...groups.filter((group) => group.childNodes.length));
+  const liked = first && names.find((name) => first.test(name));
+  select.value = names.includes(before) ? before : liked || names[0];
+}

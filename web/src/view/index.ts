@@ -1,0 +1,9 @@
+// The viewer's bundle, inst/view/viewer.js. It defines `codendView`, which the other bundles use.
+export { element, fill, file_name, find, save_as, say, translate_by } from './element';
+export { new_graph, ticks } from './graph';
+export { kept_colour } from './materials';
+export { new_viewer } from './viewer';
+export type { Values } from './element';
+export type { About, Graph } from './graph';
+export type { Measured, Scene } from './scene';
+export type { KeptScene, Viewer } from './viewer';

@@ -1,0 +1,1281 @@
+// The 3D viewer of codend's pages: one gear or several designs, settled or in motion. R/scene-gear.R
+// makes scenes; gear.ts and materials.ts draw them. The axes are x aft, y to starboard, z up (m).
+
+import * as T from 'three';
+import { element, file_name, say } from './element';
+import { new_gear, type Gear } from './gear';
+import { kept_colour, new_materials } from './materials';
+import { new_motion, type Motion, type MotionOptions } from './motion';
+import { new_saver } from './save';
+import { join, type Mode, type Range, type Scale, type Scene } from './scene';
+
+export interface ViewerOptions extends MotionOptions {
+  // true to show the gear's name over the picture
+  title?: boolean;
+  // true if the mouse wheel always zooms
+  wheel?: boolean;
+  // false to omit the picture for printing
+  still?: boolean;
+  // called after a choice
+  changed?(): void;
+  // returns true while another shape is expected
+  passing?(): boolean;
+}
+export interface KeptScene { key: string | number; name: string; scene: Partial<Scene> }
+type Corner = 'left' | 'right' | 'top' | 'bottom';
+type Bed = NonNullable<Scene['bed']>;
+interface Axes { eye: number[]; right: number[]; up: number[] }
+interface Box { left: number; top: number; width: number; height: number; gear: Gear; name?: string }
+interface Choice {
+  focus: 'net' | 'whole' | 'boards'; from: string; compare: 'off' | 'over' | 'beside'; align: 'bosom' | 'towing';
+  colour: Mode;
+}
+type Found = { kind: 'mark' | 'netting'; number: number } | { kind: 'rope'; number: number; share: number };
+export type Viewer = NonNullable<ReturnType<typeof new_viewer>>;
+
+// Fills the element `host`. Returns null without WebGL.
+export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, options: ViewerOptions = {}) {
+  host.classList.add('codend-view');
+  const canvas = element('canvas', 'view-canvas', undefined, { tabindex: '0', role: 'img' });
+  host.appendChild(canvas);
+
+  let renderer: T.WebGLRenderer;
+  try {
+    renderer = new T.WebGLRenderer({ canvas, antialias: true, alpha: true });
+  } catch {
+    host.appendChild(element('p', 'view-none',
+      say('This browser does not support WebGL, which the 3D view needs.')));
+    return null;
+  }
+  T.ColorManagement.enabled = false;
+  renderer.outputColorSpace = T.LinearSRGBColorSpace;
+  renderer.setClearColor(0, 0);
+  renderer.autoClear = false;
+  renderer.sortObjects = true;
+  renderer.debug.checkShaderErrors = false;
+
+  const materials = new_materials(), shared = materials.shared;
+  // show() sets the present gear and its scene.
+  const gears = {} as { now: Gear };
+  let told!: Scene, kept: { key: string | number; name: string; gear: Gear }[] = [];
+  const choice: Choice = { focus: 'net', from: 'bow', compare: 'off', align: 'bosom', colour: 'tension' };
+  // Camera directions: angle from x towards y, and elevation (radians).
+  const directions: Record<string, [number, number]> = {
+    bow: [-2.05, 0.3], above: [-Math.PI / 2, Math.PI / 2], side: [-Math.PI / 2, 0.06],
+    astern: [0, 0.06]
+  };
+  const camera = {
+    turn: directions.bow[0], rise: directions.bow[1], at: [0, 0, 0],
+    // distance to the target, and the distance that fits the focus (m)
+    away: 1, fit: 1,
+    // position of the target in the picture, in half sizes from the centre
+    across: 0, up: 0
+  };
+  const perspective = new T.PerspectiveCamera(28, 1, 0.1, 100);
+  const flatCamera = new T.OrthographicCamera(-1, 1, 1, -1, 0.1, 100);
+  const modes: Record<Mode, string> = {
+    tension: say('Tension'), slack: say('Slack'), mesh_opening: say('Mesh opening'),
+    mesh_angle: say('Mesh angle'), drag: say('Drag')
+  };
+
+  // ---- focus ------------------------------------------------------------------------------------
+
+  function longest(range: Range) {
+    return Math.max(range.high[0] - range.low[0], range.high[1] - range.low[1],
+      range.high[2] - range.low[2], 1e-6);
+  }
+  function middle(range: Range) {
+    return range.low.map((v, k) => (v + range.high[k]) / 2);
+  }
+
+  function compared() {
+    if (choice.compare === 'off') return [gears.now];
+    return kept.map((one) => one.gear).concat(gears.now);
+  }
+
+  // Returns the displacement (m) that aligns a gear with the present one. It is horizontal above a
+  // bed, because heights are comparable there.
+  function shift_of(gear: Gear) {
+    if (gear === gears.now) return [0, 0, 0];
+    const at = gear.places_to_align()[choice.align], to = gears.now.places_to_align()[choice.align];
+    return at && to ? [to[0] - at[0], to[1] - at[1], told.bed ? 0 : to[2] - at[2]] : [0, 0, 0];
+  }
+
+  // Returns the bounding box in focus. It changes only if the gear leaves it or becomes much
+  // smaller, so that growth stays visible.
+  let held: Partial<Record<Choice['focus'], Range>> = {};
+  function focus(): Range {
+    const key = choice.focus;
+    function of(gear: Gear) {
+      const range = gear.range[key] || gear.range.whole, by = shift_of(gear);
+      function moved(end: number[]) { return end.map((v, k) => v + by[k]); }
+      return { low: moved(range.low), high: moved(range.high) };
+    }
+    const all = compared().map(of).reduce((one, other) => join(one, other) as Range);
+    const before = held[key];
+    if (before) {
+      const size = longest(before), slack = 0.06 * size;
+      let fits = longest(all) > 0.6 * size;
+      for (let axis = 0; axis < 3; axis++) {
+        fits = fits && all.low[axis] > before.low[axis] - slack &&
+          all.high[axis] < before.high[axis] + slack;
+      }
+      if (fits) return before;
+    }
+    return held[key] = { low: all.low.slice(), high: all.high.slice() };
+  }
+
+  function axes(turn: number, rise: number): Axes {
+    const eye = [Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise)];
+    const right = [-Math.sin(turn), Math.cos(turn), 0];
+    const up = [
+      eye[1] * right[2] - eye[2] * right[1], eye[2] * right[0] - eye[0] * right[2],
+      eye[0] * right[1] - eye[1] * right[0]
+    ];
+    return { eye, right, up };
+  }
+  function dot(a: number[], b: number[]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+  // Returns the points in focus, with the radius of components. In motion, returns the box corners.
+  function outline(range: Range) {
+    const corners: number[][] = [], found: number[][] = [];
+    for (let k = 0; k < 8; k++) {
+      corners.push([0, 1, 2].map((axis) => k >> axis & 1 ? range.high[axis] : range.low[axis]));
+    }
+    if (told.times.length > 1) return corners;
+    compared().forEach((gear) => {
+      const by = shift_of(gear);
+      [[gear.points], [gear.at, gear.told.marks.size]].forEach((all) => {
+        const p = all[0];
+        for (let i = 0; i < p.length; i += 3) {
+          const at = [p[i] + by[0], p[i + 1] + by[1], p[i + 2] + by[2]];
+          const inside = at.every((v, axis) => v >= range.low[axis] - 1e-6 && v <= range.high[axis] + 1e-6);
+          if (inside) found.push(at.concat(all[1] ? all[1][i / 3] / 2 : 0));
+        }
+      });
+    });
+    return found.length ? found : corners;
+  }
+
+  // Returns the margins (pixels) that labels and buttons take at the given sides. Each element
+  // takes the side that costs least; at least half of the picture stays free.
+  function taken_along(sides: Corner[]) {
+    const width = host.clientWidth || 1, height = host.clientHeight || 1;
+    const taken = { left: 0, right: 0, top: 0, bottom: 0 }, frame = host.getBoundingClientRect();
+    [title, bar, legend, scaleBar, ...host.querySelectorAll('.view-time, .view-graph')]
+      .forEach((part) => {
+        const box = part.getBoundingClientRect();
+        let least = Infinity, best: Corner = sides[0];
+        if (!box.width || !box.height) return;
+        const strips = {
+          left: box.right - frame.left, right: frame.right - box.left,
+          top: box.bottom - frame.top, bottom: frame.bottom - box.top
+        };
+        sides.forEach((side) => {
+          const across = side === 'left' || side === 'right';
+          const cost = Math.max(0, strips[side] - taken[side]) * (across ? height : width);
+          if (cost < least) { least = cost; best = side; }
+        });
+        taken[best] = Math.max(taken[best], strips[best]);
+      });
+    const pairs: [Corner, Corner, number][] = [['left', 'right', width], ['top', 'bottom', height]];
+    pairs.forEach(([one, other, size]) => {
+      const much = (taken[one] + taken[other]) / (0.5 * size);
+      if (much > 1) { taken[one] /= much; taken[other] /= much; }
+    });
+    return taken;
+  }
+
+  // Returns the part of the picture that labels and buttons leave free: fractions of width and
+  // height, and the offset of its centre in half sizes of the picture.
+  function free_part() {
+    if (choice.compare === 'beside') return { wide: 0.9, tall: 0.75, across: 0, up: 0 };
+    const width = host.clientWidth || 1, height = host.clientHeight || 1;
+    const taken = taken_along(['left', 'right', 'top', 'bottom']);
+    return {
+      wide: 0.94 * (1 - (taken.left + taken.right) / width),
+      tall: 0.94 * (1 - (taken.top + taken.bottom) / height),
+      across: (taken.left - taken.right) / width, up: (taken.bottom - taken.top) / height
+    };
+  }
+
+  // Returns the target and distance of a camera that sees a whole range in the free part:
+  // {at, away}.
+  function sight(range: Range, turn: number, rise: number, aspect: number, free: { wide: number; tall: number }) {
+    const way = axes(turn, rise);
+    let at = middle(range), away = 0;
+    const points = outline(range);
+    const tall = Math.tan(perspective.fov * Math.PI / 360), wide = tall * aspect;
+    for (let turnOver = 0; turnOver < 3; turnOver++) {
+      const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
+      away = 0;
+      points.forEach((point) => {
+        const d = [point[0] - at[0], point[1] - at[1], point[2] - at[2]], radius = point[3] || 0;
+        away = Math.max(away, dot(d, way.eye) + Math.max(
+          (Math.abs(dot(d, way.right)) + radius) / (free.wide * wide),
+          (Math.abs(dot(d, way.up)) + radius) / (free.tall * tall)
+        ));
+      });
+      away = Math.max(away, 1e-3);
+      // The projected points determine the centre.
+      points.forEach((point) => {
+        const d = [point[0] - at[0], point[1] - at[1], point[2] - at[2]], radius = point[3] || 0;
+        const near = 1 - dot(d, way.eye) / away;
+        [dot(d, way.right), dot(d, way.up)].forEach((v, k) => {
+          low[k] = Math.min(low[k], (v - radius) / near);
+          high[k] = Math.max(high[k], (v + radius) / near);
+        });
+      });
+      at = at.map((v, k) => v + (low[0] + high[0]) / 2 * way.right[k] + (low[1] + high[1]) / 2 * way.up[k]);
+    }
+    return { at, away };
+  }
+
+  function aspect() {
+    const box = boxes(canvas.clientWidth || 1, canvas.clientHeight || 1)[0];
+    return box.width / box.height;
+  }
+
+  // Fits the focus into the picture without a turn of the camera.
+  function aim() {
+    const free = free_part(), found = sight(focus(), camera.turn, camera.rise, aspect(), free);
+    camera.at = found.at;
+    camera.away = camera.fit = found.away;
+    camera.across = free.across;
+    camera.up = free.up;
+  }
+
+  // Starts from the bow, unless another direction allows a much shorter distance. The front view
+  // has the largest penalty, because a trawl hides most of itself there. The high view suits gears
+  // that hang deep and narrow.
+  function first_look() {
+    const range = focus(), a = aspect(), free = free_part();
+    const looks: [string, number, number, number][] = [
+      ['bow', ...directions.bow, 1], ['quarter', -1.2, 0.3, 1.4], ['front', -2.75, 0.22, 1.8],
+      ['side', -Math.PI / 2, 0.16, 1.5], ['high', -1.3, 0.95, 1.5]
+    ];
+    const away = looks.map(([, turn, rise, penalty]) => sight(range, turn, rise, a, free).away * penalty);
+    const [name, turn, rise] = looks[away.indexOf(Math.min(...away))];
+    camera.turn = turn;
+    camera.rise = rise;
+    press('from', name);
+  }
+
+  // Resets the view. Labels of the scale take space that is known only after the first aim.
+  function look_again() {
+    held = {};
+    first_look();
+    aim();
+    tell_scale();
+    aim();
+  }
+
+  // ---- drawing ----------------------------------------------------------------------------------
+
+  const water = materials.sheet(false, 0.22);
+  const bed = materials.sheet(true, 1);
+  function sheetMesh(material: T.Material) {
+    const geometry = new T.BufferGeometry();
+    geometry.setAttribute('position', new T.BufferAttribute(new Float32Array(12), 3));
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    const mesh = new T.Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    return mesh;
+  }
+  const around = new T.Scene(), waterMesh = sheetMesh(water), bedMesh = sheetMesh(bed);
+  bedMesh.renderOrder = -1;
+  waterMesh.renderOrder = 5;
+  const waters = new T.Mesh(new T.BufferGeometry(), materials.around);
+  waters.geometry.setAttribute('position', new T.BufferAttribute(
+    new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+  waters.frustumCulled = false;
+  waters.renderOrder = -2;
+  around.add(waters);
+  around.add(bedMesh);
+  const above = new T.Scene();
+  above.add(waterMesh);
+
+  function round(size: number) {
+    const power = Math.pow(10, Math.floor(Math.log10(size)));
+    const lead = size / power;
+    return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+  }
+
+  // Returns the height of the bed (m).
+  function bed_at(x: number, y: number) {
+    const { normal: n, height } = told.bed as Bed;
+    return (height - n[0] * x - n[1] * y) / n[2];
+  }
+
+  // Renders the gear's shadow on the bed as seen from the sun, once per shape. sun: its direction.
+  let cast: T.WebGLRenderTarget | null = null, shaded: Gear | null = null;
+  const sun = [-0.34, 0.30, 0.89], sunCamera = new T.OrthographicCamera();
+  sunCamera.matrixAutoUpdate = sunCamera.matrixWorldAutoUpdate = false;
+  function cast_shadow(gear: Gear) {
+    if (!told.bed || shaded === gear) return;
+    const { normal: n, height } = told.bed;
+    shaded = gear;
+    if (!cast) {
+      cast = new T.WebGLRenderTarget(1024, 1024, {
+        depthBuffer: true, generateMipmaps: true, minFilter: T.LinearMipmapLinearFilter
+      });
+    }
+    const range = gear.range[choice.focus] || gear.range.whole, at = middle(range);
+    // Points are projected to the bed along the sun's rays.
+    const along = n[0] * sun[0] + n[1] * sun[1] + n[2] * sun[2];
+    function fall(p: number[]) { return (dot(n, p) - height) / along; }
+    const reach = 0.62 * longest(range) + 0.35 * Math.abs(fall(range.high));
+    const x = at[0] - sun[0] * fall(at), y = at[1] - sun[1] * fall(at), deep = 4 * (longest(range) + reach);
+    const m = sunCamera.matrixWorldInverse.elements;
+    [[1, 0, sun[0]], [0, 1, sun[1]]].forEach((row, k) => {
+      for (let c = 0; c < 3; c++) m[4 * c + k] = ((c < 2 ? row[c] : 0) - row[2] * n[c] / along) / reach;
+      m[12 + k] = (row[2] * height / along - (k ? y : x)) / reach;
+    });
+    for (let c = 0; c < 3; c++) m[4 * c + 2] = c === 2 ? -1 / deep : 0;
+    m[14] = at[2] / deep;
+    m[3] = m[7] = m[11] = 0;
+    m[15] = 1;
+    sunCamera.projectionMatrix.identity();
+    shared.flat_.value = 1;
+    shared.ahead.value.set(-sun[0], -sun[1], -sun[2]);
+    shared.pixel.value = reach / 512;
+    shared.spacing.value = twine_gap * shared.pixel.value;
+    shared.fogMost.value = 0;
+    shared.ghost.value = 1;
+    shared.ghostColour.value.set(0);
+    shared.ratio.value = 1;
+    gear.place_marks(() => 0);
+    renderer.setRenderTarget(cast);
+    renderer.clear();
+    renderer.render(gear.scene, sunCamera);
+    renderer.setRenderTarget(null);
+    shared.ghost.value = 0;
+    shared.fogMost.value = 0.6;
+    bed.uniforms.shadow.value = cast.texture;
+    bed.uniforms.shadowAt.value.set(x, y, reach);
+  }
+
+  let square = 1;
+  function lay_sheets() {
+    const range = focus(), size = longest(range), at = middle(range);
+    square = round(size / 8);
+    const reach = Math.max(2.6 * size, 1.1 * camera.away);
+    const sheets: [T.Mesh, T.ShaderMaterial, (x: number, y: number) => number][] = [
+      [waterMesh, water, () => 0], [bedMesh, bed, bed_at]
+    ];
+    sheets.forEach(([mesh, material, height]) => {
+      if (mesh === bedMesh && !told.bed) return;
+      const place = mesh.geometry.getAttribute('position');
+      [[-1, -1], [1, -1], [1, 1], [-1, 1]].forEach((sign, k) => {
+        const x = at[0] + sign[0] * reach, y = at[1] + sign[1] * reach;
+        place.setXYZ(k, x, y, height(x, y));
+      });
+      place.needsUpdate = true;
+      material.uniforms.square.value = square;
+      material.uniforms.reach.value = reach;
+      material.uniforms.middle.value = { x: at[0], y: at[1] };
+    });
+    waterMesh.visible = told.water;
+    bedMesh.visible = !!told.bed;
+  }
+
+  // Minimum distance of drawn twines (pixels).
+  const twine_gap = 14;
+
+  // Sets the camera for a picture of this size (pixels).
+  function set_eye(width: number, height: number) {
+    const way = axes(camera.turn, camera.rise), range = gears.now.range.whole, size = longest(range);
+    perspective.aspect = width / height;
+    perspective.position.fromArray(camera.at.map((v, k) => v + camera.away * way.eye[k]));
+    perspective.up.fromArray(way.up);
+    perspective.lookAt(camera.at[0], camera.at[1], camera.at[2]);
+    const far = Math.hypot(perspective.position.x - middle(range)[0],
+      perspective.position.y - middle(range)[1], perspective.position.z - middle(range)[2]) + 3 * size;
+    perspective.near = Math.max(camera.away * 0.02, far * 1e-4);
+    perspective.far = far;
+    perspective.updateProjectionMatrix();
+    perspective.projectionMatrix.elements[8] -= camera.across;
+    perspective.projectionMatrix.elements[9] -= camera.up;
+    perspective.projectionMatrixInverse.copy(perspective.projectionMatrix).invert();
+    perspective.updateMatrixWorld();
+    shared.pixel.value = 2 * Math.tan(perspective.fov * Math.PI / 360) / height;
+    shared.spacing.value = twine_gap * shared.pixel.value * camera.away;
+    shared.flat_.value = 0;
+    const reach = longest(focus()), shown = focus();
+    shared.fogNear.value = camera.away - 0.1 * reach;
+    shared.fogFar.value = camera.away + 3.5 * reach;
+    // The water is lightest at the surface, or above a gear that hangs far below it.
+    shared.waterTop.value = told.water && shown.high[2] > -0.5 * reach ? 0 : shown.high[2] + 0.3 * reach;
+    shared.waterSpan.value = 1.1 * Math.max(shared.waterTop.value - shown.low[2], 0.5 * reach);
+    materials.around.uniforms.away.value = camera.away;
+    light(way);
+  }
+
+  // Places the light above and behind the camera's left shoulder.
+  function light(way: Axes) {
+    shared.light.value.set(0, 0, 0);
+    [0, 1, 2].forEach((k) => {
+      shared.light.value.setComponent(k,
+        0.75 * way.eye[k] - 0.3 * way.right[k] + 0.45 * way.up[k] + (k === 2 ? 0.35 : 0));
+    });
+    shared.light.value.normalize();
+  }
+
+  function size_at(place: T.Vector3) {
+    return shared.pixel.value * shared.ratio.value * perspective.position.distanceTo(place);
+  }
+
+  // ghost: uniform colour, or null. The opposite displacement of the camera moves the gear.
+  function draw_gear(gear: Gear, eye: T.Camera, ghost: string | null, size: (place: T.Vector3) => number) {
+    const by = shift_of(gear), from = eye.position.clone();
+    shared.ghost.value = ghost ? 0.85 : 0;
+    if (ghost) shared.ghostColour.value.set(ghost);
+    eye.position.sub(new T.Vector3().fromArray(by));
+    eye.updateMatrixWorld();
+    gear.place_marks(size);
+    renderer.render(gear.scene, eye);
+    eye.position.copy(from);
+    eye.updateMatrixWorld();
+  }
+
+  // Draws the stored designs, each in its colour.
+  function draw_kept(eye: T.Camera, size: (place: T.Vector3) => number) {
+    kept.forEach((one, k) => { draw_gear(one.gear, eye, kept_colour(k), size); });
+  }
+
+  function boxes(width: number, height: number): Box[] {
+    if (choice.compare !== 'beside' || !kept.length) {
+      return [{ left: 0, top: 0, width, height, gear: gears.now }];
+    }
+    const all = [...kept, { name: say('Now'), gear: gears.now }], n = all.length;
+    const columns = Math.min(n, Math.max(1, Math.round(Math.sqrt(n * width / height))));
+    const taken = taken_along(['top', 'bottom']);
+    const w = width / columns, h = (height - taken.top - taken.bottom) / Math.ceil(n / columns);
+    return all.map((one, k) => ({
+        left: k % columns * w, top: taken.top + Math.floor(k / columns) * h, width: w, height: h,
+        gear: one.gear, name: one.name
+      }));
+  }
+
+  // While shapes change, a slow renderer draws at lower resolution. The first pictures measure the
+  // drawing time (ms).
+  let hasty: number | undefined;
+  const coarse = 0.5, slow = 30, times: number[] = [];
+  let quickest = Infinity;
+  function hasten() {
+    window.clearTimeout(hasty);
+    hasty = window.setTimeout(() => {
+      if (options.passing && options.passing()) { hasten(); return; }
+      hasty = undefined;
+      repaint();
+    }, 250);
+  }
+  function take_time(began: number) {
+    const gl = renderer.getContext();
+    // This call waits until drawing is complete.
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    times.push(performance.now() - began);
+    if (times.length > 1) quickest = Math.min(quickest, times[times.length - 1]);
+  }
+
+  // Returns true if shapes are changing and the renderer is slow.
+  function too_slow() { return hasty && quickest > slow && quickest < Infinity; }
+
+  // Canvas pixels per CSS pixel.
+  let ratio = 1;
+  function draw(given?: number) {
+    const width = canvas.clientWidth, height = canvas.clientHeight;
+    if (!width || !height || !gears.now) return false;
+    ratio = given || (window.devicePixelRatio || 1) * (too_slow() ? coarse : 1);
+    // A change of size waits for all earlier drawing, so it happens only if needed.
+    if (canvas.width !== Math.floor(width * ratio) || canvas.height !== Math.floor(height * ratio)) {
+      renderer.setDrawingBufferSize(width, height, ratio);
+    }
+    shared.ratio.value = ratio;
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, width, height);
+    renderer.clear();
+    lay_sheets();
+    boxes(width, height).forEach((box) => {
+      const foot = height - box.top - box.height;
+      renderer.setScissorTest(true);
+      renderer.setScissor(box.left, foot, box.width, box.height);
+      renderer.setViewport(box.left, foot, box.width, box.height);
+      // The first picture and intermediate shapes have no shadow, unless the renderer is fast.
+      if (!shared.paper.value && (given || !hasty || quickest <= slow)) cast_shadow(box.gear);
+      shared.ratio.value = ratio;
+      set_eye(box.width, box.height);
+      shared.pixel.value /= ratio;
+      shared.ghost.value = 0;
+      waters.visible = !shared.paper.value;
+      renderer.render(around, perspective);
+      if (choice.compare === 'over') draw_kept(perspective, size_at);
+      draw_gear(box.gear, perspective, null, size_at);
+      shared.ghost.value = 0;
+      renderer.render(above, perspective);
+    });
+    renderer.setScissorTest(false);
+    return true;
+  }
+
+  let waiting = false, drawn = 0;
+  function repaint() {
+    if (waiting) return;
+    waiting = true;
+    window.requestAnimationFrame(() => {
+      waiting = false;
+      paint_now();
+    });
+  }
+  function paint_now() {
+    const began = performance.now();
+    if (saver.filming() || !draw()) return;
+    if (hasty && times.length < 4) take_time(began);
+    drawn += 1;
+    seen = null;
+    tell_scale();
+    place_words();
+  }
+
+  // ---- labels around the picture ----------------------------------------------------------------
+
+  const title = element('div', 'view-title');
+  const bar = element('div', 'view-bar'), legend = element('div', 'view-legend');
+  const scaleBar = element('div', 'view-scale'), tip = element('div', 'view-tip');
+  const still = element('img', 'view-still', undefined, { alt: '' });
+  tip.setAttribute('role', 'status');
+  tip.hidden = true;
+  const labels = {
+    surface: element('div', 'view-label view-label-surface', say('water surface')),
+    bed: element('div', 'view-label view-label-bed'), vessel: element('div', 'view-label view-label-vessel')
+  };
+  host.append(labels.surface, labels.bed, labels.vessel, title, bar, legend, scaleBar, tip, still);
+
+  function button(group: 'focus' | 'from' | 'compare', value: string, words: string, key: string) {
+    const made = element('button', 'view-button', words, {
+      type: 'button', 'data-group': group, 'data-value': value, 'aria-pressed': 'false',
+      title: say('{words} (key {key})', { words, key })
+    });
+    made.addEventListener('click', () => { choose(group, value); });
+    return made;
+  }
+  function group(words: string) {
+    return element('div', 'view-group', undefined, { role: 'group', 'aria-label': words });
+  }
+
+  const groups = { focus: group(say('Look at')), from: group(say('Look from')), compare: group(say('Kept designs')) };
+  let names: HTMLElement[] = [];  // labels of designs side by side
+  [['net', say('Net'), 'n'], ['whole', say('Whole gear'), 'g']].forEach((one) => {
+    groups.focus.appendChild(button('focus', one[0], one[1], one[2]));
+  });
+  [['bow', say('Bow'), '1'], ['above', say('Above'), '2'], ['side', say('Side'), '3'],
+    ['astern', say('Astern'), '4']].forEach((one) => {
+    groups.from.appendChild(button('from', one[0], one[1], one[2]));
+  });
+  [['off', say('Now'), '5'], ['over', say('Over'), '6'], ['beside', say('Side by side'), '7']].forEach((one) => {
+    groups.compare.appendChild(button('compare', one[0], one[1], one[2]));
+  });
+  const colours = element('select', 'view-colour', undefined, {
+    'aria-label': say('Colours'),
+    title: say('{words} (key {key})', { words: say('Colours'), key: 'c' })
+  });
+  colours.addEventListener('change', () => { choose('colour', colours.value); });
+  const align = element('select', 'view-colour', undefined, {
+    'aria-label': say('Designs are aligned at'), title: say('Designs are aligned at')
+  });
+  [['bosom', say('At the bosom')], ['towing', say('At the towing point')]].forEach((one) => {
+    align.appendChild(element('option', '', one[1], { value: one[0] }));
+  });
+  align.addEventListener('change', () => { choose('align', align.value); });
+  groups.compare.appendChild(align);
+  const help = element('button', 'view-button', '?', {
+    type: 'button', 'aria-expanded': 'false', 'aria-label': say('Keys'),
+    title: say('{words} (key {key})', { words: say('Keys'), key: 'h' })
+  });
+  const keys = element('div', 'view-keys');
+  keys.hidden = true;
+  [[say('drag, arrows'), say('turn')], [say('wheel, two fingers, + and -'), say('zoom')],
+    [say('right button, Shift'), say('move')], ['1 2 3 4', say('bow, above, side, astern')],
+    ['n, g', say('net, whole gear')], ['c', say('next colours')], ['0', say('reset view')], ['s', say('save')],
+    [say('pointer'), say('names and values')]].forEach((one) => {
+    keys.appendChild(element('kbd', '', one[0]));
+    keys.appendChild(element('span', '', one[1]));
+  });
+  help.addEventListener('click', () => {
+    keys.hidden = !keys.hidden;
+    help.setAttribute('aria-expanded', String(!keys.hidden));
+  });
+  const saver = new_saver(host, {
+    turn: () => camera.turn,
+    times() { return told.times; },
+    seek(time: number) { moment?.seek(time); },
+    look,
+    release: repaint
+  }, {
+    canvas,
+    draw(ratio) { hasty = undefined; draw(ratio); tell_scale(); place_words(); },
+    words() {
+      return [title, legend, scaleBar].concat(Array.from(host.querySelectorAll('.view-label, .view-time .label')));
+    },
+    name: () => file_name(told.name)
+  });
+  bar.append(groups.focus, groups.from, groups.compare, colours, saver.opener, help);
+  host.append(keys, saver.panel);
+
+  function press(what: string, value: string | null) {
+    bar.querySelectorAll<HTMLElement>('[data-group="' + what + '"]').forEach((one) => {
+      one.setAttribute('aria-pressed', String(one.dataset.value === value));
+    });
+  }
+
+  function colour_bar(kind: 'rope' | 'netting', scale: Scale) {
+    const made = element('div', 'colour-bar'), stops = told.colours[kind];
+    const unit = scale.heading.match(/ \(.*$/);
+    made.appendChild(element('div', 'heading', say(scale.heading.replace(/ \(.*$/, '')) + (unit || '')));
+    const strip = element('div', 'strip');
+    strip.style.background = 'linear-gradient(to right, ' + stops.join(', ') + ')';
+    made.appendChild(strip);
+    const row = element('div', 'ticks');
+    let reach = -Infinity;
+    scale.ticks.forEach((words, k) => {
+      const half = 3.6 * words.length;
+      if (210 * scale.at[k] - half < reach + 5) return;
+      reach = 210 * scale.at[k] + half;
+      const tick = element('span', '', words);
+      tick.style.left = 100 * scale.at[k] + '%';
+      row.appendChild(tick);
+    });
+    made.appendChild(row);
+    return made;
+  }
+
+  function write_legend() {
+    legend.textContent = '';
+    const scales = told.scales[choice.colour] || {};
+    if (scales.rope) legend.appendChild(colour_bar('rope', scales.rope));
+    if (scales.netting) legend.appendChild(colour_bar('netting', scales.netting));
+    const key = element('div', 'key');
+    function entry(words: string, colour: string, className: string) {
+      const item = element('span', 'entry', words), patch = element('i', className);
+      patch.style.setProperty('--colour', colour);
+      item.insertBefore(patch, item.firstChild);
+      key.appendChild(item);
+    }
+    if (choice.colour === 'tension' || choice.colour === 'slack') {
+      if (told.times.length > 1 || any((x) => x === 0)) {
+        entry(say('slack'), gears.now.slack_colour(choice.colour), 'slack');
+      } else {
+        key.appendChild(element('span', 'entry', say('nothing is slack')));
+      }
+      if (any((x) => x < 0)) entry(say('in compression'), '#4A545C', 'line');
+    }
+    if (choice.colour === 'slack') entry(say('taut'), '#5F7482', 'line');
+    if (!scales.rope && choice.colour.indexOf('mesh') === 0) entry(say('rope'), '#4A545C', 'line');
+    if (choice.compare === 'over') {
+      kept.forEach((one, k) => { entry(one.name, kept_colour(k), 'line'); });
+    }
+    const marks = told.marks;
+    marks.label.forEach((words, k) => {
+      if (marks.label.indexOf(words) === k) {
+        entry(say(words), marks.fill[k], marks.board[k] >= 0 || marks.direction[k] ? 'plate' : 'ball');
+      }
+    });
+    legend.appendChild(key);
+  }
+
+  // Returns true if `such` is true for any present tension.
+  function any(such: (tension: number) => boolean) {
+    const gear = gears.now;
+    return [gear.rope_tension, gear.netting.u, gear.netting.v].some((all) => Array.prototype.some.call(all, such));
+  }
+
+  function project(at: number[], box: { left: number; top: number; width: number; height: number }) {
+    const p = new T.Vector3(at[0], at[1], at[2]).project(perspective);
+    return [box.left + box.width * (p.x + 1) / 2, box.top + box.height * (1 - p.y) / 2, p.z];
+  }
+
+  // Places the labels in the picture and hides labels out of sight.
+  function place_words() {
+    const width = canvas.clientWidth, height = canvas.clientHeight, box = boxes(width, height)[0];
+    const range = focus(), at = middle(range), size = longest(range);
+    function put(label: HTMLElement, place: number[] | null | false | undefined, words?: string) {
+      const p = place && project(place, { left: 0, top: 0, width, height });
+      const shown = p && p[2] < 1 && p[0] > 30 && p[0] < width - 30 && p[1] > 46 && p[1] < height - 90 &&
+        choice.compare !== 'beside';
+      label.hidden = !shown;
+      if (!shown) return;
+      if (words) label.textContent = words;
+      label.style.left = p[0] + 'px';
+      label.style.top = p[1] + 'px';
+    }
+    const side = [at[0] + 0.5 * size, at[1] - 0.75 * size];
+    put(labels.surface, told.water && Math.abs(camera.rise) > 0.03 && [side[0], side[1], 0]);
+    const depth = told.bed ? bed_at(side[0], side[1]) : 0;
+    put(labels.bed, told.bed && [side[0], side[1], depth], say('sea bed, {n} m deep', { n: three(-depth) }));
+    const vessel = gears.now.vessels[0];
+    put(labels.vessel, vessel && [vessel.at[0], vessel.at[1], 0.5 * vessel.at[3]], say('vessel'));
+    names.forEach((label) => { label.remove(); });
+    names = boxes(width, height).filter((one) => one.name).map((one) => {
+      const label = element('div', 'view-label view-label-name', one.name);
+      label.style.left = one.left + one.width / 2 + 'px';
+      label.style.top = one.top + 18 + 'px';
+      return host.appendChild(label);
+    });
+    return box;
+  }
+
+  // Updates the scale at the camera target, the flow arrow and the grid size.
+  function tell_scale() {
+    const box = boxes(canvas.clientWidth, canvas.clientHeight)[0];
+    const metres = 2 * Math.tan(perspective.fov * Math.PI / 360) * camera.away / box.height;
+    const long = round(90 * metres);
+    scaleBar.textContent = '';
+    const line = element('i', 'line');
+    line.style.width = long / metres + 'px';
+    scaleBar.appendChild(element('span', '', three(long) + ' m'));
+    scaleBar.appendChild(line);
+    const speed = Math.hypot(told.flow[0], told.flow[1]);
+    if (speed) {
+      const way = axes(camera.turn, camera.rise), along = [told.flow[0] / speed, told.flow[1] / speed, 0];
+      const dx = dot(along, way.right), dy = -dot(along, way.up), seen2 = Math.hypot(dx, dy);
+      const flow = element('span', 'flow', say('flow {n} m/s', { n: three(speed) }) + ' ');
+      const arrow = element('i', 'arrow', seen2 < 0.15 ? '\u2299' : '\u2192');
+      if (seen2 >= 0.15) arrow.style.transform = 'rotate(' + Math.atan2(dy, dx) + 'rad)';
+      flow.appendChild(arrow);
+      scaleBar.appendChild(flow);
+    }
+    if (told.bed || told.water && focus().high[2] > -0.3 * longest(focus())) {
+      scaleBar.appendChild(element('span', 'squares', say('squares of {n} m', { n: three(square) })));
+    }
+  }
+
+  // ---- formatted numbers ------------------------------------------------------------------------
+
+  function three(x: number) {
+    if (!isFinite(x)) return '';
+    return String(Number(x.toPrecision(3)));
+  }
+  function force(newtons: number) {
+    return Math.abs(newtons) >= 1000 ? three(newtons / 1000) + ' kN' : three(newtons) + ' N';
+  }
+  function thick(metres: number) { return three(1000 * metres) + ' mm'; }
+  function plain(name: string) { return String(name).replace(/_/g, ' '); }
+
+  // ---- the pointer ------------------------------------------------------------------------------
+
+  // Returns screen positions of nodes and components (x and y in pixels, depth), on demand.
+  let seen: { points: Float32Array; marks: Float32Array } | null = null;
+  function on_screen() {
+    if (seen) return seen;
+    const gear = gears.now, box = boxes(canvas.clientWidth, canvas.clientHeight).filter((b) => b.gear === gears.now)[0];
+    set_eye(box.width, box.height);
+    shared.pixel.value /= shared.ratio.value;
+    function all(points: Float32Array) {
+      const out = new Float32Array(points.length);
+      const m = new T.Matrix4().multiplyMatrices(perspective.projectionMatrix,
+        perspective.matrixWorldInverse).elements;
+      for (let i = 0; i < points.length; i += 3) {
+        const x = points[i], y = points[i + 1], z = points[i + 2];
+        const w = m[3] * x + m[7] * y + m[11] * z + m[15];
+        out[i] = box.left + box.width * ((m[0] * x + m[4] * y + m[8] * z + m[12]) / w + 1) / 2;
+        out[i + 1] = box.top + box.height * (1 - (m[1] * x + m[5] * y + m[9] * z + m[13]) / w) / 2;
+        out[i + 2] = w;
+      }
+      return out;
+    }
+    seen = { points: all(gear.points), marks: all(gear.at) };
+    return seen;
+  }
+
+  // Returns the element at a screen position: {kind, number, share} or null.
+  function under(x: number, y: number): Found | null {
+    const gear = gears.now, at = on_screen(), p = at.points;
+    let best: Found | null = null, nearest = Infinity;
+    gear.marks.forEach((mark, i) => {
+      const w = at.marks[3 * i + 2];
+      if (w <= 0) return;
+      const off = Math.hypot(at.marks[3 * i] - x, at.marks[3 * i + 1] - y);
+      const radius = Math.max(7, mark.half / (shared.pixel.value * shared.ratio.value * w));
+      if (off < radius && w < nearest) { nearest = w; best = { kind: 'mark', number: i }; }
+    });
+    if (best) return best;
+    const ends = gear.ropes.ends;
+    let near = 7;
+    for (let l = 0; l < ends.length / 2; l++) {
+      const a = 3 * ends[2 * l], b = 3 * ends[2 * l + 1];
+      if (p[a + 2] <= 0 || p[b + 2] <= 0) continue;
+      const dx = p[b] - p[a], dy = p[b + 1] - p[a + 1], long = dx * dx + dy * dy;
+      const t = long ? Math.min(Math.max(((x - p[a]) * dx + (y - p[a + 1]) * dy) / long, 0), 1) : 0;
+      const off = Math.hypot(p[a] + t * dx - x, p[a + 1] + t * dy - y);
+      if (off < near) { near = off; best = { kind: 'rope', number: l, share: t }; }
+    }
+    if (best) return best;
+    const net = gear.netting;
+    let closest = Infinity;
+    for (let k = 0; k < net.part.length; k++) {
+      const i = 3 * net.point[3 * k], j = 3 * net.point[3 * k + 1], c = 3 * net.point[3 * k + 2];
+      if (p[i + 2] <= 0 || p[j + 2] <= 0 || p[c + 2] <= 0) continue;
+      const area = (p[j] - p[i]) * (p[c + 1] - p[i + 1]) - (p[c] - p[i]) * (p[j + 1] - p[i + 1]);
+      if (!area) continue;
+      const s = ((x - p[i]) * (p[c + 1] - p[i + 1]) - (p[c] - p[i]) * (y - p[i + 1])) / area;
+      const r = ((p[j] - p[i]) * (y - p[i + 1]) - (x - p[i]) * (p[j + 1] - p[i + 1])) / area;
+      if (s < 0 || r < 0 || s + r > 1) continue;
+      const w = p[i + 2] + s * (p[j + 2] - p[i + 2]) + r * (p[c + 2] - p[i + 2]);
+      if (w < closest) { closest = w; best = { kind: 'netting', number: k }; }
+    }
+    return best;
+  }
+
+  function rows_of(found: Found) {
+    const gear = gears.now, parts = told.parts, k = found.number;
+    const rows: [string, string][] = [];
+    let heading, note, z;
+    function row(name: string, value: string) { if (value) rows.push([name, value]); }
+    if (found.kind === 'mark') {
+      const marks = told.marks;
+      heading = plain(marks.part[k]);
+      note = say(marks.label[k]);
+      row(say('depth'), three(-gear.at[3 * k + 2]) + ' m');
+    } else if (found.kind === 'rope') {
+      const part = gear.ropes.part[k], tension = gear.rope_tension[k];
+      heading = plain(parts.name[part]);
+      const seam = parts.kind[part] === 'netting';
+      note = seam ? say('seam') : say(plain(parts.role[part] || 'rope'));
+      row(say('tension'), tension > 0 ? force(tension) :
+        tension < 0 ? say('compression {force}', { force: force(-tension) }) :
+        say('slack'));
+      if (tension > 0 && parts.strength[part]) {
+        row(say('of breaking load'), three(100 * tension / parts.strength[part]) + ' %');
+      }
+      if (parts.thickness[part]) row(say('diameter'), thick(parts.thickness[part]));
+      if (gear.drag[part] && !seam) row(say('drag'), three(gear.drag[part]) + ' N/m');
+      const a = gear.ropes.ends[2 * k], b = gear.ropes.ends[2 * k + 1];
+      z = gear.points[3 * a + 2] + found.share * (gear.points[3 * b + 2] - gear.points[3 * a + 2]);
+      row(say('depth'), three(-z) + ' m');
+    } else {
+      const of = gear.netting.part[k], meshes = gear.meshes(k);
+      heading = plain(parts.name[of]);
+      note = say('netting, {mesh} meshes, {twine} twine',
+        { mesh: thick(parts.mesh[of]), twine: thick(parts.thickness[of]) });
+      const { u, v } = gear.netting;
+      row(say('twine one way'), u[k] > 0 ? force(u[k]) : say('slack'));
+      row(say('the other way'), v[k] > 0 ? force(v[k]) : say('slack'));
+      if (isFinite(meshes.opening)) {
+        row(say('mesh opening'), three(meshes.opening) + ' %');
+        row(say('mesh angle'), three(meshes.angle) + '\u00b0');
+      }
+      if (gear.drag[of]) row(say('drag'), three(gear.drag[of]) + ' N/m\u00b2');
+      z = [0, 1, 2].reduce((sum, c) => sum + gear.points[3 * gear.netting.point[3 * k + c] + 2] / 3, 0);
+      row(say('depth'), three(-z) + ' m');
+    }
+    return { heading, note, rows };
+  }
+
+  function point_at(x: number, y: number) {
+    const found = gears.now && under(x, y);
+    tip.hidden = !found;
+    if (!found) return;
+    const said = rows_of(found);
+    tip.textContent = '';
+    tip.appendChild(element('b', '', said.heading));
+    if (said.note !== said.heading) tip.appendChild(element('div', 'note', said.note));
+    said.rows.forEach((row) => {
+      const line = element('div', row[1] === say('slack') ? 'row slack' : 'row');
+      line.appendChild(element('span', '', row[0]));
+      line.appendChild(element('span', '', row[1]));
+      tip.appendChild(line);
+    });
+    const right = x + 14 + tip.offsetWidth > host.clientWidth;
+    tip.style.left = (right ? Math.max(4, x - 14 - tip.offsetWidth) : x + 14) + 'px';
+    tip.style.top = Math.max(4, Math.min(y + 14, host.clientHeight - tip.offsetHeight - 4)) + 'px';
+  }
+
+  // ---- pointer, wheel and keys ------------------------------------------------------------------
+
+  function look(place: Partial<typeof camera>) {
+    press('from', null);
+    Object.assign(camera, place);
+    repaint();
+  }
+  function turn_by(across: number, up: number) {
+    camera.turn -= across;
+    camera.rise = Math.min(Math.max(camera.rise + up, -Math.PI / 2), Math.PI / 2);
+    press('from', null);
+    repaint();
+  }
+  function zoom_by(factor: number, x?: number, y = 0) {
+    const before = camera.away, size = longest(gears.now.range.whole);
+    camera.away = Math.min(Math.max(before / factor, camera.fit / 400), 8 * size + 4 * camera.fit);
+    // The zoom is centred on the pointer.
+    if (x !== undefined) {
+      const way = axes(camera.turn, camera.rise), up = canvas.clientHeight;
+      const metres = 2 * Math.tan(perspective.fov * Math.PI / 360) / up * (before - camera.away);
+      shift((x - canvas.clientWidth / 2 * (1 + camera.across)) * metres,
+        (up / 2 * (1 - camera.up) - y) * metres, way);
+    }
+    repaint();
+  }
+  function shift(right: number, up: number, way: Axes) {
+    camera.at = camera.at.map((v, k) => v + right * way.right[k] + up * way.up[k]);
+  }
+  function move_by(dx: number, dy: number) {
+    const metres = 2 * Math.tan(perspective.fov * Math.PI / 360) * camera.away / canvas.clientHeight;
+    shift(-dx * metres, dy * metres, axes(camera.turn, camera.rise));
+    repaint();
+  }
+
+  function choose(what: keyof Choice, value: string) {
+    Object.assign(choice, { [what]: value });
+    if (what === 'from' && directions[value]) {
+      camera.turn = directions[value][0];
+      camera.rise = directions[value][1];
+    }
+    if (what === 'colour') {
+      colours.value = value;
+      recolour();
+    } else {
+      press(what, value);
+      held = {};
+      shaded = null;
+      if (gears.now) {
+        offer_align();
+        recolour();
+        aim();
+      }
+    }
+    if (told) write_legend();
+    repaint();
+    if (options.changed) options.changed();
+  }
+
+  function recolour() {
+    compared().forEach((gear) => { gear.colour(choice.colour); });
+  }
+
+  // Offers the alignment points of the gear.
+  function offer_align() {
+    const places = gears.now ? gears.now.places_to_align() : {};
+    align.hidden = choice.compare === 'off' || !places.bosom || !places.towing;
+    if (!places[choice.align]) choice.align = places.bosom ? 'bosom' : 'towing';
+    align.value = choice.align;
+  }
+
+  const fingers: Record<string, number[]> = {};
+  let apart = 0, hovering: number[] | null = null, chosen = false;
+  // The wheel scrolls the page until the picture is clicked, unless the picture fills the window.
+  function wheel_is_ours() {
+    return chosen || host.clientHeight > window.innerHeight - 60 || options.wheel;
+  }
+  document.addEventListener('pointerdown', (event) => { chosen = host.contains(event.target as Node); });
+  canvas.addEventListener('pointerdown', (event) => {
+    canvas.setPointerCapture(event.pointerId);
+    fingers[event.pointerId] = [event.clientX, event.clientY, event.clientX, event.clientY];
+    tip.hidden = true;
+  });
+  canvas.addEventListener('pointermove', (event) => {
+    const before = fingers[event.pointerId];
+    if (!before) {
+      const box = canvas.getBoundingClientRect();
+      if (!hovering) {
+        window.requestAnimationFrame(() => {
+          const at = hovering;
+          hovering = null;
+          if (at) point_at(at[0], at[1]);
+        });
+      }
+      hovering = [event.clientX - box.left, event.clientY - box.top];
+      return;
+    }
+    const dx = event.clientX - before[0], dy = event.clientY - before[1];
+    before[0] = event.clientX;
+    before[1] = event.clientY;
+    const all = Object.keys(fingers);
+    if (all.length === 1) {
+      if (event.shiftKey || event.buttons === 2 || event.buttons === 4) move_by(dx, dy);
+      else turn_by(dx * 0.008, dy * 0.008);
+      return;
+    }
+    const a = fingers[all[0]], b = fingers[all[1]], gap = Math.hypot(a[0] - b[0], a[1] - b[1]);
+    if (apart) zoom_by(gap / apart);
+    apart = gap;
+    move_by(dx / 2, dy / 2);
+  });
+  function lift(event: PointerEvent) {
+    const was = fingers[event.pointerId];
+    delete fingers[event.pointerId];
+    apart = 0;
+    // A tap shows the values at its position.
+    if (was && event.type === 'pointerup' &&
+      Math.hypot(event.clientX - was[2], event.clientY - was[3]) < 4) {
+      const box = canvas.getBoundingClientRect();
+      point_at(event.clientX - box.left, event.clientY - box.top);
+    }
+  }
+  canvas.addEventListener('pointerup', lift);
+  canvas.addEventListener('pointercancel', lift);
+  canvas.addEventListener('pointerleave', () => { hovering = null; tip.hidden = true; });
+  canvas.addEventListener('contextmenu', (event) => { event.preventDefault(); });
+  canvas.addEventListener('wheel', (event) => {
+    if (!wheel_is_ours()) return;
+    event.preventDefault();
+    const box = canvas.getBoundingClientRect();
+    zoom_by(Math.exp(-event.deltaY * 0.0015), event.clientX - box.left, event.clientY - box.top);
+  }, { passive: false });
+
+  function next_colour() {
+    const all = Array.from(colours.options, (o) => o.value);
+    choose('colour', all[(all.indexOf(choice.colour) + 1) % all.length]);
+  }
+  const acts: Record<string, () => void> = {
+    ArrowLeft: () => turn_by(-0.1, 0), ArrowRight: () => turn_by(0.1, 0), ArrowUp: () => turn_by(0, 0.1),
+    ArrowDown: () => turn_by(0, -0.1), '+': () => zoom_by(1.2), '=': () => zoom_by(1.2), '-': () => zoom_by(1 / 1.2),
+    1: () => choose('from', 'bow'), 2: () => choose('from', 'above'), 3: () => choose('from', 'side'),
+    4: () => choose('from', 'astern'), n: () => choose('focus', 'net'), g: () => choose('focus', 'whole'),
+    c: next_colour, h: () => help.click(), s: () => saver.opener.click(), 0: () => { look_again(); repaint(); }
+  };
+  const compares: Record<string, string> = { 5: 'off', 6: 'over', 7: 'beside' };
+  host.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey || !gears.now) return;
+    if (/^(INPUT|SELECT|TEXTAREA)$/.test((event.target as Element).tagName)) return;
+    const key = event.key;
+    const compare = groups.compare.hidden ? undefined : compares[key];
+    const act = compare ? () => choose('compare', compare) : acts[key];
+    if (key === 'n' && !gears.now.range.net) return;
+    if (key === 'Escape') { keys.hidden = true; tip.hidden = true; saver.close(); }
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+
+  // ---- printing ---------------------------------------------------------------------------------
+
+  // WebGL discards a picture after drawing, so it is copied immediately, on white.
+  function on_white() {
+    hasty = undefined;
+    shared.paper.value = 1;
+    bed.uniforms.strength.value = water.uniforms.strength.value = 0.05;
+    const address = draw() ? canvas.toDataURL('image/png') : '';
+    shared.paper.value = 0;
+    bed.uniforms.strength.value = 1;
+    water.uniforms.strength.value = 0.22;
+    if (!address) return '';
+    repaint();
+    return address;
+  }
+  // In print layout the picture has no size, so the last still stays.
+  function for_paper() {
+    const made = on_white();
+    if (made) still.src = made;
+  }
+  window.addEventListener('beforeprint', for_paper);
+  // Some browsers print without a prior event.
+  let stillTimer: number | undefined;
+  function later() {
+    window.clearTimeout(stillTimer);
+    stillTimer = window.setTimeout(for_paper, 1500);
+  }
+
+  // ---- projections ------------------------------------------------------------------------------
+
+  // Draws the gear as seen from `plane` (turn, rise) into `box` (left, top, width, height, pixels)
+  // of another canvas, with `scale` pixels per metre around `at`. Returns false if it drew nothing.
+  function flat(
+    context: CanvasRenderingContext2D, plane: { turn: number; rise: number }, box: Omit<Box, 'gear'>, at: number[],
+    scale: number
+  ) {
+    const width = Math.min(box.width, canvas.clientWidth), height = Math.min(box.height, canvas.clientHeight);
+    if (!gears.now || width < 2 || height < 2) return false;
+    const turn = plane.turn, rise = plane.rise, way = axes(turn, rise), size = 4 * longest(gears.now.range.whole);
+    const wide = width / scale / 2, tall = height / scale / 2;
+    flatCamera.left = -wide;
+    flatCamera.right = wide;
+    flatCamera.top = tall;
+    flatCamera.bottom = -tall;
+    flatCamera.near = 0;
+    flatCamera.far = 2 * size;
+    flatCamera.position.fromArray(at.map((v, k) => v + size * way.eye[k]));
+    flatCamera.up.fromArray(way.up);
+    flatCamera.lookAt(at[0], at[1], at[2]);
+    flatCamera.updateProjectionMatrix();
+    flatCamera.updateMatrixWorld();
+    shared.flat_.value = 1;
+    shared.ahead.value.fromArray(way.eye).negate();
+    shared.pixel.value = 1 / scale / ratio;
+    shared.spacing.value = twine_gap / scale;
+    shared.fogNear.value = 10 * size;
+    shared.fogFar.value = 20 * size;
+    light(way);
+    renderer.setScissorTest(true);
+    renderer.setScissor(0, 0, width, height);
+    renderer.setViewport(0, 0, width, height);
+    renderer.clear();
+    function pixel() { return 1 / scale; }
+    if (choice.compare !== 'off') draw_kept(flatCamera, pixel);
+    draw_gear(gears.now, flatCamera, null, pixel);
+    renderer.setScissorTest(false);
+    context.drawImage(canvas, 0, canvas.height - Math.round(height * ratio), Math.round(width * ratio),
+      Math.round(height * ratio), box.left + (box.width - width) / 2, box.top + (box.height - height) / 2,
+      width, height);
+    return true;
+  }
+
+  // ---- scenes -----------------------------------------------------------------------------------
+
+  function take(gear: Gear, part: Partial<Scene>) {
+    gear.take(part);
+    shaded = null;
+    gear.range = gear.ranges();
+    gear.colour(choice.colour);
+  }
+  function take_now(part: Partial<Scene>) {
+    if (!gears.now) gears.now = new_gear(materials);
+    take(gears.now, part);
+  }
+  function take_kept(all: KeptScene[]) {
+    kept = all.map((one) => {
+      const before = kept.filter((other) => other.key === one.key)[0];
+      const gear = before ? before.gear : new_gear(materials);
+      if (one.scene.points) take(gear, one.scene);
+      else Object.assign(gear.told, one.scene);
+      return { key: one.key, name: one.name, gear };
+    });
+    if (!kept.length) choice.compare = 'off';
+  }
+
+  // Fits the view again if the gear leaves the focus, at the same zoom.
+  function follow() {
+    const before = held[choice.focus];
+    if (focus() === before) return;
+    const zoom = camera.away / camera.fit;
+    aim();
+    camera.away *= zoom;
+  }
+
+  let moment: Motion | null = null, netless = false;
+  const shown = {
+    show(now: Partial<Scene>, beside: KeptScene[] = []) {
+      const first = !gears.now || now.name !== told.name;
+      take_now(now);
+      take_kept(beside);
+      told = gears.now.told;
+      canvas.setAttribute('aria-label', say(
+        '{name} in three dimensions. {conditions}. Arrow keys turn it, plus and minus zoom.',
+        { name: told.name, conditions: told.conditions }
+      ));
+      if (options.title) {
+        title.textContent = '';
+        title.appendChild(element('div', 'name', told.name));
+        title.appendChild(element('div', 'conditions', told.conditions));
+      }
+      groups.compare.hidden = !kept.length;
+      offer_align();
+      // Without netting, only the whole gear can be in focus.
+      const net = groups.focus.querySelector('[data-value="net"]') as HTMLButtonElement;
+      net.disabled = !gears.now.range.net;
+      if (!gears.now.range.net && choice.focus === 'net') {
+        choice.focus = 'whole';
+        netless = true;
+      } else if (gears.now.range.net && netless) {
+        choice.focus = 'net';
+        netless = false;
+      }
+      press('focus', choice.focus);
+      press('compare', choice.compare);
+      colours.textContent = '';
+      (Object.keys(modes) as Mode[]).forEach((mode) => {
+        const scale = told.scales[mode];
+        if (mode.indexOf('mesh') === 0 && !(scale && scale.netting)) return;
+        colours.appendChild(element('option', '', modes[mode], { value: mode }));
+      });
+      if (first && now.colour) choice.colour = now.colour;
+      if (!colours.querySelector('[value="' + choice.colour + '"]')) choice.colour = 'tension';
+      colours.value = choice.colour;
+      recolour();
+      write_legend();
+      if (moment && now.times) { moment.end(); moment = null; }
+      if (told.times.length > 1 && !moment) moment = new_motion(host, shown, told, options);
+      if (first) {
+        look_again();
+        hasten();
+      } else {
+        follow();
+      }
+      repaint();
+      if (options.still !== false) later();
+    },
+    // Scales and labels stay until show() updates them.
+    pass(part: Partial<Scene>) {
+      hasten();
+      take_now(part);
+      follow();
+      repaint();
+    },
+    hastens() { return hasty !== undefined; },
+    choose,
+    time(k: number, share: number) {
+      gears.now.move(k, share);
+      shaded = null;
+      gears.now.colour(choice.colour);
+      repaint();
+    },
+    seek(time: number) { if (moment) moment.seek(time); },
+    look,
+    frame(from: Partial<{ turn: number; rise: number; near: number; focus: Choice['focus'] }>) {
+      choice.focus = from.focus || choice.focus;
+      look_again();
+      const at = Object.assign({ turn: camera.turn, rise: camera.rise, near: 1 }, from);
+      look({ turn: at.turn, rise: at.rise });
+      aim();
+      camera.away *= at.near;
+    },
+    picture: saver.picture,
+    film: saver.film,
+    redraw: paint_now,
+    flat,
+    focus() { return focus(); },
+    gear: () => gears.now,
+    bed_at,
+    choice,
+    // For tests and measurements: a node position, whether a picture is pending, picture count.
+    point(k: number) { return Array.from(gears.now.points.slice(3 * k, 3 * k + 3)); },
+    waits() { return waiting || hasty !== undefined; },
+    painted() { return drawn; },
+    // bounds of the focus in the picture: left, top, right and bottom (pixels)
+    reach() {
+      const box = boxes(canvas.clientWidth, canvas.clientHeight)[0], found = [Infinity, Infinity, -Infinity, -Infinity];
+      outline(focus()).forEach((point) => {
+        const p = project(point, box);
+        for (let k = 0; k < 2; k++) {
+          found[k] = Math.min(found[k], p[k]);
+          found[k + 2] = Math.max(found[k + 2], p[k]);
+        }
+      });
+      return found;
+    },
+    under(x: number, y: number): Found | null { return under(x, y); }
+  };
+
+  // Narrow pictures have smaller labels, and buttons in a row of their own.
+  function fold() {
+    host.classList.toggle('narrow', host.clientWidth < 640);
+    host.classList.toggle('titled', !!options.title);
+  }
+  fold();
+  let width = 0;
+  new window.ResizeObserver(() => {
+    fold();
+    if (!gears.now) return;
+    // A new shape of the page requires a new fit.
+    if (Math.abs(canvas.clientWidth - width) > 40) {
+      const zoom = camera.away / camera.fit, at = camera.at;
+      aim();
+      camera.away *= zoom;
+      if (zoom !== 1) camera.at = at;
+      width = canvas.clientWidth;
+    }
+    repaint();
+  }).observe(canvas);
+
+  host.codendViewer = shown;
+  return shown;
+}

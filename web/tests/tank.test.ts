@@ -1,0 +1,35 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { deflateRawSync } from 'node:zlib';
+
+// The modules attach handlers to the page when they load.
+const addEventListener = () => {}, $ = () => ({ on: () => {}, trigger: () => {} });
+Object.assign(globalThis, { window: globalThis, document: { addEventListener }, $, addEventListener });
+
+test('line_of() finds the line of a path, or of its deepest known parent', async () => {
+  const { line_of } = await import('../src/tank/files');
+  const plan = 'name: net\nropes:\n  warp:\n    length: 3 m\n  sweep: {length: 4 m}\n';
+  const line = (path: string) => plan.slice(0, line_of(plan, path)).split('\n').length;
+  const paths = ['name', 'ropes.warp.length', 'ropes.sweep.length', 'ropes.bridle', 'ropes[1].warp'];
+  assert.deepEqual(paths.map(line), [1, 4, 5, 2, 3]);
+});
+
+test('pack() and unpack() keep the designs of an address', async () => {
+  const { pack, unpack } = await import('../src/tank/designs');
+  const words = { now: { plan: 'name: M\u00f8re' }, kept: [], units: { length: 'm' } };
+  assert.deepEqual(await unpack(await pack(words)), words);
+  assert.match(await pack(words), /^[A-Za-z0-9_-]+$/);
+});
+
+test('unpack() rejects a text that expands to more than 2 MB', async () => {
+  const { unpack } = await import('../src/tank/designs');
+  const packed = deflateRawSync(JSON.stringify('x'.repeat(3e6))).toString('base64url');
+  assert.ok(packed.length < 1e4);
+  await assert.rejects(unpack(packed), /too long/);
+});
+
+test('ticks() returns round numbers', async () => {
+  const { ticks } = await import('../src/view/graph');
+  assert.deepEqual(ticks(0.3, 2.2, 4), [0.5, 1, 1.5, 2]);
+  assert.deepEqual(ticks(-1, 1, 2), [-1, 0, 1]);
+});
