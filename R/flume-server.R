@@ -15,7 +15,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
   shared <- if (!is.null(folder)) new_shared(folder)
   shared_changed <- shiny::reactiveVal(0L)
   function(input, output, session) {
-    said <- function(what, ...) session$sendCustomMessage(what, list(...))
+    said <- function(type, ...) session$sendCustomMessage(type, list(...))
     request <- session$request
     if (!same_origin(request) || !known_host(request)) return(session$close())
     if (pages >= flume_sessions) {

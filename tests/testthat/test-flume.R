@@ -598,3 +598,35 @@ test_that("same_origin() rejects pages of another origin", {
   expect_false(of("null", "127.0.0.1:3838"))
   expect_false(of("file://", "127.0.0.1:3838"))
 })
+
+test_that("expect_declared() rejects messages that the page's protocol does not declare", {
+  skip_if(is.null(declared_messages()), "the sources of pages are not here")
+  expect_no_error(expect_declared("flume_idle", list(answers = 0)))
+  expect_failure(expect_declared("flume_idle", list(answers = 0, other = 1)), "other")
+  expect_failure(expect_declared("flume_idle", list()), "answers")
+  expect_failure(expect_declared("flume_other", list()), "flume_other")
+})
+
+test_that("server reads exactly the inputs of the page's protocol", {
+  lines <- c(protocol_lines("Asked"), protocol_lines("Told"))
+  skip_if(is.null(lines), "the sources of pages are not here")
+  sent <- sub("^  (\\w+):.*", "\\1", grep("^  \\w+:", lines, value = TRUE))
+  read <- character()
+  walk <- function(x) {
+    if (!is.call(x)) return()
+    if (identical(x[[1]], quote(`$`)) && identical(x[[2]], quote(input))) {
+      read <<- c(read, as.character(x[[3]]))
+    }
+    # a loop over names reads input[[name]]
+    if (identical(x[[1]], quote(`for`)) && any(all.names(x) == "input")) {
+      read <<- c(read, as.character(eval(x[[3]])))
+    }
+    for (inner in as.list(x)) if (!missing(inner)) walk(inner)
+  }
+  ns <- asNamespace("codend")
+  for (name in grep("^(flume|serve)_", ls(ns), value = TRUE)) {
+    if (is.function(ns[[name]])) walk(body(ns[[name]]))
+  }
+  # a checkbox of Shiny
+  expect_setequal(setdiff(read, "with_intervals"), sent)
+})
