@@ -9,18 +9,27 @@ rest_pause <- 0.08
 rest_every <- 0.5
 
 # start: list(gear, state, notes) to open with, or NULL; marked: fields with additional controls;
-# new_worker: a function(seconds, late) that returns a worker; folder: of shared designs, or NULL.
-flume_server <- function(start, marked, nodes, new_worker = process_worker, folder = NULL) {
+# new_worker: a function(seconds, late) that returns a worker; folder: of shared designs, or NULL;
+# hosts: names under which a proxy serves the page, or NULL.
+flume_server <- function(
+  start, marked, nodes, new_worker = process_worker, folder = NULL, hosts = NULL
+) {
   pages <- 0L
+  visitors <- new_visitors()
   shared <- if (!is.null(folder)) new_shared(folder)
   shared_changed <- shiny::reactiveVal(0L)
   function(input, output, session) {
     said <- function(type, ...) session$sendCustomMessage(type, list(...))
     request <- session$request
-    if (!same_origin(request) || !known_host(request)) return(session$close())
-    if (pages >= flume_sessions) {
-      said("flume_refused", answers = 0, where = "gallery", path = NULL,
-        message = "The tank has reached its maximum number of visitors; try again later.")
+    if (!same_origin(request) || !known_host(request, hosts)) return(session$close())
+    visitor <- visitors(visitor_of(request))
+    full <- if (pages >= flume_sessions) {
+      "The tank has reached its maximum number of visitors; try again later."
+    } else if (!visitor$enter()) {
+      "You have too many pages of the tank open; close one and reload this page."
+    }
+    if (!is.null(full)) {
+      said("flume_refused", answers = 0, where = "gallery", path = NULL, message = full)
       return(session$close())
     }
     bound_messages(session)
@@ -35,6 +44,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
     pages <<- pages + 1L
     session$onSessionEnded(function() {
       pages <<- pages - 1L
+      visitor$leave()
       worker$stop()
       clerk$stop()
     })
@@ -237,7 +247,7 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
       input, tank, clerk, show, show_draft, trying, request_worker, said, session
     )
     if (!is.null(shared)) {
-      flume_shares(input, tank, shared, shared_changed, said, trying, open_words)
+      flume_shares(input, tank, shared, shared_changed, visitor, said, trying, open_words)
     }
     serve_display(input, output, tank, said, say)
     flume_draws(input, tank, request_slow_worker, said)
@@ -248,47 +258,6 @@ flume_server <- function(start, marked, nodes, new_worker = process_worker, fold
     flume_tows(input, output, tank, clerk, request_slow_worker, said)
     flume_saves(output, tank, clerk)
   }
-}
-
-# TRUE if a connection comes from the tank's own page. A browser lets any page connect to any
-# server, but sends the page's origin. Other programs send no origin.
-same_origin <- function(request) {
-  origin <- request$HTTP_ORIGIN
-  if (is.null(origin)) return(TRUE)
-  host <- request$HTTP_HOST
-  if (!is_text(origin) || !is_text(host)) return(FALSE)
-  plain <- function(place, scheme) {
-    sub(if (scheme == "https") ":443$" else ":80$", "", tolower(place))
-  }
-  scheme <- tolower(sub("://.*", "", origin))
-  grepl("^https?://", tolower(origin)) &&
-    plain(sub("^[^/]*//", "", origin), scheme) == plain(host, scheme)
-}
-
-# TRUE if the address of a connection is localhost, an IP address, or passed on by a proxy. Other
-# names may belong to a page that directs its own name to this computer.
-known_host <- function(request) {
-  # Every browser sends a host.
-  if (is.null(request$HTTP_HOST)) return(TRUE)
-  host <- tolower(sub(":[0-9]+$", "", request$HTTP_HOST))
-  host == "localhost" || grepl("^([0-9.]+|\\[[0-9a-f:]+\\])$", host) ||
-    !is.null(request$HTTP_X_FORWARDED_FOR) || nzchar(Sys.getenv("SHINY_PORT"))
-}
-
-# Headers of every response. RStudio shows the page in a frame of its own origin.
-response_headers <- list(
-  "X-Content-Type-Options" = "nosniff", "Referrer-Policy" = "no-referrer",
-  "Content-Security-Policy" = paste(
-    "default-src 'self'; script-src 'self' 'unsafe-inline'; style-src 'self' 'unsafe-inline';",
-    "img-src 'self' data: blob:; font-src 'self' data:; media-src 'self' blob:;",
-    "connect-src 'self' ws: wss:; worker-src 'self' blob:; object-src 'none'; base-uri 'self';",
-    "frame-ancestors 'self' http://localhost:* http://127.0.0.1:*"
-  )
-)
-
-with_headers <- function(request, response) {
-  response$headers[names(response_headers)] <- response_headers
-  response
 }
 
 # Handles stored designs and designs in an address: `input$keep` = list(name), `input$kept` =

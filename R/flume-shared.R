@@ -2,21 +2,19 @@
 # hexadecimal, so that no name leads out of the folder. A file contains the hash of its owner's key,
 # which the owner's browser draws at random and keeps: only this browser can change the design.
 
-# Limits: designs in a folder, bytes of a design, characters of a name, and changes of the folder by
-# one page within `page_changes_time` s.
+# Limits: designs in a folder, bytes of a design, and characters of a name.
 most_shared <- 1000L
 most_shared_bytes <- 3e5
 most_shared_name <- 30L
-most_page_changes <- 10L
-page_changes_time <- 60
 
 # Returns functions for a folder. list() returns list(author, name, changed) of each design, latest
-# first. The functions put(author, key, name, words), take_out(author, key, name) and
-# words(author, name) write, remove and read a design as from tank$words().
+# first. put(author, key, name, words, add) writes a design, and calls add() before it adds one to
+# the folder. take_out(author, key, name) removes a design, and words(author, name) reads one as
+# from tank$words().
 new_shared <- function(folder) {
   list(
     list = function() shared_designs(folder),
-    put = function(author, key, name, words) {
+    put = function(author, key, name, words, add = function() NULL) {
       file <- design_file(folder, author, name)
       text <- design_json(c(words, list(owner = owner_of(key))))
       if (nchar(text, "bytes") > most_shared_bytes) {
@@ -29,6 +27,7 @@ new_shared <- function(folder) {
       if (length(shared_designs(folder)) >= most_shared) {
         abort_argument("The folder of shared designs is full; remove a design first.")
       }
+      add()
       # A link to a complete file neither overwrites a file nor follows a symbolic link.
       complete <- tempfile(tmpdir = folder)
       on.exit(unlink(complete))
@@ -101,6 +100,15 @@ design_file <- function(folder, author, name) {
   file.path(folder, paste0(paste(words, collapse = "-"), ".json"))
 }
 
+# Characters that names must not have: control characters, marks, and characters that NFKC replaces.
+# NFKC replaces forms of presentation, half and full width, letters in circles and squares, and
+# mathematical letters.
+unclear_characters <- paste0(
+  "(*UTF)[\\p{C}\\p{M}\\p{Lm}\\p{No}\\x{2100}-\\x{218F}\\x{2460}-\\x{24FF}\\x{3200}-\\x{33FF}",
+  "\\x{F900}-\\x{FDFF}\\x{FE70}-\\x{FEFF}\\x{FF00}-\\x{FFEF}\\x{1D400}-\\x{1D7FF}",
+  "\\x{1F100}-\\x{1F2FF}]"
+)
+
 # Returns the bytes of a trimmed name as hexadecimal digits, which every system accepts in file
 # names.
 hex_of_name <- function(name, of) {
@@ -109,9 +117,11 @@ hex_of_name <- function(name, of) {
   if (!length(bytes) || nchar(name) > most_shared_name || length(bytes) > 2L * most_shared_name) {
     abort_argument("The name of the {of} must have 1 to {most_shared_name} characters.")
   }
-  # Two names that look the same would otherwise be different.
-  if (grepl("[\\p{C}\\p{M}]", name, perl = TRUE)) {
-    abort_argument("The name of the {of} must not have invisible or combining characters.")
+  # Two names that look the same would otherwise be different. The page sends names in the form
+  # NFKC.
+  if (grepl(unclear_characters, name, perl = TRUE)) {
+    abort_argument("The name of the {of} must not have invisible, combining or decorated
+      characters.")
   }
   paste(bytes, collapse = "")
 }
@@ -130,23 +140,12 @@ there <- function(file) {
   file
 }
 
-# Returns a function that fails after too many calls within `page_changes_time`. now: clock [s].
-new_page_limit <- function(now = function() proc.time()[["elapsed"]]) {
-  times <- numeric()
-  function() {
-    times <<- c(times[times > now() - page_changes_time], now())
-    if (length(times) > most_page_changes) {
-      abort_argument("This page changed too many shared designs; try again in a minute.")
-    }
-  }
-}
-
 # ---- on the page ---------------------------------------------------------------------------------
 
 # Lists the folder, opens copies, and shares and removes designs. changed: counter of changes for
-# all pages; open_words(words, number): opens the designs of an address.
-flume_shares <- function(input, tank, shared, changed, said, trying, open_words) {
-  count_change <- new_page_limit()
+# all pages; visitor: from new_visitors(); open_words(words, number): opens the designs of an
+# address.
+flume_shares <- function(input, tank, shared, changed, visitor, said, trying, open_words) {
   shiny::observe({
     changed()
     said("flume_shared", designs = shared$list())
@@ -155,10 +154,10 @@ flume_shares <- function(input, tank, shared, changed, said, trying, open_words)
     given <- as.list(input$shared)
     act <- if (is_text(given$act)) given$act else ""
     good <- trying("shared", {
-      count_change()
+      visitor$change()
       switch(act,
         put = if (!is.null(tank$gear)) {
-          shared$put(given$author, given$key, given$name, tank$words())
+          shared$put(given$author, given$key, given$name, tank$words(), visitor$add)
         },
         take_out = shared$take_out(given$author, given$key, given$name)
       )

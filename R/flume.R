@@ -82,6 +82,8 @@
 #'   change together; its name is the label. A field must be a number, a choice, or yes or no.
 #' @param nodes Approximate number of nodes of each net (default 1500); see [settle()].
 #' @param folder A writable folder in which users of the page share designs, or `NULL`.
+#' @param hosts Names under which a proxy serves the page, such as `"tank.example.org"`, or `NULL`
+#'   (default): only `localhost` and IP addresses are accepted.
 #' @return A Shiny app, which runs when printed. It throws errors of class `codend_error_argument`
 #'   (invalid argument), `codend_error_plan` (invalid plan), `codend_error_not_converged` (the gear
 #'   does not settle) or `codend_error_package` (missing package).
@@ -94,8 +96,11 @@
 #'   "Hand ropes" = c("hand_ropes.upper.length", "hand_ropes.lower.length")
 #' ))
 #' @export
-flume <- function(gear = NULL, fields = NULL, nodes = 1500, folder = NULL) {
+flume <- function(gear = NULL, fields = NULL, nodes = 1500, folder = NULL, hosts = NULL) {
   check_flume_packages()
+  if (!is.null(hosts) && (!is.character(hosts) || anyNA(hosts))) {
+    abort_argument("{.arg hosts} must be names of hosts, such as {.val tank.example.org}, or NULL.")
+  }
   if (!is.null(folder)) {
     if (!is_text(folder) || !dir.exists(folder) || file.access(folder, 2L) != 0L) {
       abort_argument("{.arg folder} must be the path of a writable folder, or NULL.")
@@ -127,7 +132,7 @@ flume <- function(gear = NULL, fields = NULL, nodes = 1500, folder = NULL) {
       language <- page_language(request$QUERY_STRING, request$HTTP_ACCEPT_LANGUAGE)
       flume_page(!is.null(start), make_translator(language), !is.null(folder))
     },
-    server = flume_server(start, marked, nodes, folder = folder),
+    server = flume_server(start, marked, nodes, folder = folder, hosts = hosts),
     onStart = function() {
       kept <- options(shiny.maxRequestSize = plan_bytes_limit,
         shiny.http.response.filter = with_headers)

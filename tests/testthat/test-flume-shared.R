@@ -49,9 +49,11 @@ test_that("new_shared() rejects wrong or large input and writes nothing", {
     expect_error(shared$put(name, key_of("a"), "net", words), "name of the author")
     expect_error(shared$put("Anna", key_of("a"), name, words), "name of the design")
   }
-  # a zero-width space, a direction mark and a combining accent
-  for (name in c("An\u200bna", "\u202eAnna", "Ande\u0301")) {
-    expect_error(shared$put(name, key_of("a"), "net", words), "invisible or combining")
+  # a zero-width space, a direction mark, a combining accent, a ligature, letters of full width and
+  # of mathematics, a letter in a circle
+  for (name in c("An\u200bna", "\u202eAnna", "Ande\u0301", "\ufb01n", "\uff21nna", "\U1d400nna",
+    "\u24b6nna")) {
+    expect_error(shared$put(name, key_of("a"), "net", words), "invisible, combining or decorated")
   }
   for (key in list(NULL, "short", strrep("g", 32), 123456, NA_character_)) {
     expect_error(shared$put("Anna", key, "net", words), "no key")
@@ -80,15 +82,6 @@ test_that("new_shared() neither reads nor writes through a symbolic link", {
   expect_error(shared$words("a", "b"), "no longer in the folder")
   expect_error(shared$take_out("a", key_of("a"), "b"), "no longer in the folder")
   expect_identical(readLines(outside), "{}")
-})
-
-test_that("a page can change ten shared designs in a minute", {
-  clock <- 0
-  count_change <- new_page_limit(function() clock)
-  for (k in 1:10) count_change()
-  expect_error(count_change(), "in a minute", class = "codend_error_argument")
-  clock <- 61
-  expect_silent(count_change())
 })
 
 test_that("pages share designs as copies and receive changes", {

@@ -567,38 +567,6 @@ test_that("page links to the definitions of measures", {
   expect_true(grepl(leads, words, fixed = TRUE))
 })
 
-test_that("known_host() rejects names that do not belong to this computer", {
-  withr::local_envvar(SHINY_PORT = NA)
-  of <- function(host, ...) known_host(list(HTTP_HOST = host, ...))
-  for (host in c("localhost:3838", "127.0.0.1:3838", "192.168.1.7", "[::1]:3838")) {
-    expect_true(of(host))
-  }
-  for (host in c("evil.example:3838", "127.0.0.1.evil.example", "localhost.evil.example", "")) {
-    expect_false(of(host))
-  }
-  expect_true(of("tank.example.org", HTTP_X_FORWARDED_FOR = "192.168.1.9"))
-})
-
-test_that("responses have headers that restrict other pages", {
-  answer <- with_headers(NULL, list(status = 200L, headers = list("Cache-Control" = "none")))
-  expect_identical(answer$headers[["Cache-Control"]], "none")
-  expect_identical(answer$headers[["X-Content-Type-Options"]], "nosniff")
-  expect_match(answer$headers[["Content-Security-Policy"]], "object-src 'none'", fixed = TRUE)
-})
-
-test_that("same_origin() rejects pages of another origin", {
-  of <- function(origin, host) same_origin(list(HTTP_ORIGIN = origin, HTTP_HOST = host))
-  expect_true(of("http://127.0.0.1:3838", "127.0.0.1:3838"))
-  expect_true(of("https://tank.example.org", "tank.example.org"))
-  expect_true(of("https://Tank.example.org:443", "tank.example.org"))
-  expect_true(of(NULL, "127.0.0.1:3838"))
-  expect_false(of("http://evil.example", "127.0.0.1:3838"))
-  expect_false(of("http://127.0.0.1:8080", "127.0.0.1:3838"))
-  expect_false(of("http://127.0.0.1:3838.evil.example", "127.0.0.1:3838"))
-  expect_false(of("null", "127.0.0.1:3838"))
-  expect_false(of("file://", "127.0.0.1:3838"))
-})
-
 test_that("expect_declared() rejects messages that the page's protocol does not declare", {
   skip_if(is.null(declared_messages()), "the sources of pages are not here")
   expect_no_error(expect_declared("flume_idle", list(answers = 0)))

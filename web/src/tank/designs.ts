@@ -157,7 +157,9 @@ function own_key(): string {
 }
 function share(act: string, name: string, author: string) {
   tell('shared_error', '');
-  send('shared', { number: Date.now(), act, name, author, key: own_key() });
+  // Names that look the same are the same.
+  const plain = (text: string) => text.normalize('NFKC').trim();
+  send('shared', { number: Date.now(), act, name: plain(name), author: plain(author), key: own_key() });
 }
 
 // Lists the designs of the shared folder.
