@@ -157,11 +157,11 @@ flume_measures <- function(say) {
     shiny::tags$div(
       id = "worth", hidden = NA, shiny::tags$h2(say("warnings")), shiny::tags$ul(id = "noted")
     ),
-    shiny::uiOutput("measures"),
+    shiny::tags$div(id = "measures"),
     flume_target_form(say),
     shiny::tags$details(
       id = "measures_more", shiny::tags$summary(say("all_other_measures")),
-      shiny::uiOutput("other_measures")
+      shiny::tags$div(id = "other_measures")
     ),
     shiny::checkboxInput("with_intervals", say("how_sure")),
     shiny::tags$p(id = "uncertainty_error", class = "field-error", role = "alert", hidden = NA),

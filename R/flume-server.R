@@ -349,17 +349,25 @@ serve_display <- function(input, output, tank, said, say) {
       if (!is.null(tank$gear)) make()
     })
   }
-  measured <- function(key) {
-    of_state(function() {
-      tank$uncertainty_changed()
-      measures_html(tank$measures, tank$kept[[1L]]$measures, tank$preferred,
-        if (isTRUE(input$with_intervals)) tank$uncertainty, key, say)
-    })
-  }
-  output$measures <- measured(key = TRUE)
-  output$other_measures <- measured(key = FALSE)
-  # rendered while hidden, so that they are ready when the page opens them
-  shiny::outputOptions(output, "other_measures", suspendWhenHidden = FALSE)
+  # The page keeps the list of measures until the list changes.
+  listed <- measures <- NULL
+  described <- function(x) attributes(x)[c("names", "unit", "kind")]
+  shiny::observe({
+    tank$changed()
+    tank$uncertainty_changed()
+    if (is.null(tank$gear)) return()
+    now <- tank$measures
+    kept <- tank$kept[[1L]]$measures
+    given <- list(described(now), described(kept), tank$preferred)
+    if (!identical(given, listed)) {
+      measures <<- displayed_measures(now, kept, tank$preferred, say)
+      said("flume_measures_about", measures = measures)
+    }
+    listed <<- given
+    do.call(said, c("flume_measures", displayed_numbers(
+      measures, now, kept, if (isTRUE(input$with_intervals)) tank$uncertainty, say
+    )))
+  })
   output$tensions <- of_state(function() tensions_html(tank$state, say))
   output$drag <- of_state(function() drag_html(tank$state, say))
   output$differences <- of_state(function() {

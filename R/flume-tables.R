@@ -1,20 +1,15 @@
-# The tables of the flume tank as HTML.
+# The tables of the flume tank: numbers of measures, which the page writes, and others as HTML.
 
-# titles: tooltips of the rows, or NULL. buttons: opening tags of buttons around the first number of
-# each row, or NULL. The table is built as a string, because Shiny's tags take longer than settling.
-html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot = NULL,
-                       titles = NULL, buttons = NULL) {
+# The table is built as a string, because Shiny's tags take longer than settling.
+html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot = NULL) {
   class <- ifelse(seq_along(head) %in% numbers, " class='number'", "")
-  line <- function(cells, title = NULL, button = NULL) {
-    html <- escape_markup(as.character(cells))
-    if (!is.null(button)) html[2L] <- paste0(button, html[2L], "</button>")
+  line <- function(cells) {
     last <- c("</th>", rep("</td>", length(cells) - 1L))
-    said <- if (!is.null(title)) paste0(" title='", escape_markup(title), "'")
-    open <- c(paste0("<th scope='row'", said, ">"), paste0("<td", class[-1], ">"))
+    open <- c("<th scope='row'>", paste0("<td", class[-1], ">"))
+    html <- escape_markup(as.character(cells))
     paste0("<tr>", paste0(open, html, last, collapse = ""), "</tr>")
   }
-  more <- Filter(Negate(is.null), list(title = titles, button = buttons))
-  rows_html <- unlist(do.call(Map, c(list(line, rows), more)))
+  rows_html <- vapply(rows, line, "")
   said_caption <- escape_markup(caption)
   heads <- paste0("<th scope='col'", class, ">", escape_markup(head), "</th>", collapse = "")
   shiny::HTML(paste0(
@@ -82,53 +77,34 @@ decimals_of <- function(largest) {
   ifelse(is.na(shown) | shown == 0, 0, pmin(pmax(3 - floor(log10(pmax(shown, 1e-3))), 0), 4))
 }
 
-# preferred: from preferred_of(); uncertainty: of the present measures, or NULL; key: TRUE for key
-# measures, FALSE for all others. `say`: translator from make_translator(), here and below.
-measures_html <- function(now, kept, preferred = list(), uncertainty = NULL, key = TRUE,
-                          say = make_translator()) {
+# Returns a list by measure of two states: name, words (translated, with unit), unit and factor (of
+# the preferred unit), definition, and `key`, TRUE for key measures. preferred: from preferred_of();
+# `say`: translator from make_translator(), here and below.
+displayed_measures <- function(now, kept, preferred = list(), say = make_translator()) {
   table <- measure_changes(now, kept)
   names <- union(names(now), names(kept))
-  shown_here <- (names %in% key_names(names)) == key
-  if (!any(shown_here)) return(NULL)
-  table <- table[shown_here, ]
-  names <- names[shown_here]
   units <- lapply(table$unit, function(unit) preferred_number(1, unit, preferred))
-  factor <- vapply(units, `[[`, 0, "value")
-  numbers <- c("now", "error", "kept", "change")
-  table[numbers] <- lapply(table[numbers], `*`, factor)
-  decimals <- decimals_of(pmax(abs(table$now), abs(table$kept), na.rm = TRUE))
-  change <- signed(table$change, decimals)
-  percent <- signed(table$change_percent, 1L)
-  percent[change == "0"] <- "0"
-  error <- error_text(table$error)
-  error <- ifelse(nzchar(error), paste0("\n", say("computed_to"), " ", error), "")
-  shown <- paste0(fixed_decimals(table$now, decimals), error)
-  if (!is.null(uncertainty)) {
-    interval <- interval_cells(uncertainty, names, factor, say)
-    shown <- paste0(shown, ifelse(nzchar(interval), "\n", ""), interval)
-  }
   unit <- vapply(units, `[[`, "", "unit")
-  label <- label_with_unit(say, table$measure, unit)
-  rows <- data.frame(
-    label, shown,
-    fixed_decimals(table$kept, decimals), change, percent
-  )
-  shiny::tagList(
-    html_table(if (key) say("key_measures") else say("other_measures"),
-      c(say("measure"), say("now"), say("kept"), say("change"), "%"), text_rows(rows),
-      titles = table$definition, buttons = target_buttons(names, unit, label, say)),
-    if (key) shiny::tags$p(class = "note", say("error_note"),
-      if (!is.null(uncertainty)) say("interval_note", level = 100 * uncertainty$level))
-  )
+  unname(Map(
+    list, name = names, words = label_with_unit(say, table$measure, unit), unit = unit,
+    factor = vapply(units, `[[`, 0, "value"), definition = table$definition,
+    key = names %in% key_names(names)
+  ))
 }
 
-# Returns opening tags of the buttons that open the form for a required value
-# (web/src/tank/target.ts).
-target_buttons <- function(names, unit, label, say) {
-  sprintf(
-    "<button type='button' class='measure-value' title='%s' data-measure='%s' data-unit='%s'
-      data-label='%s'>", escape_markup(say("target_tip")), names, escape_markup(unit),
-    escape_markup(label)
+# Returns the numbers of two states, in the order of `measures` from displayed_measures(): now,
+# error (of now), kept, and the strings of intervals with their level, NULL without uncertainty.
+displayed_numbers <- function(measures, now, kept, uncertainty = NULL, say = make_translator()) {
+  names <- vapply(measures, `[[`, "", "name")
+  numbers <- function(x) I(unname(as.double(x[names])))
+  list(
+    now = numbers(plain_measures(now)), error = numbers(attr(now, "error")),
+    kept = numbers(plain_measures(kept)),
+    intervals = if (!is.null(uncertainty)) {
+      factor <- vapply(measures, `[[`, 0, "factor")
+      I(interval_cells(uncertainty, names, factor, say))
+    },
+    level = if (!is.null(uncertainty)) 100 * uncertainty$level
   )
 }
 

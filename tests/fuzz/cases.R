@@ -202,7 +202,11 @@ try_messages <- function() {
       )))
     )
   }, NA)
-  judged(as.character(codend:::measures_html(tank$measures, tank$kept[[1]]$measures)))
+  judged({
+    kept <- tank$kept[[1]]$measures
+    listed <- codend:::displayed_measures(tank$measures, kept)
+    codend:::displayed_numbers(listed, tank$measures, kept)
+  })
   if (all(good)) "taken" else "refused"
 }
 

@@ -58,3 +58,15 @@ test_that("key_names() returns six measures with the main ones first", {
   first <- c("door_spread_m", "total_drag_kN", "a_m", "b_m", "c_m", "d_m")
   expect_identical(key_names(names), first)
 })
+
+test_that("displayed_numbers() gives numbers in the order of displayed_measures()", {
+  now <- measures(settled("towed_cable", nodes = 300))
+  kept <- measures(settled("towed_cable", nodes = 300))
+  listed <- displayed_measures(now, kept)
+  told <- displayed_numbers(listed, now, kept)
+  expect_identical(as.double(told$now), unname(plain_measures(now)))
+  expect_identical(as.double(told$error), unname(attr(now, "error")))
+  expect_identical(told[c("intervals", "level")], list(intervals = NULL, level = NULL))
+  keys <- vapply(listed, `[[`, NA, "key")
+  expect_identical(names(now)[keys], intersect(names(now), key_names(names(now))))
+})

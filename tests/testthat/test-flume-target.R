@@ -45,10 +45,3 @@ test_that("page rejects an unknown measure, field or target", {
   })
 })
 
-test_that("measures table has a button with name and unit for each value", {
-  found <- measures(settle("towed_cable", nodes = 50))
-  html <- as.character(measures_html(found, found, list(m = "fathom"))[[1]])
-  expect_match(html, "data-measure='body_depth_m' data-unit='fathom'", fixed = TRUE)
-  buttons <- gregexpr("class='measure-value'", html)[[1]]
-  expect_length(buttons, length(gregexpr("<th scope='row'", html)[[1]]))
-})

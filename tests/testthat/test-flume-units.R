@@ -12,6 +12,7 @@ test_that("in_preferred() shows measures in the user's units", {
   drag <- match("total drag", table$measure)
   expect_equal(liked$values[[1]][drag], now[["total_drag_kN"]] / 9.80665, ignore_attr = TRUE)
   expect_identical(liked$unit[c(depth, drag)], c("fathom", "tf"))
-  shown <- as.character(measures_html(now, now, list(m = "ft")))
-  expect_match(paste(shown, collapse = ""), "body depth (ft)", fixed = TRUE)
+  listed <- displayed_measures(now, now, list(m = "ft"))[[match("body_depth_m", names(now))]]
+  expect_identical(listed[c("words", "unit")], list(words = "body depth (ft)", unit = "ft"))
+  expect_equal(listed$factor, 1 / 0.3048)
 })

@@ -50,6 +50,10 @@ export interface Sensitivity {
   paths: string[]; words: string; value: number; unit: string; more: number; measures: string[]; units: string[];
   slope: number[]; below: (number | null)[]; above: (number | null)[]; smooth: boolean[];
 }
+// A measure of the tables; `factor` converts its numbers to `unit`, `key` is true for key measures.
+export interface MeasureAbout {
+  name: string; words: string; unit: string; factor: number; definition: string; key: boolean;
+}
 // Measures over a field; R/flume-vary.R describes them.
 export interface Varied {
   words: string; unit: string; now: number | null; of: number; range: number[]; values: number[]; problems: string[];
@@ -89,6 +93,16 @@ export interface FromR {
     settling: boolean;
     undo: number;
     redo: number;
+  };
+  flume_measures_about: {
+    measures: MeasureAbout[];
+  };
+  flume_measures: {
+    now: (number | null)[];
+    error: (number | null)[];
+    kept: (number | null)[];
+    intervals: string[] | null;
+    level: number | null;
   };
   flume_clerk: {
     busy: boolean;

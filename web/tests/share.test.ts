@@ -2,7 +2,6 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { deflateSync } from 'node:zlib';
 import { array_reader } from '../src/share/arrays';
-import { error_digits, figures, snapped } from '../src/share/numbers';
 import { decoded, unpacker } from '../src/share/packed';
 
 // Encodes bytes as letters_of() in R/share-arrays.R: 13 bits, lowest first, in two of 91 characters.
@@ -45,14 +44,4 @@ test('array_reader() reads differences, distinct strings and bytes of equal weig
   assert.deepEqual(array('words'), ['net', 'rope']);
   assert.deepEqual(array('numbers'), Float64Array.of(0.5, 2));
   assert.throws(() => array('other'), /no array other/);
-});
-
-test('figures() and error_digits() write numbers like R', () => {
-  assert.deepEqual([0, 12345.6, -0.01234, 1e-9, NaN].map(figures), ['0', '12\u202f346', '\u22120.0123', '0', 'none']);
-  assert.deepEqual([0.123, 0.35, 12, 0].map(error_digits), ['0.13', '0.4', '12', '']);
-});
-
-test('snapped() keeps the shared value and the ends of the range', () => {
-  const field = { value: 1.234, step: 0.1, lower: 0.55, upper: 2 };
-  assert.deepEqual([1.26, 1.31, 0, 9].map((value) => snapped(field, value)), [1.234, 1.3, 0.55, 2]);
 });

@@ -6,7 +6,7 @@ import { array_reader, type Head } from './arrays';
 import type { ToPage, ToWorker } from './messages';
 import type { SharedGear, Shape } from './model';
 import { unpacker, type Part } from './packed';
-import { error_digits, figures, snapped } from './numbers';
+import { error_digits, figures, snapped } from '../numbers';
 
 // `codendView` is defined by the packed viewer, `codendShared` is for tests.
 declare global {

@@ -10,6 +10,7 @@ import { on } from './events';
 import { show_line } from './files';
 import * as Form from './form';
 import './gallery';
+import * as Measures from './measures';
 import { gallery, is_open, set_open, tell } from './notices';
 import { hear, hear_bytes, on_page, send } from './server';
 import * as Slopes from './slopes';
@@ -155,6 +156,8 @@ function listen() {
     want_texts();
   });
   hear('flume_draft', draft);
+  hear('flume_measures_about', Measures.set_about);
+  hear('flume_measures', Measures.show);
   hear('flume_sensitivities', Slopes.show);
   hear('flume_varied', Vary.show);
   hear('flume_target', Target.show);

@@ -1,15 +1,11 @@
-// Numbers of a shared page as strings.
+// Numbers of pages as strings, as R writes them.
 
 // Returns four significant digits, and at most four decimals, like figures() in R.
 export function figures(x: number): string {
   if (!isFinite(x)) return 'none';
   if (x === 0) return '0';
   const decimals = Math.min(Math.max(3 - Math.floor(Math.log10(Math.abs(x))), 0), 4);
-  const text = x.toFixed(decimals);
-  if (!/[1-9]/.test(text)) return '0';
-  const parts = text.split('.');
-  if (Math.abs(x) >= 1e4) parts[0] = parts[0].replace(/\B(?=(\d{3})+$)/g, '\u202f');
-  return parts.join('.').replace('-', '\u2212');
+  return fixed_decimals(x, decimals).replace('-', '\u2212');
 }
 
 // Returns an error, rounded up to one or two digits, like error_text() in R.
@@ -27,4 +23,26 @@ export function snapped(
   if (Math.abs(value - field.value) < field.step / 2) return field.value;
   const low = Math.round(value / field.step) * field.step;
   return Math.min(Math.max(Number(low.toPrecision(12)), field.lower), field.upper);
+}
+
+// Returns the decimals that give four digits of the largest value, but at most four.
+export function decimals_of(...values: number[]): number {
+  const largest = Number(Math.max(0, ...values.map(Math.abs)).toPrecision(4));
+  return largest ? Math.min(Math.max(3 - Math.floor(Math.log10(Math.max(largest, 1e-3))), 0), 4) : 0;
+}
+
+// Returns a number with separated thousands, and "0" if all decimals are 0.
+export function fixed_decimals(x: number, decimals: number): string {
+  if (!isFinite(x)) return '';
+  const text = x.toFixed(decimals);
+  if (!/[1-9]/.test(text)) return '0';
+  const parts = text.split('.');
+  if (Math.abs(x) >= 1e4) parts[0] = parts[0].replace(/\B(?=(\d{3})+$)/g, '\u202f');
+  return parts.join('.');
+}
+
+// Returns a difference such as "+3.2", and "0" if all decimals are 0.
+export function signed(x: number, decimals: number): string {
+  const text = fixed_decimals(Math.abs(x), decimals);
+  return text && text !== '0' ? (x < 0 ? '\u2212' : '+') + text : text;
 }
