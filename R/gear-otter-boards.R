@@ -77,7 +77,7 @@ stall_angle <- function(board) {
 
 strut_line <- function(board) {
   list(
-    axial_stiffness = strut_stiffness * board$area * board$span, diameter = 0.01,
+    axial_stiffness = strut_stiffness * board$area * board$span, diameter = 0.01 * board$span,
     volume_per_length = 0, strut = TRUE,
     coefficients = list(law = "constant", normal = 0, tangential = 0, skin = 0),
     added_mass = c(normal = 0, tangential = 0)

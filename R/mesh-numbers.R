@@ -218,10 +218,12 @@ last_numbers <- new.env(parent = emptyenv())
 
 # Returns the engine's water. The current is relative to the gear, which is towed along -x.
 engine_water <- function(si) {
+  x <- si$water$current$x + si$towing$speed
+  y <- si$water$current$y
   water <- list(
     density = si$water$density, viscosity = si$water$viscosity,
-    free_surface = si$water$free_surface, depth = si$water$current$depth,
-    x = si$water$current$x + si$towing$speed, y = si$water$current$y
+    free_surface = si$water$free_surface, speed = sqrt(max(x^2 + y^2)),
+    depth = si$water$current$depth, x = x, y = y
   )
   water$waves <- engine_waves(si$water$waves)
   water

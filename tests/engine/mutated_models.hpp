@@ -34,9 +34,6 @@ struct ModelText {
     Specimen specimen(random, wanted);
     x = specimen.x;
     v = specimen.v;
-    // these two fields are not read
-    specimen.model.ground.onset = Ground{}.onset;
-    specimen.model.ground.slip = Ground{}.slip;
     Assembly assembly(specimen.model);
     force = evaluate(assembly, x.data(), v.data()).force;
     CellList cells;

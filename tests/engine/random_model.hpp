@@ -300,6 +300,7 @@ class Specimen {
     for (int e = 0; e < wanted.pressed; ++e) {
       points(random, 3, model.pressure.node);
       for (int k = 0; k < 3; ++k) model.pressure.weight.push_back(random.between(-0.33, 0.33));
+      model.pressure.height.push_back(0.1);
     }
     for (int e = 0; e < wanted.screens; ++e) {
       cell(random, model.screens.node, model.screens.twine);

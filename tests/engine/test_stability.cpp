@@ -27,8 +27,9 @@ TEST_CASE("growing plate motion is an eigenvector and no clear one is missed") {
     const BlockPattern& pattern = assembly.pattern();
     const std::size_t n = static_cast<std::size_t>(pattern.n);
     std::vector<double> values(9 * pattern.column.size()), damping(n), places;
+    const double fall_time = assembly.fall_time();
     assembly.jacobian({1.0, 0.0}, values.data());
-    assembly.pseudo_damping(damping.data());
+    assembly.pseudo_damping(fall_time, damping.data());
     Dense rates = -dense(assembly, values);
     for (int row = 0; row < 3 * pattern.n; ++row) {
       rates.row(row) /= damping[static_cast<std::size_t>(row / 3)];
@@ -51,7 +52,7 @@ TEST_CASE("growing plate motion is an eigenvector and no clear one is missed") {
     }
     BlockLU lu(Precision::single_precision);
     lu.analyse(pattern, places.data());
-    const GrowingMotion growing = growing_motion(assembly, lu);
+    const GrowingMotion growing = growing_motion(assembly, fall_time, lu);
     if (growing.found) {
       ++found;
       const Eigen::Map<const Eigen::VectorXd> motion(growing.motion.data(), 3 * pattern.n);
@@ -104,6 +105,7 @@ TEST_CASE("stability check tries netting under pressure unless settled before") 
   // pressure on one triangle with sides of 3, 4 and 5 m, in the current of the model
   bag.model.pressure.node = {0, 1, 2};
   bag.model.pressure.weight.assign(3, 1.0 / 3.0);
+  bag.model.pressure.height = {0.1};
   at(bag.x.data(), 0) = Vector(0.0, 0.0, -50.0);
   at(bag.x.data(), 1) = Vector(0.0, 3.0, -50.0);
   at(bag.x.data(), 2) = Vector(0.0, 0.0, -46.0);

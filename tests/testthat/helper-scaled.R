@@ -80,6 +80,9 @@ gear_in_units <- function(gear, scale) {
   fields$materials <- lapply(fields$materials, function(material) Filter(length, material))
   out <- scaled_fields(fields, kind_node("assembly"), given, scale)
   out$kind <- "assembly"
+  for (name in names(si$otter_boards)) {
+    out$otter_boards[[name]]$shoe_area <- 2 * si$otter_boards[[name]]$shoe_area * scale[1]^2
+  }
   if (!is.null(si$ground)) {
     out$seabed$stiffness <- si$ground$stiffness * prod(scale^c(-2, -2, 1))
     out$seabed$slip_distance <- si$ground$slip_distance * scale[1]

@@ -56,7 +56,10 @@ struct Ground {
     visit("velocity", velocity);
     visit("friction", friction);
     visit("stiffness", stiffness);
+    visit("onset", onset);
+    visit("slip", slip);
     visit("slip_distance", slip_distance);
+    visit("stick_lag", stick_lag);
   }
 
   // Computes the normal force (N) at a penetration (m) over an area (m2), and its derivative (N/m).

@@ -15,6 +15,9 @@ struct Water {
   // Current profile, linear between its points and constant outside; depths ascend (m, downwards).
   std::vector<double> depth = {0.0};
   std::vector<Vector> current = {Vector::Zero()};  // m/s in the frame of the gear
+  // Largest speed of the water past the gear (m/s): a constant of the gear, the same if its motion
+  // is in the water's frame instead.
+  double speed = 0.0;
   // Rate of change of the current (m/s2) at the same depths; empty for a steady current.
   std::vector<Vector> current_rate;
 
@@ -28,6 +31,7 @@ struct Water {
     visit("viscosity", viscosity);
     visit("free_surface", free_surface);
     visit("depth", depth);
+    visit("speed", speed);
     visit.component("x", current, 0);
     visit.component("y", current, 1);
     visit.optional("waves", waves);

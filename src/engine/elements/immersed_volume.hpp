@@ -33,7 +33,7 @@ class ImmersedVolumes : public ElementKind {
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_added_mass(const Field&, double*) const override {}
-  void add_drag_scale(const Field&, double*) const override {}
+  void add_drag_scale(const Field&, double, double*) const override {}
 };
 
 }  // namespace codend

@@ -3,12 +3,6 @@
 #include <cmath>
 
 namespace codend {
-namespace {
-
-// Vertical size of the netting at the free surface, m.
-constexpr double leaving_height = 0.1;
-
-}  // namespace
 
 InnerPressure::Push InnerPressure::push(int e, const Field& field) const {
   Push out;
@@ -17,7 +11,8 @@ InnerPressure::Push InnerPressure::push(int e, const Field& field) const {
     const int point = node[3 * static_cast<std::size_t>(e) + k];
     out.x[k] = at(field.position, point);
     Vector u;
-    out.share[k] = field.relative_velocity(point, leaving_height, u, out.slope[k]) / 3.0;
+    out.share[k] =
+        field.relative_velocity(point, height[static_cast<std::size_t>(e)], u, out.slope[k]) / 3.0;
     out.u += u / 3.0;
     out.slope[k] /= 3.0;
   }
@@ -63,7 +58,7 @@ void InnerPressure::add_jacobian(const Field& field, const JacobianRequest& requ
   }
 }
 
-void InnerPressure::add_drag_scale(const Field& field, double* scale) const {
+void InnerPressure::add_drag_scale(const Field& field, double, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     const Push p = push(e, field);
     const double speed = p.u.norm();

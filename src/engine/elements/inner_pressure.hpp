@@ -16,12 +16,14 @@ class InnerPressure : public ElementKind {
  public:
   std::vector<int> node;          // 3 per triangle
   std::vector<double> weight;     // w_1 w_2 w_3 per triangle, signed
+  std::vector<double> height;     // of each triangle at the free surface, m
   double drag_coefficient = 1.4;  // C_d
 
   template <class Visit>
   void fields(Visit& visit) {
     visit("node", node, {3, Among::points});
     visit("weight", weight, {3});
+    visit("height", height);
     visit("drag_coefficient", drag_coefficient);
   }
 
@@ -34,7 +36,7 @@ class InnerPressure : public ElementKind {
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_added_mass(const Field&, double*) const override {}
-  void add_drag_scale(const Field& field, double* scale) const override;
+  void add_drag_scale(const Field& field, double, double* scale) const override;
 
  private:
   struct Push {

@@ -97,8 +97,9 @@ class ElementKind {
   virtual void add_body_mass(const Field&, double, const BlockSink&) const {}
   // Adds the same mass times accelerations (m/s2, 3 per point), N.
   virtual void add_body_inertia(const Field&, const double*, double*) const {}
-  // Adds the damping by drag at the present speed to each point (N s/m), a scale for pseudo-time.
-  virtual void add_drag_scale(const Field& field, double* scale) const = 0;
+  // Adds the damping by drag at the present speed, and the mass of bodies over `time` (s), to each
+  // point (N s/m): a scale for pseudo time.
+  virtual void add_drag_scale(const Field& field, double time, double* scale) const = 0;
   // Size (m) of the smallest element that can be in unstable equilibrium, such as a plate across
   // the flow or a pole in compression. It scales the perturbation that tests stability. 0: none.
   virtual double unstable_size(const Field&) const { return 0.0; }

@@ -485,7 +485,7 @@ double LiftingPlates::unstable_size(const Field&) const {
   return least;
 }
 
-void LiftingPlates::add_drag_scale(const Field& field, double* scale) const {
+void LiftingPlates::add_drag_scale(const Field& field, double time, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     Vector u, slope;
     field.relative_velocity(node_[static_cast<std::size_t>(3 * e)],
@@ -498,7 +498,7 @@ void LiftingPlates::add_drag_scale(const Field& field, double* scale) const {
                             std::max(gravity.b, 0.1)};
     const double all = part[0] + part[1] + part[2];
     for (int k = 0; k < 3; ++k) {
-      scale[node_[static_cast<std::size_t>(3 * e + k)]] += drag + b.mass * part[k] / all;
+      scale[node_[static_cast<std::size_t>(3 * e + k)]] += drag + b.mass * part[k] / (all * time);
     }
   }
 }

@@ -146,7 +146,7 @@ class LiftingPlates : public ElementKind {
   void add_body_mass(const Field& field, double factor, const BlockSink& sink) const override;
   void add_body_inertia(const Field& field, const double* acceleration,
                         double* force) const override;
-  void add_drag_scale(const Field& field, double* scale) const override;
+  void add_drag_scale(const Field& field, double time, double* scale) const override;
   double unstable_size(const Field&) const override;  // smallest chord
   PlateAttitude attitude(int plate, const Field& field) const;
   // Positions of the shoes, two per plate, m.

@@ -62,7 +62,7 @@ void LiftingSurfaces::add_jacobian(const Field& field, const JacobianRequest& re
   }
 }
 
-void LiftingSurfaces::add_drag_scale(const Field& field, double* scale) const {
+void LiftingSurfaces::add_drag_scale(const Field& field, double, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     Vector u, du;
     field.relative_velocity(node[e], height[e], u, du);

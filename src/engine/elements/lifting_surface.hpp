@@ -36,7 +36,7 @@ class LiftingSurfaces : public ElementKind {
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_added_mass(const Field&, double*) const override {}
-  void add_drag_scale(const Field& field, double* scale) const override;
+  void add_drag_scale(const Field& field, double, double* scale) const override;
 
  private:
   // Force / (1/2 rho A_L) and its derivative by U.

@@ -10,8 +10,8 @@ constexpr int strip = 512;
 // Cells are skipped in groups of this size, because kernels write whole registers.
 constexpr int together = 8;
 
-// m/s, see netting_cell.hpp.
-constexpr double twist_speed = 4.0;
+// See netting_cell.hpp.
+constexpr double twist_speeds = 2.0, twist_diameters = 400.0;
 
 // Length of each column: an odd number of cache lines. Equal indices of different columns then map
 // to different sets of the cache.
@@ -115,7 +115,9 @@ void Lines::describe(const Line<N>& line) {
   arrays_.added_tangential[k] = m.added_mass_tangential * water;
   if (arrays_.twist_weight) {
     arrays_.twist_weight[k] = line.twist_weight;
-    arrays_.held_pull[k] = 0.5 * water_.density * m.diameter * twist_speed * twist_speed;
+    const double speed = twist_speeds * water_.speed;
+    arrays_.held_pull[k] = 0.5 * water_.density * m.diameter *
+                           (speed * speed + twist_diameters * gravity * m.diameter);
     arrays_.twist_stiffness[k] = arrays_.held_pull[k] * line.multiplicity * line.twist_weight;
   }
   if (arrays_.damping) {

@@ -15,10 +15,10 @@
 //
 // A slack cell has no stiffness against twist, and slack netting then has many equilibria.
 // Therefore an additional stiffness acts on the twist of taut and slack cells. It equals a tension
-// of 1/2 rho d L0 V^2 in every bar, with V = 4 m/s. This force is about the drag of one or a few
-// bars, and a cell carries the drag of many. With 0.5 m/s the shipped dip net, slack all round,
-// does not converge. With 4 m/s the width of a hung panel increases by 0.1 % at 1,000 nodes and by
-// 0.02 % at 5,000 nodes. The effect vanishes with the size of cells.
+// of 1/2 rho d L0 V^2 in every bar, with V^2 = (2 U)^2 + 400 g d. U is the speed of the water past
+// the gear (Water::speed) and d the twine's diameter, so that the law follows Froude's scaling. This
+// force is about the drag of one or a few bars, and a cell carries the drag of many. The effect
+// vanishes with the size of cells.
 //
 // The twist's own motion, which does not contribute to the cell's mean velocity, is damped by c.
 // This is the mean over all directions of the drag of the cell's twines. The mean square of the

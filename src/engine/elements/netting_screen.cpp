@@ -104,7 +104,7 @@ void WholeCells::add_jacobian(const Field& field, const JacobianRequest& request
   });
 }
 
-void WholeCells::add_drag_scale(const Field& field, double* scale) const {
+void WholeCells::add_drag_scale(const Field& field, double, double* scale) const {
   in_strips(0, count(), field, false, [&](int first, NettingStrip& s) {
     for (int place = 0; place < s.count; ++place) {
       const double speed = std::hypot(s.u[0][place], s.u[1][place], s.u[2][place]);

@@ -40,7 +40,7 @@ class WholeCells : public ElementKind {
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_added_mass(const Field&, double*) const override {}
-  void add_drag_scale(const Field& field, double* scale) const override;
+  void add_drag_scale(const Field& field, double, double* scale) const override;
 
  protected:
   const CellShape& shape(std::size_t cell) const { return shape_[cell]; }

@@ -1,8 +1,8 @@
 // A rope that slides through a chain of points, such as a purse wire through its rings or a rope
 // over blocks. Its tension is uniform, without friction.
 //
-// With d_k the vectors from point to point, its length is l = sum_k sqrt(|d_k|^2 + b^2). b, about
-// the size of a ring, is the length of rope per ring if all rings meet. The energy is EA (l - L0)^2
+// With d_k the vectors from point to point, its length is l = sum_k sqrt(|d_k|^2 + b^2). b, the
+// diameter of the rope, is the length of rope per ring if all rings meet. The energy is EA (l - L0)^2
 // / (2 L0) for l > L0, and 0 otherwise. Therefore T = EA (l - L0) / L0, and with u_k = d_k /
 // sqrt(|d_k|^2 + b^2) the pull on point k is T (u_k - u_k-1).
 //
@@ -26,6 +26,7 @@ class SlidingRope : public ElementKind {
   void fields(Visit& visit) {
     visit("bar", bar, {1, Among::bars});
     visit("axial_stiffness", axial_stiffness);
+    visit("bend", bend);
   }
 
   // Call once after filling, with the bars of the model. Later calls use the bars of the Field,
@@ -42,7 +43,7 @@ class SlidingRope : public ElementKind {
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_added_mass(const Field&, double*) const override {}
-  void add_drag_scale(const Field&, double*) const override {}
+  void add_drag_scale(const Field&, double, double*) const override {}
 
  private:
   struct Pull {

@@ -72,7 +72,7 @@ void Spheres::add_added_mass(const Field& field, double* mass) const {
   }
 }
 
-void Spheres::add_drag_scale(const Field& field, double* scale) const {
+void Spheres::add_drag_scale(const Field& field, double, double* scale) const {
   for (int e = 0; e < count(); ++e) {
     Vector u, du;
     field.relative_velocity(node[e], height[e], u, du);

@@ -43,7 +43,7 @@ class Spheres : public ElementKind {
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_added_mass(const Field& field, double* mass) const override;
-  void add_drag_scale(const Field& field, double* scale) const override;
+  void add_drag_scale(const Field& field, double, double* scale) const override;
 
  private:
   // C |U| and its derivative by |U|.

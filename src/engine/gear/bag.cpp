@@ -22,11 +22,11 @@ struct BagCell {
   int cell, panel;
   std::array<int, 4> node;
   std::array<double, 4> depth, across;
-  double multiplicity, round;
+  double multiplicity, round, height;
 };
 
 BagCell bag_cell(const Gear& gear, int cell, int part, const int* node, const double* twine,
-                 double multiplicity) {
+                 double multiplicity, double height) {
   BagCell out;
   out.cell = cell;
   out.panel = part - gear.rope_count;
@@ -51,6 +51,7 @@ BagCell bag_cell(const Gear& gear, int cell, int part, const int* node, const do
       exact_sum(lower) + (exact_sum(upper) - exact_sum(lower)) * depth / gear.bag.deep;
   const auto ends = std::minmax_element(out.across.begin(), out.across.end());
   out.multiplicity = multiplicity;
+  out.height = height;
   out.round = circle_share(around / (*ends.second - *ends.first));
   return out;
 }
@@ -100,13 +101,14 @@ BagTriangles bag_triangles(const Gear& gear, const Mesh& mesh) {
   for (std::size_t c = 0; c < mesh.cell_part.size(); ++c) {
     if (!has(mesh.cell_part[c])) continue;
     cells.push_back(bag_cell(gear, static_cast<int>(c), mesh.cell_part[c], &mesh.cells.node[4 * c],
-                             &mesh.cells.twine[8 * c], mesh.cells.multiplicity[c]));
+                             &mesh.cells.twine[8 * c], mesh.cells.multiplicity[c],
+                             mesh.cells.height[c]));
   }
   const Sheets& sheets = mesh.sheets;
   for (std::size_t c = 0; c < sheets.part.size(); ++c) {
     if (!has(sheets.part[c])) continue;
-    cells.push_back(
-        bag_cell(gear, -1, sheets.part[c], &sheets.node[4 * c], &sheets.twine[8 * c], 1.0));
+    cells.push_back(bag_cell(gear, -1, sheets.part[c], &sheets.node[4 * c], &sheets.twine[8 * c],
+                             1.0, sheets.height[c]));
   }
   BagTriangles out;
   std::vector<int> panel;
@@ -117,6 +119,7 @@ BagTriangles bag_triangles(const Gear& gear, const Mesh& mesh) {
       out.across.push_back(cell.across[corner[k]]);
     }
     out.cell.push_back(cell.cell);
+    out.height.push_back(cell.height);
     out.real.push_back(cell.multiplicity * weight);
     out.weight.push_back(cell.multiplicity * cell.round * weight);
     panel.push_back(cell.panel);

@@ -44,6 +44,7 @@ Model model_of(const Gear& gear, const Mesh& mesh, const GearModel& numbers) {
     out.sliding.emplace_back();
     out.sliding.back().bar = rope.bar;
     out.sliding.back().axial_stiffness = rope.axial_stiffness;
+    out.sliding.back().bend = rope.diameter;
   }
   out.contacts = mesh.contacts;
   out.contacts.lines = mesh.line_friction;

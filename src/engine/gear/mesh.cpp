@@ -241,6 +241,7 @@ Mesh build_mesh(const Gear& gear, const Fineness& fineness, const FromShape& fro
     if (gear.ropes[r].through.empty()) continue;
     SlidingBars rope;
     rope.axial_stiffness = gear.ropes[r].axial_stiffness;
+    rope.diameter = gear.ropes[r].diameter;
     for (std::size_t b = 0; b < out.bar_part.size(); ++b) {
       if (out.bar_part[b] == r) rope.bar.push_back(static_cast<int>(b));
     }

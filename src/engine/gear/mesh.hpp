@@ -32,12 +32,13 @@ struct BagTriangles {
   std::vector<double> depth, across;  // of its nodes, meshes from the lower edge and along it
   std::vector<double> real;           // fraction counted, because triangles overlap
   std::vector<double> weight;         // the same with the circle's area; negative: inward normal
+  std::vector<double> height;         // vertical size at the free surface, m
   bool encloses = true;               // the panels enclose a volume
 };
 
 struct SlidingBars {
   std::vector<int> bar;
-  double axial_stiffness = 0.0;
+  double axial_stiffness = 0.0, diameter = 0.0;  // N, m
 };
 
 struct Mesh {

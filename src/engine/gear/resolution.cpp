@@ -194,18 +194,18 @@ bool Resolution::is_divided() const {
 }
 
 double Resolution::counted_length(double nodes) const {
-  double size = 0.1;
+  double size = 0.0;
   for (const GearRope& rope : gear_.ropes) size = std::max(size, rope.length);
   for (const double width : width_) size = std::max(size, width);
   for (const double depth : depth_) size = std::max(size, depth);
   if (is_divided()) return size;
-  double low = std::log(size * 1e-6), high = std::log(size * 10);
+  double low = std::log(1e-6), high = std::log(10.0);
   for (int step = 0; step < 40; ++step) {
     const double middle = (low + high) / 2;
-    (count_nodes(std::exp(middle)) > nodes ? low : high) = middle;
+    (count_nodes(size * std::exp(middle)) > nodes ? low : high) = middle;
     if (high - low < 1e-3) break;
   }
-  return std::exp(high);
+  return size * std::exp(high);
 }
 
 double Resolution::element_length(double nodes) const {

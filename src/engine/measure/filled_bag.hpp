@@ -14,8 +14,8 @@ struct FilledBag {
   int points = 0;                     // of the discretisation
   std::vector<int> node;              // 3 per triangle, points
   std::vector<double> depth, across;  // of the nodes, meshes from the lower edge and along it
-  std::vector<double> real, weight;   // see BagTriangles
-  double blocked = 0.0;               // meshes behind the front
+  std::vector<double> real, weight, height;  // see BagTriangles
+  double blocked = 0.0;                      // meshes behind the front
 
   template <class Visit>
   void fields(Visit& visit) {
@@ -26,6 +26,7 @@ struct FilledBag {
     visit("across", across, {3});
     visit("real", real);
     visit("weight", weight);
+    visit("height", height);
     visit("blocked", blocked);
   }
 };

@@ -32,6 +32,7 @@ MeasuredGear unprepared_gear(const Gear& gear, const GearModel& numbers, Mesh&& 
                bag.across,
                bag.real,
                bag.weight,
+               bag.height,
                blocked};
     press(out.bag, out.model);
   }
@@ -42,6 +43,7 @@ MeasuredGear unprepared_gear(const Gear& gear, const GearModel& numbers, Mesh&& 
 void press(const FilledBag& bag, Model& model) {
   model.pressure.node = bag.node;
   model.pressure.weight = pressure_weights(bag);
+  model.pressure.height = bag.height;
 }
 
 std::vector<double> measures_at(const GearNumbers& numbers, const Gear& gear,

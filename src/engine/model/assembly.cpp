@@ -313,13 +313,23 @@ void Assembly::mass(double* mass) {
   std::copy(masses_.begin(), masses_.begin() + 9 * static_cast<std::ptrdiff_t>(model_.nodes), mass);
 }
 
-void Assembly::pseudo_damping(double* damping) {
-  std::copy(model_.mass.begin(), model_.mass.end(), scale_.begin());
+double Assembly::fall_time() const {
+  Vector mean = Vector::Zero();
+  for (int n = 0; n < model_.nodes; ++n) mean += at(position_.data(), n) / model_.nodes;
+  double radius = 0.0;
+  for (int n = 0; n < model_.nodes; ++n) {
+    radius = std::max(radius, (at(position_.data(), n) - mean).norm());
+  }
+  return radius > 0.0 ? std::sqrt(2.0 * radius / gravity) : 1.0;
+}
+
+void Assembly::pseudo_damping(double time, double* damping) {
+  for (std::size_t p = 0; p < scale_.size(); ++p) scale_[p] = model_.mass[p] / time;
   lines_.add_drag_scale(scale_.data());
-  for (const ElementKind* kind : kinds_) kind->add_drag_scale(field(), scale_.data());
+  for (const ElementKind* kind : kinds_) kind->add_drag_scale(field(), time, scale_.data());
   model_.contacts.add_drag_scale(field(), scale_.data());
   hand_on(scale_.data(), 1);
-  for (int i = 0; i < unknowns(); ++i) damping[i] = scale_[free_nodes()[i]];
+  for (int i = 0; i < unknowns(); ++i) damping[i] = scale_[free_nodes()[i]] / time;
 }
 
 void Assembly::drag_across(std::vector<double>& drag) const {

@@ -120,8 +120,12 @@ class Assembly {
   // Adds factor * (mass and mass of bodies), 9 per block. mass: from mass().
   void add_mass(const double* mass, double factor, double* values) const;
 
-  // Computes damping per free node (N s/m) for pseudo time: drag damping plus mass over 1 s.
-  void pseudo_damping(double* damping);
+  // Returns the time (s) of free fall over the gear's radius, the largest distance of a node from
+  // the mean of all nodes; 1 if all nodes coincide.
+  double fall_time() const;
+  // Computes the damping per free node over a pseudo time step of `time` (s), N/m: drag damping
+  // plus mass over `time`.
+  void pseudo_damping(double time, double* damping);
   // Computes the drag (N) of every line, as if normal to the flow with a coefficient of 1.2. The
   // flow speed is taken at the line's first point.
   void drag_across(std::vector<double>& drag) const;

@@ -8,8 +8,6 @@ namespace codend {
 namespace {
 
 constexpr int most_iterations = 12;
-// An iteration with a larger node displacement (m) is rejected as divergent.
-constexpr double most_move = 50.0;
 // Allowed residual of a node, as a fraction of all forces on it.
 constexpr double balance_share = 1e-3;
 // Tolerances of the linear solves in Newton steps and in the error estimate. In the latter, a
@@ -218,7 +216,7 @@ StepOutcome NewtonStep::solve_stage(const Motion& now, double found, bool first,
         moved = size;
         out.worst_node = node;
       }
-      if (!(size < most_move)) return out;
+      if (!std::isfinite(size)) return out;
     }
     follow(now, end);
   }

@@ -1,5 +1,6 @@
-// Pseudo time step h of the static solution. A drag-like damping D/h restrains the nodes. The step
-// h grows while lines rotate little, until the iteration is Newton's method.
+// Pseudo time step h of the static solution, in units of the gear's fall time
+// (Assembly::fall_time()). A drag-like damping D/h restrains the nodes. The step h grows while lines
+// rotate little, until the iteration is Newton's method.
 #pragma once
 
 #include "settle_control.hpp"
@@ -10,9 +11,9 @@ class PseudoTime {
  public:
   explicit PseudoTime(const PseudoTimeControl& control) : control_(control) {}
 
-  // Restarts with a step (s), as if lines had last rotated by `rotation`.
+  // Restarts with a step, as if lines had last rotated by `rotation`.
   void begin(double step = 1.0, double rotation = 1.0);
-  // Limits the step to `step` (s) for the next `steps` steps.
+  // Limits the step to `step` for the next `steps` steps.
   void hold(double step, int steps);
   void set_step(double step) { step_ = step; }
   void assume_rotation(double rotation) { rotation_ = rotation; }

@@ -34,7 +34,7 @@ struct PseudoTimeControl {
   // The shape has converged below this rotation. A rotation t changes strains by t^2/2, which the
   // step neglects: at most 2e-4.
   double found_rotation = 0.02;
-  // s: practically undamped; first step from a settled shape.
+  // In fall times: practically undamped; first step from a settled shape.
   double longest = 1e6;
   // Most starts need at most this many steps. Later steps are compared with their correction until
   // convergence. If the correction is larger than the step, the next target rotation is `shorter`

@@ -25,6 +25,7 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       pull_(force_.size()),
       load_(total_load()),
       rounding_(rounding_force()),
+      fall_time_(assembly.fall_time()),
       pseudo_time_(control.pseudo_time),
       path_(assembly.model(), load_),
       linear_(assembly, control, report, x),
@@ -136,7 +137,7 @@ bool SettleIteration::may_be_unstable() {
 
 GrowingMotion SettleIteration::growing_motion() {
   Stopwatch watch(report_.seconds_linear, control_.timed);
-  GrowingMotion out = codend::growing_motion(assembly_, linear_.factors());
+  GrowingMotion out = codend::growing_motion(assembly_, fall_time_, linear_.factors());
   report_.factorisations += out.factorisations;
   return out;
 }
@@ -182,7 +183,7 @@ void SettleIteration::step() {
   {
     Stopwatch watch(report_.seconds_jacobian, control_.timed);
     assembly_.jacobian({1.0, 0.0}, values_.data(), on_law_ ? nullptr : &matrix_tension());
-    assembly_.pseudo_damping(damping_.data());
+    assembly_.pseudo_damping(fall_time_, damping_.data());
     for (double& d : damping_) d /= pseudo_time_.step();
     assembly_.add_diagonal(damping_.data(), values_.data());
   }

@@ -87,8 +87,9 @@ class SettleIteration {
   const double* v_;
   double* x_;
   std::vector<double> force_, dx_, right_, step_, damping_, values_, pull_, strain_;
-  const double load_;      // N
-  const double rounding_;  // N
+  const double load_;       // N
+  const double rounding_;   // N
+  const double fall_time_;  // of the start; unit of pseudo time, s
   bool from_settled_ = false;
   double unstable_size_ = 0.0;  // m
   PseudoTime pseudo_time_;
@@ -111,7 +112,7 @@ class SettleIteration {
   // State of the path before a trial.
   std::vector<double> left_x_;
   TensionPath::Place left_path_;
-  double left_pseudo_step_ = 1.0;  // s
+  double left_pseudo_step_ = 1.0;
 };
 
 }  // namespace codend

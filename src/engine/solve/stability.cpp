@@ -7,8 +7,9 @@
 namespace codend {
 namespace {
 
-// Pseudo time steps (s). The longest detects growth rates from 0.002 /s. Shorter steps, each by a
-// factor of ten, detect faster growth, down to the time scale of the driving forces.
+// Pseudo time steps over the gear's fall time. The longest detects growth rates from 0.002 per fall
+// time. Shorter steps, each by a factor of ten, detect faster growth, down to the time scale of the
+// driving forces.
 constexpr double longest_step = 10.0, shortest_step = 1e-9;
 // Limit of the Krylov basis, and the number of vectors between convergence checks.
 constexpr int most_motions = 40, more_motions = 4;
@@ -144,7 +145,7 @@ LargestEigenvalue largest_eigenvalue(const std::vector<double>& first, Apply app
   return out;
 }
 
-// True if no motion grows faster than a rate (1/s), by the symmetric part of K + rate D.
+// True if no motion grows faster than a rate, by the symmetric part of K + rate D.
 bool none_grows_faster(const Assembly& assembly, const std::vector<double>& stiffness,
                        const std::vector<double>& damping, double rate, BlockLU& lu,
                        std::vector<double>& values) {
@@ -178,7 +179,7 @@ double unstable_size(const Assembly& assembly, bool walls) {
   return least;
 }
 
-GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
+GrowingMotion growing_motion(Assembly& assembly, double time, BlockLU& lu) {
   const Model& model = assembly.model();
   const std::vector<int>& free = assembly.free_nodes();
   const std::size_t n = free.size();
@@ -216,7 +217,7 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
   std::vector<double> stiffness(9 * assembly.pattern().column.size()), values(stiffness.size()),
       damping(n), right(3 * n);
   assembly.jacobian({1.0, 0.0}, stiffness.data());
-  assembly.pseudo_damping(damping.data());
+  assembly.pseudo_damping(time, damping.data());
   double stiffest = wall.stiffness;
   for (const PressedJoint& joint : joints) stiffest = std::max(stiffest, joint.stiffness);
   for (const ElementKind* kind : model.kinds()) {
@@ -228,7 +229,7 @@ GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu) {
     shortest = std::min(shortest, damping[static_cast<std::size_t>(i)] / stiffest);
   }
   shortest = std::max(shortest, shortest_step);
-  double searched = (1.0 - 1.0 / clear_growth) / longest_step;  // covered rates, 1/s
+  double searched = (1.0 - 1.0 / clear_growth) / longest_step;  // covered rates
   for (double h = longest_step; h > 0.3 * shortest; searched = searched_by_step / h, h *= 0.1) {
     ++out.factorisations;
     if (none_grows_faster(assembly, stiffness, damping, searched, lu, values)) break;

@@ -29,12 +29,13 @@ double unstable_size(const Assembly& assembly, bool walls = true);
 struct GrowingMotion {
   bool found = false;
   int factorisations = 0;
-  double rate = 0.0;           // 1/s of pseudo time
+  double rate = 0.0;           // per unit of pseudo time
   std::vector<double> motion;  // 3 per free node; largest displacement of a tested node 1
 };
 
 // Returns the fastest growing motion of elements that may be unstable, at the present state of the
 // assembly. `lu` must be analysed for the assembly's pattern; its factors change.
-GrowingMotion growing_motion(Assembly& assembly, BlockLU& lu);
+// time: unit of pseudo time, s.
+GrowingMotion growing_motion(Assembly& assembly, double time, BlockLU& lu);
 
 }  // namespace codend

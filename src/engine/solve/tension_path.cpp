@@ -10,12 +10,14 @@ constexpr double first_parameter = 1e-2;
 constexpr double least_parameter = 1e-24;
 // Initial tension over a line's scale. It is high, so that the first steps find the global shape.
 constexpr double first_tension = 10.0;
-// Initial penetration of contacts, m; the corresponding normal force is their scale.
-constexpr double first_penetration = 1e-3;
+// Initial penetration of contacts over their onset; the corresponding normal force is their scale.
+constexpr double first_penetration = 0.05;
+// Unit of the slack of contacts over their onset.
+constexpr double slack_onsets = 50.0;
 // Lower limit of a tension or slack variable after a step, as a fraction of its value before.
 constexpr double least_rest = 0.02;
-constexpr double least_tension = 1e-27;  // over a line's scale
-constexpr double least_slack = 1e-26, most_slack = 1e3;
+constexpr double least_tension = 1e-27;                  // over a line's scale
+constexpr double least_slack = 1e-26, most_slack = 1e3;  // in units of slack_unit()
 // Lower limit of T s over mu, so that all lines follow the path.
 constexpr double least_product = 1e-2;
 
@@ -30,7 +32,7 @@ TensionPath::TensionPath(const Model& model, double load)
   scale_.resize(lines);
   strut_.assign(lines, 0);
   table_.assign(lines, nullptr);
-  slack_.assign(lines, first_parameter / first_tension);
+  slack_.resize(lines);
   ratio_.resize(lines);
   centring_.resize(lines);
   mismatch_.resize(lines);
@@ -46,13 +48,22 @@ TensionPath::TensionPath(const Model& model, double load)
   for (int e = 0; e < model.contacts.count(); ++e) {
     const std::size_t k = lines_ + static_cast<std::size_t>(e);
     stiffness_[k] = ground_.stiffness * model.contacts.area[e];
-    scale_[k] = std::min(first_penetration * stiffness_[k], load);
+    scale_[k] = std::min(first_penetration * ground_.onset * stiffness_[k], load);
   }
   current_.tension.resize(lines);
-  for (std::size_t k = 0; k < lines; ++k) current_.tension[k] = first_tension * scale_[k];
+  for (std::size_t k = 0; k < lines; ++k) {
+    current_.tension[k] = first_tension * scale_[k];
+    slack_[k] = first_parameter / first_tension * slack_unit(k);
+  }
   current_.modulus.resize(lines);
   predicted_.tension = current_.tension;
 }
+
+double TensionPath::slack_unit(std::size_t k) const {
+  return k < lines_ ? 1.0 : slack_onsets * ground_.onset;
+}
+
+double TensionPath::product(std::size_t k) const { return parameter_ * scale_[k] * slack_unit(k); }
 
 void TensionPath::keep(Place& place) const {
   place.tension = current_.tension;
@@ -79,12 +90,11 @@ void TensionPath::follow(std::size_t k, double strain) {
     return;
   }
   // T s = mu scale and strain = T/EA - s
-  const double product = parameter_ * scale_[k];
-  const double root = std::sqrt(strain * strain + 4.0 * product / stiffness_[k]);
+  const double root = std::sqrt(strain * strain + 4.0 * product(k) / stiffness_[k]);
   const double t =
-      strain > 0.0 ? 0.5 * stiffness_[k] * (strain + root) : 2.0 * product / (root - strain);
+      strain > 0.0 ? 0.5 * stiffness_[k] * (strain + root) : 2.0 * product(k) / (root - strain);
   current_.tension[k] = std::min(t, first_tension * scale_[k]);
-  slack_[k] = product / current_.tension[k];
+  slack_[k] = product(k) / current_.tension[k];
 }
 
 void TensionPath::stretch(std::size_t k, double tension, double& strain, double& slope) const {
@@ -100,8 +110,8 @@ void TensionPath::stretch(std::size_t k, double tension, double& strain, double&
 
 // Starts a contact on the path at its distance from the ground.
 void TensionPath::rest_contact(std::size_t k, double penetration) {
-  slack_[k] = std::max(parameter_, -penetration);
-  current_.tension[k] = parameter_ * scale_[k] / slack_[k];
+  slack_[k] = std::max(parameter_ * slack_unit(k), -penetration);
+  current_.tension[k] = product(k) / slack_[k];
 }
 
 void TensionPath::prepare(const Assembly& assembly, const std::vector<double>& strain,
@@ -141,7 +151,7 @@ void TensionPath::add_sag(const Assembly& assembly) {
 
 void TensionPath::mismatch(std::size_t k, double strain, double stretched) {
   const double s = slack_[k];
-  centring_[k] = parameter_ * scale_[k] / current_.tension[k] - s;
+  centring_[k] = product(k) / current_.tension[k] - s;
   mismatch_[k] = strain - stretched + s + centring_[k];
 }
 
@@ -175,8 +185,9 @@ void TensionPath::advance(const Assembly& assembly, const std::vector<double>& s
     }
     const double s_change = centring_[k] - ratio_[k] * t_change;
     t = std::max({t + share * t_change, least_rest * t, least_tension * scale_[k]});
-    s = std::clamp(std::max(s + share * s_change, least_rest * s), least_slack, most_slack);
-    s = std::max(s, least_product * parameter_ * scale_[k] / t);
+    s = std::clamp(std::max(s + share * s_change, least_rest * s), least_slack * slack_unit(k),
+                   most_slack * slack_unit(k));
+    s = std::max(s, least_product * product(k) / t);
   }
 }
 

@@ -64,6 +64,10 @@ class TensionPath {
   void add_sag(const Assembly& assembly);
   // ratio_: slack over tension in the step's matrix.
   std::vector<double> stiffness_, scale_, slack_, ratio_, centring_, mismatch_, sag_;
+  // Unit of the slack variable: 1 for lines, a length (m) for contacts.
+  double slack_unit(std::size_t k) const;
+  // mu times the scale of T s.
+  double product(std::size_t k) const;
   void follow(std::size_t k, double strain);
   void rest_contact(std::size_t k, double penetration);
   // Computes the difference between a line's strain and the strain of its tension and slack.
