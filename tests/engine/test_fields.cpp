@@ -30,6 +30,7 @@ Lines weight_on_rope() {
                  {"water.density", "number 1 0"},
                  {"water.viscosity", "number 1 1e-6"},
                  {"water.free_surface", "mark 1 0"},
+                 {"water.speed", "number 1 1"},
                  {"water.depth", "number 1 0"},
                  {"water.x", "number 1 0.8"},
                  {"water.y", "number 1 0.1"},

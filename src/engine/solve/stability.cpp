@@ -133,7 +133,8 @@ LargestEigenvalue largest_eigenvalue(const std::vector<double>& first, Apply app
     const double off = left * std::abs(small.eigenvectors()(m, k));
     const bool none = std::abs(value) + off < clear_growth;
     if (none || off < tolerance * std::abs(value) || left == 0.0) {
-      out.found = !none && value.imag() == 0.0;
+      // Rounding makes equal real eigenvalues a complex pair.
+      out.found = !none && std::abs(value.imag()) < tolerance * std::abs(value);
       out.value = value.real();
       if (out.found) {
         out.vector = basis.leftCols(known) * small.eigenvectors().col(k).real();
