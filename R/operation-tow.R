@@ -267,8 +267,8 @@ tow_method <- function(scheme, accuracy, step) {
   list(
     scheme = scheme, accuracy = if (adaptive) both$position else 0, relative = both$relative,
     step = if (is.null(step)) {
-      # only a first guess: the engine shortens it for accuracy or stability
-      if (implicit) 0.01 else 0.1
+      # 0: the engine chooses it; it shortens 0.1 s for stability
+      if (implicit) 0 else 0.1
     } else {
       quantity_number(step, "time", "step", positive = TRUE)
     },

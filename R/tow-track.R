@@ -1,5 +1,5 @@
-# Length of cubic pieces in a turn (s). The error is 1e-8 m at 1 degree per second and 3 m/s.
-track_step <- 0.25
+# Turn of each cubic piece of a track (rad). The error is 1e-8 m at 1 degree per second and 3 m/s.
+track_turn <- 0.25 * pi / 180
 
 # Spacing of fixed knots (s). They make the pieces independent of the end time, so that a continued
 # tow is identical to an uninterrupted one.
@@ -9,7 +9,7 @@ track_span <- 600
 # starboard of the initial heading, which is -x.
 vessel_track <- function(speed, course, until) {
   last <- (floor(until / track_span) + 1) * track_span
-  knots <- c(seq(0, last, by = track_span), speed$time, course$time, turning_knots(course, last))
+  knots <- c(seq(0, last, by = track_span), speed$time, course$time, turning_knots(course))
   knots <- sort(unique(knots[knots >= 0 & knots <= last]))
   n <- length(knots)
   velocity <- function(t, after) {
@@ -37,9 +37,10 @@ vessel_track <- function(speed, course, until) {
 }
 
 # Returns knots within the turning pieces of a course.
-turning_knots <- function(course, last) {
-  turns <- course$begin_rate != 0 | course$end_rate != 0
-  knots <- seq(0, last, by = track_step)
-  piece <- findInterval(knots, course$time)
-  knots[c(FALSE, turns, FALSE)[piece + 1L]]
+turning_knots <- function(course) {
+  length <- diff(course$time)
+  turn <- pmax(abs(course$end - course$begin), abs(course$begin_rate) * length,
+    abs(course$end_rate) * length)
+  inside <- function(begin, length, pieces) begin + length * seq_len(max(pieces - 1, 0)) / pieces
+  unlist(Map(inside, course$time[-length(course$time)], length, ceiling(turn / track_turn)))
 }

@@ -60,17 +60,17 @@ test_that("codend filled in steps is flat, filled at once it is round", {
     expect_no_warning(settle(gear, 1500, from = from), class = "codend_warning_catch_unstable")
   }
   volume <- function(state) measures(state)[["catch_volume_m3"]]
-  round <- filled(11)
+  round <- filled(9)
   # with 4 meshes it is flat
-  flat <- Reduce(function(state, meshes) filled(meshes, state), 5:11, filled(4))
+  flat <- Reduce(function(state, meshes) filled(meshes, state), 5:9, filled(4))
   expect_identical(flat$gear$plan, round$gear$plan)
-  expect_lt(volume(flat), 0.6 * volume(round))
+  expect_lt(volume(flat), 0.7 * volume(round))
   # each is found from its own state in another flow, and back
   for (state in list(flat, round)) {
-    back <- filled(11, filled(11, state, "3.03 knot"))
+    back <- filled(9, filled(9, state, "3.03 knot"))
     expect_equal(volume(back), volume(state), tolerance = 1e-6)
   }
   # a study does not depend on the order of its designs
-  study <- vary(codend, catch.blocked_meshes = c(8, 11), nodes = 1500)
+  study <- vary(codend, catch.blocked_meshes = c(8, 9), nodes = 1500)
   expect_equal(study$catch_volume_m3, c(volume(filled(8)), volume(round)), tolerance = 1e-6)
 })

@@ -313,12 +313,12 @@ void Assembly::mass(double* mass) {
   std::copy(masses_.begin(), masses_.begin() + 9 * static_cast<std::ptrdiff_t>(model_.nodes), mass);
 }
 
-double Assembly::fall_time() const {
+double Assembly::fall_time(const double* x) const {
   Vector mean = Vector::Zero();
-  for (int n = 0; n < model_.nodes; ++n) mean += at(position_.data(), n) / model_.nodes;
+  for (int n = 0; n < model_.nodes; ++n) mean += at(x, n) / model_.nodes;
   double radius = 0.0;
   for (int n = 0; n < model_.nodes; ++n) {
-    radius = std::max(radius, (at(position_.data(), n) - mean).norm());
+    radius = std::max(radius, (at(x, n) - mean).norm());
   }
   return radius > 0.0 ? std::sqrt(2.0 * radius / gravity) : 1.0;
 }

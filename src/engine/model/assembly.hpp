@@ -120,9 +120,9 @@ class Assembly {
   // Adds factor * (mass and mass of bodies), 9 per block. mass: from mass().
   void add_mass(const double* mass, double factor, double* values) const;
 
-  // Returns the time (s) of free fall over the gear's radius, the largest distance of a node from
-  // the mean of all nodes; 1 if all nodes coincide.
-  double fall_time() const;
+  // Returns the time (s) of free fall over the gear's radius at positions x, the largest distance of
+  // a node from the mean of all nodes; 1 if all nodes coincide.
+  double fall_time(const double* x) const;
   // Computes the damping per free node over a pseudo time step of `time` (s), N/m: drag damping
   // plus mass over `time`.
   void pseudo_damping(double time, double* damping);

@@ -11,6 +11,8 @@ constexpr int steps_between_limits = 200;
 constexpr double share_of_limit = 0.9;
 // Errors exceed their order when slack lines become taut.
 constexpr double most_growth = 2.0;
+// First step over the gear's fall time, if its length is not given.
+constexpr double first_share = 1e-3;
 // The error of the first step, whose length is arbitrary, allows larger growth.
 constexpr double first_growth = 30.0;
 constexpr double most_shrinking = 0.2;
@@ -63,6 +65,7 @@ TimeIntegration::TimeIntegration(Assembly& assembly, Stepper& stepper, Condition
       control_(control),
       past_(std::move(past)),
       step_(control.step) {
+  if (step_ == 0.0) step_ = first_share * assembly.fall_time(past_.now.x.data());
   if (past_.steps == 0) {
     conditions_.to_time(past_.now.time, Side::after, past_.now);
     stepper_.begin(past_.now);

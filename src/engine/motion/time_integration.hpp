@@ -25,7 +25,7 @@ namespace codend {
 
 struct IntegrationControl {
   bool adaptive = false;     // false: constant steps
-  double step = 0.1;         // s; first step, or constant step
+  double step = 0.0;         // s; first step, or constant step; 0: a share of the fall time
   double least_step = 1e-7;  // s
   double most_step = 60.0;   // s
   // Computes the energy balance; costs one force computation per step.

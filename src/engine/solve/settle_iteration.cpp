@@ -25,7 +25,7 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       pull_(force_.size()),
       load_(total_load()),
       rounding_(rounding_force()),
-      fall_time_(assembly.fall_time()),
+      fall_time_(assembly.fall_time(x)),
       pseudo_time_(control.pseudo_time),
       path_(assembly.model(), load_),
       linear_(assembly, control, report, x),
