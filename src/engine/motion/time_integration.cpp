@@ -12,7 +12,7 @@ constexpr double share_of_limit = 0.9;
 // Errors exceed their order when slack lines become taut.
 constexpr double most_growth = 2.0;
 // First step over the gear's fall time, if its length is not given.
-constexpr double first_share = 1e-3;
+constexpr double first_share = 1e-2;
 // The error of the first step, whose length is arbitrary, allows larger growth.
 constexpr double first_growth = 30.0;
 constexpr double most_shrinking = 0.2;
