@@ -1,17 +1,12 @@
 import * as T from 'three';
 import Delaunator from 'delaunator';
-import { unzlibSync } from 'fflate';
+import { shapes_once, type ShapeName } from './bodies';
+import { floats, integers, places, values, type PlaceSource, type ValueSource } from './decode';
 import { rgb, type Materials } from './materials';
-import {
-  join, type Mode, type Numbers, type Packed, type Panel, type Places, type Range, type Scale, type Scene, type Series
-} from './scene';
+import { join, type Mode, type Panel, type Range, type Scale, type Scene } from './scene';
 
-interface PlaceSource { of(k: number, share: number): Float32Array; low: Float32Array; size: Float32Array }
-interface ValueSource { of(k: number): Float32Array }
 interface Body { geometry: T.BufferGeometry; colour: number[]; from: number; matrix: T.Matrix4 }
 interface Vessel { marks: number[]; hull: Body; house: Body; mast: Body; gallows: Body; at: number[] }
-type ShapeName = 'plate' | 'cloth' | 'ball' | 'float' | 'sinker' | 'clump' | 'runner' | 'bag' | 'ring' | 'hook' |
-  'anchor' | 'hull' | 'box';
 // inputs of the shader of ropes
 type TubeInput = 'from' | 'to' | 'wayFrom' | 'wayTo' | 'colour' | 'about';
 interface Tubes {
@@ -52,71 +47,6 @@ export interface Gear {
 export function new_gear(materials: Materials): Gear {
   const taut = rgb('#5F7482'), quiet = rgb('#4A545C');
   const told = {} as Scene, gear = { scene: new T.Scene(), told } as Gear;
-
-  // ---- numbers ----------------------------------------------------------------------------------
-
-  function bytes(text: string) {
-    const raw = atob(text), out = new Uint8Array(raw.length);
-    for (let i = 0; i < raw.length; i++) out[i] = raw.charCodeAt(i);
-    return out.buffer;
-  }
-  function floats(given: Packed): Float32Array {
-    return typeof given === 'string' ? new Float32Array(bytes(given)) : given as Float32Array;
-  }
-  function integers(given: Packed): Int32Array {
-    return typeof given === 'string' ? new Int32Array(bytes(given)) : given as Int32Array;
-  }
-
-  // Decodes n series of 16-bit integers from deflated differences in time. sign: true if signed.
-  function series(part: Series, sign?: boolean) {
-    const raw = unzlibSync(new Uint8Array(bytes(part.text))), size = raw.length / 2;
-    const out = sign ? new Int16Array(size) : new Uint16Array(size), times = size / part.count;
-    for (let i = 0; i < size; i++) out[i] = raw[i] | raw[size + i] << 8;
-    for (let order = 0; order < part.order; order++) {
-      for (let i = 0; i < size; i++) if (i % times) out[i] += out[i - 1];
-    }
-    return { of: out, times };
-  }
-
-  // Positions at stored times. `of(k, share)` interpolates between time k and the next.
-  function places(part: Places): PlaceSource {
-    if (part.floats !== undefined) {
-      const fixed = floats(part.floats);
-      return { of: () => fixed, low: fixed, size: new Float32Array(fixed.length) };
-    }
-    const low = floats(part.low), step = floats(part.step), all = series(part.steps), n = low.length;
-    const now = new Float32Array(n), times = all.times, steps = all.of;
-    return {
-      low, size: floats(part.size),
-      of: (k: number, share: number) => {
-        const next = k + 1 < times ? 1 : 0;
-        for (let i = 0; i < n; i++) {
-          const a = steps[i * times + k], b = steps[i * times + k + next];
-          now[i] = low[i] + step[i] * (a + share * (b - a));
-        }
-        return now;
-      }
-    };
-  }
-
-  // Values at stored times, from signed square roots in 12 bits; -32768 is NaN.
-  function values(part: Numbers | null | undefined): ValueSource | null {
-    if (!part) return null;
-    if (part.floats !== undefined) {
-      const fixed = floats(part.floats);
-      return { of: () => fixed };
-    }
-    const all = series(part.steps, true), n = part.steps.count, out = new Float32Array(n);
-    return {
-      of: (k: number) => {
-        for (let i = 0; i < n; i++) {
-          const r = all.of[i * all.times + k];
-          out[i] = r === -32768 ? NaN : (r < 0 ? -1 : 1) * part.top * (r / 4095) * (r / 4095);
-        }
-        return out;
-      }
-    };
-  }
 
   // ---- geometry ---------------------------------------------------------------------------------
 
@@ -321,126 +251,6 @@ export function new_gear(materials: Materials): Gear {
 
   // ---- components -------------------------------------------------------------------------------
 
-  // Returns a plate of 1 by 1 in x and y, bent towards z.
-  function plate(bend: number, thick: number) {
-    const made = new T.BoxGeometry(1, 1, thick, 10, 1, 1), at = made.getAttribute('position');
-    for (let i = 0; i < at.count; i++) {
-      const x = at.getX(i);
-      at.setZ(i, at.getZ(i) + bend * (1 - 4 * x * x));
-    }
-    made.computeVertexNormals();
-    return made;
-  }
-
-  // Returns a hull of length 1: stern at the origin, bow at x = -1, deck above z = 0.
-  function hull() {
-    const deck = new T.Shape();
-    deck.moveTo(0, -0.13);
-    deck.lineTo(-0.62, -0.135);
-    deck.quadraticCurveTo(-0.86, -0.12, -1, 0);
-    deck.quadraticCurveTo(-0.86, 0.12, -0.62, 0.135);
-    deck.lineTo(0, 0.13);
-    deck.closePath();
-    const made = new T.ExtrudeGeometry(deck, { depth: 0.15, bevelEnabled: false, curveSegments: 8 });
-    const at = made.getAttribute('position');
-    for (let i = 0; i < at.count; i++) {
-      // The hull is narrow at the keel and rises towards the bow.
-      const up = at.getZ(i) / 0.15, x = at.getX(i);
-      at.setY(i, at.getY(i) * (0.45 + 0.55 * up));
-      at.setX(i, x * (0.9 + 0.1 * up));
-      at.setZ(i, -0.07 + (0.13 + 0.06 * x * x) * up);
-    }
-    made.computeVertexNormals();
-    return made;
-  }
-
-  function joined(all: T.BufferGeometry[]) {
-    const corners: number[] = [], normals: number[] = [], index: number[] = [];
-    all.forEach((one) => {
-      const from = corners.length / 3, count = one.getAttribute('position').count;
-      corners.push(...one.getAttribute('position').array);
-      normals.push(...one.getAttribute('normal').array);
-      for (let i = 0; i < (one.index ? one.index.count : count); i++) {
-        index.push(from + (one.index ? one.index.array[i] : i));
-      }
-    });
-    const made = new T.BufferGeometry();
-    made.setAttribute('position', new T.BufferAttribute(Float32Array.from(corners), 3));
-    made.setAttribute('normal', new T.BufferAttribute(Float32Array.from(normals), 3));
-    made.setIndex(index);
-    return made;
-  }
-  function box(x: number, y: number, z: number, wide: number, tall: number, deep: number) {
-    return new T.BoxGeometry(wide, tall, deep).translate(x, y, z);
-  }
-  function ring(radius: number, thick: number, arc = 2 * Math.PI) {
-    return new T.TorusGeometry(radius, thick, 6, 18, arc);
-  }
-
-  // Returns a board: two foils with a slot between them, ribs behind, and a shoe below.
-  function board() {
-    function foil(x: number, wide: number, bend: number) {
-      return plate(bend, 0.035).scale(wide, 0.94, 1).translate(x, 0.02, 0);
-    }
-    return joined([
-      foil(-0.33, 0.3, 0.035).rotateY(0.10), foil(0.16, 0.66, 0.075),
-      box(0, 0.49, 0.03, 0.98, 0.03, 0.12), box(0, 0.02, 0.015, 0.92, 0.03, 0.09),
-      box(0, -0.475, 0.03, 1, 0.06, 0.16)
-    ]);
-  }
-  // Returns a float with its seam and two ears.
-  function float() {
-    return joined([
-      new T.SphereGeometry(1, 18, 12), ring(1, 0.06).rotateX(Math.PI / 2),
-      ring(0.2, 0.07).translate(1.12, 0, 0), ring(0.2, 0.07).translate(-1.12, 0, 0)
-    ]);
-  }
-  // Returns a drum with rounded ends and an eye.
-  function sinker() {
-    return joined([
-      new T.CylinderGeometry(0.72, 0.72, 0.9, 16), new T.CylinderGeometry(0.45, 0.72, 0.28, 16).translate(0, 0.59, 0),
-      new T.CylinderGeometry(0.72, 0.45, 0.28, 16).translate(0, -0.59, 0), ring(0.26, 0.09).translate(0, 0.95, 0)
-    ]).rotateX(Math.PI / 2);
-  }
-  // Returns a heap of chain links.
-  function clump() {
-    return joined([0, 1, 2, 3, 4, 5, 6].map((k) => ring(0.5, 0.19).scale(1, 1.5, 1).rotateZ(k * 1.1).rotateX(k * 0.9)
-        .translate(0.35 * Math.cos(2.4 * k), 0.35 * Math.sin(2.4 * k), 0.2 * k - 0.6)));
-  }
-  function hook() {
-    return joined([
-      new T.CylinderGeometry(0.09, 0.09, 1.5, 6).rotateX(Math.PI / 2).translate(0.5, 0, -0.6),
-      ring(0.5, 0.09, Math.PI).rotateX(-Math.PI / 2).translate(0, 0, -1.35),
-      new T.CylinderGeometry(0.09, 0.02, 0.5, 6).rotateX(Math.PI / 2).translate(-0.5, 0, -1.15)
-    ]);
-  }
-  // Returns the end of a beam trawl's shoe: a runner that is turned up at the front.
-  function runner() {
-    return joined([box(0, 0, -0.5, 1.6, 0.9, 0.2), box(-1.1, 0, -0.25, 0.8, 0.9, 0.2).rotateY(0.25)]);
-  }
-  // Returns a full bag, longer than wide, with lobes between its lines.
-  function bag() {
-    const made = new T.SphereGeometry(1, 32, 18), at = made.getAttribute('position');
-    for (let i = 0; i < at.count; i++) {
-      const swell = 1 + 0.035 * Math.cos(8 * Math.atan2(at.getZ(i), at.getX(i))), y = at.getY(i);
-      at.setXYZ(i, at.getX(i) * swell, 1.5 * y + 0.25 * y * y, at.getZ(i) * swell);
-    }
-    made.computeVertexNormals();
-    return made.rotateZ(-Math.PI / 2);
-  }
-
-  let shapes: Record<ShapeName, T.BufferGeometry> | null = null;
-  function shapesOnce() {
-    if (shapes) return shapes;
-    shapes = {
-      plate: board(), cloth: plate(0.05, 0.012), ball: new T.SphereGeometry(1, 18, 12), float: float(),
-      sinker: sinker(), clump: clump(), runner: runner(), bag: bag(), ring: ring(0.85, 0.16), hook: hook(),
-      anchor: new T.CylinderGeometry(0, 1, 1.6, 4).rotateX(Math.PI / 2), hull: hull(),
-      box: new T.BoxGeometry(1, 1, 1)
-    };
-    return shapes;
-  }
-
   // Shape of each role, and its minimum half size (pixels).
   const roles: Record<string, [ShapeName, number]> = {
     otter_board: ['plate', 7], kite: ['cloth', 6], canvas: ['cloth', 6], float: ['float', 2.6],
@@ -451,7 +261,7 @@ export function new_gear(materials: Materials): Gear {
 
   // All components and vessels share one buffer, because one draw call is faster than many.
   function lay_out_marks() {
-    const made = shapesOnce(), marks = told.marks, bodies: Body[] = [];
+    const made = shapes_once(), marks = told.marks, bodies: Body[] = [];
     let corners = 0, sides = 0;
     function body(shape: ShapeName, colour: string) {
       const geometry = made[shape];
@@ -470,9 +280,9 @@ export function new_gear(materials: Materials): Gear {
       return { body: body(known[0], marks.fill[i]), shape: known[0], least: known[1], half: 0 };
     });
     gear.vessels = (told.vessels || []).map((own) => ({
-        marks: own, hull: body('hull', '#24506E'), house: body('box', '#6B7780'),
-        mast: body('box', '#39434B'), gallows: body('box', '#39434B'), at: []
-      }));
+      marks: own, hull: body('hull', '#24506E'), house: body('box', '#6B7780'),
+      mast: body('box', '#39434B'), gallows: body('box', '#39434B'), at: []
+    }));
     if (gear.bodies) gear.bodies.geometry.dispose();
     const geometry = new T.BufferGeometry(), index = new Uint32Array(sides);
     let at = 0;

@@ -4,16 +4,17 @@
 import * as T from 'three';
 import { element, file_name, say } from './element';
 import { new_gear, type Gear } from './gear';
+import { axes, dot, longest, middle, round, type Axes } from './geometry';
+import { colour_bar } from './legend';
 import { kept_colour, new_materials } from './materials';
 import { new_motion, type Motion, type MotionOptions } from './motion';
 import { new_saver } from './save';
-import { join, type Mode, type Range, type Scale, type Scene } from './scene';
+import { join, type Mode, type Range, type Scene } from './scene';
+import { described, three, type Found } from './tip';
 
 export interface ViewerOptions extends MotionOptions {
   // true to show the gear's name over the picture
   title?: boolean;
-  // true if the mouse wheel always zooms
-  wheel?: boolean;
   // false to omit the picture for printing
   still?: boolean;
   // called after a choice
@@ -24,13 +25,11 @@ export interface ViewerOptions extends MotionOptions {
 export interface KeptScene { key: string | number; name: string; scene: Partial<Scene> }
 type Corner = 'left' | 'right' | 'top' | 'bottom';
 type Bed = NonNullable<Scene['bed']>;
-interface Axes { eye: number[]; right: number[]; up: number[] }
 interface Box { left: number; top: number; width: number; height: number; gear: Gear; name?: string }
 interface Choice {
   focus: 'net' | 'whole' | 'boards'; from: string; compare: 'off' | 'over' | 'beside'; align: 'bosom' | 'towing';
   colour: Mode;
 }
-type Found = { kind: 'mark' | 'netting'; number: number } | { kind: 'rope'; number: number; share: number };
 export type Viewer = NonNullable<ReturnType<typeof new_viewer>>;
 
 // Fills the element `host`. Returns null without WebGL.
@@ -80,14 +79,6 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
 
   // ---- focus ------------------------------------------------------------------------------------
 
-  function longest(range: Range) {
-    return Math.max(range.high[0] - range.low[0], range.high[1] - range.low[1],
-      range.high[2] - range.low[2], 1e-6);
-  }
-  function middle(range: Range) {
-    return range.low.map((v, k) => (v + range.high[k]) / 2);
-  }
-
   function compared() {
     if (choice.compare === 'off') return [gears.now];
     return kept.map((one) => one.gear).concat(gears.now);
@@ -124,17 +115,6 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     }
     return held[key] = { low: all.low.slice(), high: all.high.slice() };
   }
-
-  function axes(turn: number, rise: number): Axes {
-    const eye = [Math.cos(rise) * Math.cos(turn), Math.cos(rise) * Math.sin(turn), Math.sin(rise)];
-    const right = [-Math.sin(turn), Math.cos(turn), 0];
-    const up = [
-      eye[1] * right[2] - eye[2] * right[1], eye[2] * right[0] - eye[0] * right[2],
-      eye[0] * right[1] - eye[1] * right[0]
-    ];
-    return { eye, right, up };
-  }
-  function dot(a: number[], b: number[]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
   // Returns the points in focus, with the radius of components. In motion, returns the box corners.
   function outline(range: Range) {
@@ -295,12 +275,6 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
   const above = new T.Scene();
   above.add(waterMesh);
 
-  function round(size: number) {
-    const power = Math.pow(10, Math.floor(Math.log10(size)));
-    const lead = size / power;
-    return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
-  }
-
   // Returns the height of the bed (m).
   function bed_at(x: number, y: number) {
     const { normal: n, height } = told.bed as Bed;
@@ -452,9 +426,9 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     const taken = taken_along(['top', 'bottom']);
     const w = width / columns, h = (height - taken.top - taken.bottom) / Math.ceil(n / columns);
     return all.map((one, k) => ({
-        left: k % columns * w, top: taken.top + Math.floor(k / columns) * h, width: w, height: h,
-        gear: one.gear, name: one.name
-      }));
+      left: k % columns * w, top: taken.top + Math.floor(k / columns) * h, width: w, height: h,
+      gear: one.gear, name: one.name
+    }));
   }
 
   // While shapes change, a slow renderer draws at lower resolution. The first pictures measure the
@@ -628,32 +602,11 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     });
   }
 
-  function colour_bar(kind: 'rope' | 'netting', scale: Scale) {
-    const made = element('div', 'colour-bar'), stops = told.colours[kind];
-    const unit = scale.heading.match(/ \(.*$/);
-    made.appendChild(element('div', 'heading', say(scale.heading.replace(/ \(.*$/, '')) + (unit || '')));
-    const strip = element('div', 'strip');
-    strip.style.background = 'linear-gradient(to right, ' + stops.join(', ') + ')';
-    made.appendChild(strip);
-    const row = element('div', 'ticks');
-    let reach = -Infinity;
-    scale.ticks.forEach((words, k) => {
-      const half = 3.6 * words.length;
-      if (210 * scale.at[k] - half < reach + 5) return;
-      reach = 210 * scale.at[k] + half;
-      const tick = element('span', '', words);
-      tick.style.left = 100 * scale.at[k] + '%';
-      row.appendChild(tick);
-    });
-    made.appendChild(row);
-    return made;
-  }
-
   function write_legend() {
     legend.textContent = '';
     const scales = told.scales[choice.colour] || {};
-    if (scales.rope) legend.appendChild(colour_bar('rope', scales.rope));
-    if (scales.netting) legend.appendChild(colour_bar('netting', scales.netting));
+    if (scales.rope) legend.appendChild(colour_bar(scales.rope, told.colours.rope));
+    if (scales.netting) legend.appendChild(colour_bar(scales.netting, told.colours.netting));
     const key = element('div', 'key');
     function entry(words: string, colour: string, className: string) {
       const item = element('span', 'entry', words), patch = element('i', className);
@@ -749,18 +702,6 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     }
   }
 
-  // ---- formatted numbers ------------------------------------------------------------------------
-
-  function three(x: number) {
-    if (!isFinite(x)) return '';
-    return String(Number(x.toPrecision(3)));
-  }
-  function force(newtons: number) {
-    return Math.abs(newtons) >= 1000 ? three(newtons / 1000) + ' kN' : three(newtons) + ' N';
-  }
-  function thick(metres: number) { return three(1000 * metres) + ' mm'; }
-  function plain(name: string) { return String(name).replace(/_/g, ' '); }
-
   // ---- the pointer ------------------------------------------------------------------------------
 
   // Returns screen positions of nodes and components (x and y in pixels, depth), on demand.
@@ -826,56 +767,11 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     return best;
   }
 
-  function rows_of(found: Found) {
-    const gear = gears.now, parts = told.parts, k = found.number;
-    const rows: [string, string][] = [];
-    let heading, note, z;
-    function row(name: string, value: string) { if (value) rows.push([name, value]); }
-    if (found.kind === 'mark') {
-      const marks = told.marks;
-      heading = plain(marks.part[k]);
-      note = say(marks.label[k]);
-      row(say('depth'), three(-gear.at[3 * k + 2]) + ' m');
-    } else if (found.kind === 'rope') {
-      const part = gear.ropes.part[k], tension = gear.rope_tension[k];
-      heading = plain(parts.name[part]);
-      const seam = parts.kind[part] === 'netting';
-      note = seam ? say('seam') : say(plain(parts.role[part] || 'rope'));
-      row(say('tension'), tension > 0 ? force(tension) :
-        tension < 0 ? say('compression {force}', { force: force(-tension) }) :
-        say('slack'));
-      if (tension > 0 && parts.strength[part]) {
-        row(say('of breaking load'), three(100 * tension / parts.strength[part]) + ' %');
-      }
-      if (parts.thickness[part]) row(say('diameter'), thick(parts.thickness[part]));
-      if (gear.drag[part] && !seam) row(say('drag'), three(gear.drag[part]) + ' N/m');
-      const a = gear.ropes.ends[2 * k], b = gear.ropes.ends[2 * k + 1];
-      z = gear.points[3 * a + 2] + found.share * (gear.points[3 * b + 2] - gear.points[3 * a + 2]);
-      row(say('depth'), three(-z) + ' m');
-    } else {
-      const of = gear.netting.part[k], meshes = gear.meshes(k);
-      heading = plain(parts.name[of]);
-      note = say('netting, {mesh} meshes, {twine} twine',
-        { mesh: thick(parts.mesh[of]), twine: thick(parts.thickness[of]) });
-      const { u, v } = gear.netting;
-      row(say('twine one way'), u[k] > 0 ? force(u[k]) : say('slack'));
-      row(say('the other way'), v[k] > 0 ? force(v[k]) : say('slack'));
-      if (isFinite(meshes.opening)) {
-        row(say('mesh opening'), three(meshes.opening) + ' %');
-        row(say('mesh angle'), three(meshes.angle) + '\u00b0');
-      }
-      if (gear.drag[of]) row(say('drag'), three(gear.drag[of]) + ' N/m\u00b2');
-      z = [0, 1, 2].reduce((sum, c) => sum + gear.points[3 * gear.netting.point[3 * k + c] + 2] / 3, 0);
-      row(say('depth'), three(-z) + ' m');
-    }
-    return { heading, note, rows };
-  }
-
   function point_at(x: number, y: number) {
     const found = gears.now && under(x, y);
     tip.hidden = !found;
     if (!found) return;
-    const said = rows_of(found);
+    const said = described(gears.now, found);
     tip.textContent = '';
     tip.appendChild(element('b', '', said.heading));
     if (said.note !== said.heading) tip.appendChild(element('div', 'note', said.note));
@@ -964,7 +860,7 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
   let apart = 0, hovering: number[] | null = null, chosen = false;
   // The wheel scrolls the page until the picture is clicked, unless the picture fills the window.
   function wheel_is_ours() {
-    return chosen || host.clientHeight > window.innerHeight - 60 || options.wheel;
+    return chosen || host.clientHeight > window.innerHeight - 60;
   }
   document.addEventListener('pointerdown', (event) => { chosen = host.contains(event.target as Node); });
   canvas.addEventListener('pointerdown', (event) => {
