@@ -20,3 +20,21 @@ define_finding("numerical dissipation", "tow",
   },
   rank = 3L
 )
+
+# Length of adaptive steps (s) below which a finding reports them.
+short_time_step <- 1e-3
+
+define_finding("short time steps", "tow",
+  "Adaptive steps of a tow were shorter than 1 ms: something moves too fast for its surroundings.",
+  function(gear, trajectory) {
+    shortest <- trajectory$report$shortest_step
+    if (trajectory$method$accuracy == 0 || shortest >= short_time_step) return(list())
+    label <- paste(figures(1000 * shortest), "ms")
+    list(finding("tow", shortest, label,
+      template("its shortest step is {step}, below 1 ms: a part moves or vibrates very fast.",
+        step = label),
+      template("Check its tensions over time, and use softer ropes or a larger accuracy of the
+        tow."), field = "tow.accuracy"))
+  },
+  rank = 4L
+)

@@ -48,7 +48,7 @@ tow_rows <- function(number) {
   rows <- do.call(rbind, c(list(table[names(of_summary[[1L]])]), of_summary))
   rows$group <- group_of(kinds[rows$measure], rows$unit)
   rows$tow <- number
-  rows$kind <- one$gear$plan$kind
+  rows$kind <- c(one$gear$plan$kind, "net")[1L]
   rows$true <- abs(rows$value - rows$fine)
   # a value that the reference does not change is exact and does not test the estimate
   rows[which(is.finite(rows$error) & rows$true > 1e-7 * abs(rows$fine)), ]

@@ -211,6 +211,30 @@ TEST_CASE("forces, derivatives and masses remain finite at undefined directions"
   }
 }
 
+// With the velocity of the wall itself, the pressure that moves a wall outward would grow with its
+// motion, without limit.
+TEST_CASE("catch pressure depends on the motion of the whole bag, not of its walls") {
+  Random random(20261130);
+  Ingredients wanted;
+  wanted.pressed = 2;
+  Specimen s(random, wanted);
+  InnerPressure& pressure = s.model.pressure;
+  pressure.node = {0, 1, 2, 3, 4, 5};
+  pressure.weight.assign(6, 1.0 / 3.0);
+  s.model.prepare();
+  Assembly assembly(s.model);
+  const auto forces = [&](const Vector& first, const Vector& second) {
+    for (int n = 0; n < 6; ++n) at(s.v.data(), n) = n < 3 ? first : second;
+    assembly.move_to(s.x.data(), s.v.data());
+    return Vector(
+        pressure.element_force(0, assembly.field(), pressure.mean_velocity(assembly.field())));
+  };
+  const Vector none = Vector::Zero(), fast(3.0, -20.0, 7.0);
+  const Vector at_rest = forces(none, none);
+  CHECK((forces(fast, -fast) - at_rest).norm() < 1e-12 * at_rest.norm());
+  CHECK((forces(fast, fast) - at_rest).norm() > at_rest.norm());
+}
+
 TEST_CASE("drag is continuous where a line becomes slack or loses its length") {
   TwineMaterial material;
   material.diameter = 0.002;

@@ -3,7 +3,9 @@
 // doi:10.1016/j.oceaneng.2014.09.037; C_d = 1.4).
 //
 // With S = 1/2 (x2 - x1) x (x3 - x1) the triangle's area vector and U the mean velocity of the
-// water relative to its corners, corner k takes p w_k S. The weight w_k is the integral of its
+// water at its corners relative to the mean velocity of all triangles, corner k takes p w_k S. With
+// the velocity of the triangle itself, a wall that moves outward would increase the pressure that
+// moves it. The weight w_k is the integral of its
 // linear shape function over the covered part, divided by the triangle's area: 1/3 if all is
 // covered. Its sign is positive if S points outward.
 #pragma once
@@ -31,8 +33,12 @@ class InnerPressure : public ElementKind {
   int nodes_per_element() const override { return 3; }
   const std::vector<int>& nodes() const override { return node; }
   void add_force(const Field& field, double* force) const override;
-  // Force (N) on the whole triangle.
-  Vector element_force(int e, const Field& field) const;
+  // Returns the mean velocity of the triangles under pressure, by weight (m/s).
+  Vector mean_velocity(const Field& field) const;
+  // Force (N) on the whole triangle. mean: from mean_velocity().
+  Vector element_force(int e, const Field& field, const Vector& mean) const;
+  // The derivatives by velocity are those of a triangle that moves with the mean velocity: exact if
+  // all triangles move alike.
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_added_mass(const Field&, double*) const override {}
@@ -42,10 +48,10 @@ class InnerPressure : public ElementKind {
   struct Push {
     Vector x[3], area;   // corners and S
     Vector u, slope[3];  // mean U, and its derivative by the height of each corner
-    double share[3];     // of each corner's own velocity in U
+    double share = 0.0;  // of each corner's velocity in U, if all triangles move alike
     double pressure;
   };
-  Push push(int e, const Field& field) const;
+  Push push(int e, const Field& field, const Vector& mean) const;
 };
 
 }  // namespace codend

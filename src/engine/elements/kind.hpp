@@ -49,9 +49,14 @@ struct Field {
   // that drag, which is proportional to |u|^2, scales with the immersed fraction. Returns the
   // factor -du/dv of the point's own velocity.
   double relative_velocity(int point, double height, Vector& u, Vector& slope) const {
+    return relative_velocity(point, height, at(velocity, point), u, slope);
+  }
+  // The same for a body at this point that moves with the velocity `own` (m/s).
+  double relative_velocity(int point, double height, const Vector& own, Vector& u,
+                           Vector& slope) const {
     const double z = at(position, point).z();
     water->velocity(z, u, slope);
-    u -= at(velocity, point);
+    u -= own;
     if (waves) {
       u += waves[point].velocity;
       slope += waves[point].velocity_slope;

@@ -52,6 +52,16 @@ std::vector<double> of_elements(const Assembly& assembly) {
   return out;
 }
 
+std::vector<double> pressure_force(const Assembly& assembly) {
+  const InnerPressure& pressure = assembly.model().pressure;
+  const Vector mean = pressure.mean_velocity(assembly.field());
+  std::vector<double> out = vectors(pressure.count());
+  for (int e = 0; e < pressure.count(); ++e) {
+    at(out.data(), e) = pressure.element_force(e, assembly.field(), mean);
+  }
+  return out;
+}
+
 template <auto force>
 std::vector<double> of_plates(const Assembly& assembly) {
   const LiftingPlates& plates = assembly.model().plates;
@@ -111,7 +121,7 @@ const std::vector<ReportedForce>& reported_forces() {
       {"sphere_drag", "spheres", Cause::flow, of_elements<&Model::spheres>},
       {"lift_force", "lifts", Cause::flow, of_elements<&Model::lifts>},
       {"plate_force", "plates", Cause::flow, of_plates<&PlateAttitude::force>},
-      {"pressure_force", "pressure", Cause::flow, of_elements<&Model::pressure>},
+      {"pressure_force", "pressure", Cause::flow, pressure_force},
       {"contact_force", "contacts", Cause::ground, of_elements<&Model::contacts>},
       {"plate_ground_force", "plates", Cause::ground, of_plates<&PlateAttitude::ground_force>},
       {"volume_force", "volumes", Cause::surface, of_elements<&Model::volumes>},

@@ -78,9 +78,10 @@ struct Wall {
 Wall wall_of(const Assembly& assembly) {
   const InnerPressure& pressure = assembly.model().pressure;
   const Field field = assembly.field();
+  const Vector mean = pressure.mean_velocity(field);
   Wall out;
   for (int e = 0; e < pressure.count(); ++e) {
-    const double force = pressure.element_force(e, field).norm();
+    const double force = pressure.element_force(e, field, mean).norm();
     if (force == 0.0) continue;
     const int* node = &pressure.node[3 * static_cast<std::size_t>(e)];
     for (int k = 0; k < 3; ++k) {
