@@ -29,8 +29,9 @@ tow_row <- function(number) {
     "error"
   }
   count <- function(name) if (is.null(report[[name]])) NA_real_ else report[[name]]
-  list(tow = number, kind = c(one$gear$plan$kind, "net")[1L], changes = paste(one$changes, collapse = ", "),
-    minutes = one$until / 60, end = end, not_finite = sum(!is.finite(numbers)),
+  list(tow = number, kind = c(one$gear$plan$kind, "net")[1L],
+    changes = paste(one$changes, collapse = ", "), minutes = one$until / 60, end = end,
+    not_finite = sum(!is.finite(numbers)),
     steps = count("steps"), shortest_step = count("shortest_step"),
     not_found = count("not_found"), unbalanced = count("unbalanced"),
     reason = if (towed) "" else gsub("[[:space:]]+", " ", conditionMessage(found)))

@@ -44,4 +44,3 @@ test_that("page rejects an unknown measure, field or target", {
     expect_asks_refused(session, sent, "target_wanted", wrong, "target")
   })
 })
-

@@ -16,8 +16,8 @@ quarter <- froude(1 / 4, density = 2)
 
 test_that("settle() follows Froude's scaling for random gears", {
   skip_if_not(file.exists(random_gears))
-  kinds <- c("midwater_trawl", "bottom_trawl", "pair_trawl", "demersal_seine", "purse_seine", "cage",
-    "gillnet", "stow_net", "dip_net", "filled_codend")
+  kinds <- c("midwater_trawl", "bottom_trawl", "pair_trawl", "demersal_seine", "purse_seine",
+    "cage", "gillnet", "stow_net", "dip_net", "filled_codend")
   for (kind in kinds) {
     for (netting in c("cells", "bars")) {
       gear <- random_gear_of(kind, 1, netting = netting)
@@ -41,7 +41,8 @@ scaled_tow <- function(gear, scale) {
     current <- scale[1] / scale[2]
     tow_schedule(current = list(speed = speed(current, 1.3 * current)))
   }
-  tow(gear, schedule, until = times[3], every = times[3] / 2, nodes = 80, accuracy = 0.01 * scale[1])
+  tow(gear, schedule, until = times[3], every = times[3] / 2, nodes = 80,
+    accuracy = 0.01 * scale[1])
 }
 
 test_that("tow() follows Froude's scaling for random gears", {

@@ -2,12 +2,13 @@
 // press against them, such as the catch in a codend (D. Priour, Ocean Engineering, 2014,
 // doi:10.1016/j.oceaneng.2014.09.037; C_d = 1.4).
 //
-// With S = 1/2 (x2 - x1) x (x3 - x1) the triangle's area vector and U the mean velocity of the
-// water at its corners relative to the mean velocity of all triangles, corner k takes p w_k S. With
-// the velocity of the triangle itself, a wall that moves outward would increase the pressure that
-// moves it. The weight w_k is the integral of its
-// linear shape function over the covered part, divided by the triangle's area: 1/3 if all is
-// covered. Its sign is positive if S points outward.
+// Corner k takes p w_k S. S = 1/2 (x2 - x1) x (x3 - x1) is the triangle's area vector. The weight
+// w_k is the integral of the corner's linear shape function over the covered part, divided by the
+// triangle's area: 1/3 if all is covered. Its sign is positive if S points outward.
+//
+// U is the mean velocity of the water at the corners relative to the mean velocity of all
+// triangles. With the velocity of the triangle itself, a wall that moves outward would increase the
+// pressure that moves it.
 #pragma once
 
 #include "kind.hpp"
