@@ -12,7 +12,7 @@ constexpr double share_of_limit = 0.9;
 // Errors exceed their order when slack lines become taut.
 constexpr double most_growth = 2.0;
 // First step over the gear's fall time, if its length is not given.
-constexpr double first_share = 1e-2;
+constexpr double first_share = 2e-3;
 // The error of the first step, whose length is arbitrary, allows larger growth.
 constexpr double first_growth = 30.0;
 constexpr double most_shrinking = 0.2;
@@ -28,8 +28,6 @@ constexpr double least_repeated = 0.1, most_repeated = 0.9;
 constexpr double aimed_again = 0.8;
 // Exponent of the error in the step length: assumed, and limits of the estimate from two attempts.
 constexpr double assumed_exponent = 2.0, least_exponent = 1.0, most_exponent = 3.0;
-// Limit of halvings of one step because of its energy.
-constexpr int most_halvings = 10;
 // States closer to the start of a step, as a fraction of its length, are interpolated.
 constexpr double least_share = 1e-6;
 // Fraction of the last step length used after a restart.
@@ -122,7 +120,6 @@ void TimeIntegration::limit_step() {
 IntegrationReport::End TimeIntegration::to(double time) {
   const bool adaptive = control_.adaptive;
   Rejected rejected;
-  int halvings = 0;
   begin_account();
   // An integration that is continued from this time then takes the same steps.
   since_limited_ = 0;
@@ -158,7 +155,7 @@ IntegrationReport::End TimeIntegration::to(double time) {
         report_.worst_node = outcome.worst_node;
         step_ = 0.5 * h;
         past_.caution = steps_of_caution;
-        if (++halvings > most_halvings || step_ < control_.least_step) {
+        if (step_ < control_.least_step) {
           return report_.end = IntegrationReport::End::unbalanced;
         }
         continue;
@@ -166,7 +163,6 @@ IntegrationReport::End TimeIntegration::to(double time) {
       account_->take();
       energy_before_ = energy_;
       energy_ = totals;
-      halvings = 0;
     }
     rejected = {};
     double factor = 1.0;
