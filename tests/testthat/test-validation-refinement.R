@@ -144,7 +144,8 @@ test_that("bars end on slanted sides at the ends of their twines", {
 
 test_that("cells and bars converge to each other on a partly slack sheet", {
   found <- differences(sheet, c(8, 16, 32), c("upper.middle", "lower.middle"))
-  expect_true(all(diff(found["drag", ]) < 0))
-  expect_lt(found["drag", 3], 0.06)
-  expect_lt(found["place", 3], 0.02)
+  expect_true(all(diff(found["place", ]) < 0))
+  expect_lt(found["place", 3], 0.01)
+  # a small difference even on the coarsest mesh, where errors cancel by chance
+  expect_lt(max(found["drag", ]), 0.02)
 })
