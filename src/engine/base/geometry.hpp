@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace codend {
 
@@ -15,6 +16,15 @@ inline Eigen::Map<const Vector> at(const double* values, int node) {
 }
 inline Eigen::Map<Vector> at(double* values, int node) {
   return Eigen::Map<Vector>(values + 3 * static_cast<std::ptrdiff_t>(node));
+}
+
+// Returns the largest distance of a vector from the mean of all (`count` vectors, 3 numbers each).
+inline double largest_distance_from_mean(const double* values, int count) {
+  Vector mean = Vector::Zero();
+  for (int n = 0; n < count; ++n) mean += at(values, n) / count;
+  double largest = 0.0;
+  for (int n = 0; n < count; ++n) largest = std::max(largest, (at(values, n) - mean).norm());
+  return largest;
 }
 
 }  // namespace codend

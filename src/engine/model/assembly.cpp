@@ -314,12 +314,7 @@ void Assembly::mass(double* mass) {
 }
 
 double Assembly::fall_time(const double* x) const {
-  Vector mean = Vector::Zero();
-  for (int n = 0; n < model_.nodes; ++n) mean += at(x, n) / model_.nodes;
-  double radius = 0.0;
-  for (int n = 0; n < model_.nodes; ++n) {
-    radius = std::max(radius, (at(x, n) - mean).norm());
-  }
+  const double radius = largest_distance_from_mean(x, model_.nodes);
   return radius > 0.0 ? std::sqrt(2.0 * radius / gravity) : 1.0;
 }
 

@@ -62,13 +62,7 @@ void NewtonStep::follow(const Motion& now, Motion& next) const {
 
 double NewtonStep::allowed_error(const Values& moved) const {
   if (accuracy_.rate == 0.0) return accuracy_.position;
-  const int nodes = assembly_.model().nodes;
-  Vector mean = Vector::Zero();
-  for (int n = 0; n < nodes; ++n) mean += at(moved.data(), n) / nodes;
-  double farthest = 0.0;
-  for (int n = 0; n < nodes; ++n) {
-    farthest = std::max(farthest, (at(moved.data(), n) - mean).norm());
-  }
+  const double farthest = largest_distance_from_mean(moved.data(), assembly_.model().nodes);
   return std::max(accuracy_.position, accuracy_.rate * farthest);
 }
 
