@@ -7,8 +7,8 @@ run_flume <- function(plan, options) {
   changed <- length(options$set) > 0L
   gear <- if (length(plan)) read_changed(plan, options)
   if (is.null(gear) && changed) abort_usage("--set changes a plan: give PLAN too.")
-  app <- do.call(flume, c(
+  tank <- do.call(flume, c(
     list(gear = gear, folder = options$folder, hosts = options$host), settle_arguments(options)
   ))
-  shiny::runApp(app, host = "127.0.0.1", launch.browser = FALSE, port = port)
+  serve_flume(tank, port, opens = FALSE)
 }

@@ -1,5 +1,4 @@
-# Answers of a flume-tank worker to requests. This code does not use Shiny, so it can run in a
-# process without a page.
+# Answers of a flume-tank worker to requests, in a process without a page.
 
 # Largest number of nodes of a design, unless `2 * nodes` of the tank is larger.
 flume_nodes <- 20000
@@ -129,6 +128,9 @@ settled_start <- function(gear, nodes) {
 save_state <- function(state, said) {
   if (said$format == "report") return(report(state, said$file))
   if (said$format == "share") return(share(state, said$file))
+  if (said$format == "slopes") {
+    return(write_csv(as.data.frame(unclass(sensitivities(state))), said$file))
+  }
   if (said$format == "drawing") return(plot(state$gear, file = said$file, page = drawing_page))
   Find(function(format) format$name == said$format, formats_of("state"))$write(state, said$file)
 }

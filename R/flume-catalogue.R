@@ -51,13 +51,11 @@ offered_catalogue <- remembered(function() {
 })
 
 # Adds the unit of each field that a class sets.
-catalogue_json <- function() {
+catalogue_lists <- function() {
   fields <- lapply(picked_fields, function(columns) {
     lapply(columns, function(column) first_of(as.list(picked_units)[[column]], ""))
   })
-  escape_json(as.character(jsonlite::toJSON(
-    list(things = offered_catalogue(), fields = fields), auto_unbox = TRUE
-  )))
+  list(things = offered_catalogue(), fields = fields)
 }
 
 most_own_rows <- 100L

@@ -31,8 +31,9 @@ design_table <- function(designs) {
   )
 }
 
-# Returns a column per design.
-designs_html <- function(designs, preferred, say = make_translator()) {
+# Returns the table of stored designs and of the measures on screen, with a column per design.
+designs_tables <- function(kept, measures, preferred, say = make_translator()) {
+  designs <- c(kept, list(list(name = say("on_screen"), measures = measures)))
   table <- in_preferred(design_table(designs), preferred)
   figures <- decimals_of(do.call(pmax, c(lapply(table$values, abs), list(na.rm = TRUE))))
   head <- c(say("measure"), vapply(designs, `[[`, "", "name"))
@@ -45,7 +46,7 @@ designs_html <- function(designs, preferred, say = make_translator()) {
   rows <- do.call(data.frame, c(
     list(label_with_unit(say, table$measure, table$unit)), unname(cells), stringsAsFactors = FALSE
   ))
-  html_table(say("designs_caption"), head, text_rows(rows))
+  list(page_table(say("designs_caption"), head, text_rows(rows)))
 }
 
 # Returns the table as a data frame, for a file.

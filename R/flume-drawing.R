@@ -3,13 +3,14 @@
 
 drawing_page <- "A3"
 
-flume_draws <- function(input, tank, request_slow_worker, said) {
-  shiny::observeEvent(input$drawing_wanted, {
+flume_draws <- function(page) {
+  tank <- page$tank
+  list(drawing_wanted = function(given) {
     if (is.null(tank$gear)) return()
     edited <- tank$edited
-    request_slow_worker("drawing", tank$draft, function(found) {
+    page$request_slow_worker("drawing", tank$draft, function(found) {
       # if the draft has changed, the page requests a new drawing
-      if (edited == tank$edited) said("flume_drawing", svg = found)
+      if (edited == tank$edited) page$said("flume_drawing", svg = found)
     })
   })
 }

@@ -41,8 +41,8 @@ moved_arrays <- c("points", "rope_tension", "u", "v", "drag", "places", "boards"
 
 # Returns the shape of a design while a slider moves. The page draws it before it has other data.
 # shape: from flume_shape(); fixed: connectivity that the page has; number: of the page's question.
-# Returns list(moved, fixed, anew). `moved` (raw) has the length of a JSON header (4 bytes), the
-# header, then single floats, little-endian. `anew` is TRUE if the connectivity has changed.
+# Returns list(moved, fixed, anew). `moved` (raw) has a header, then single floats, little-endian.
+# `anew` is TRUE if the connectivity has changed.
 moved_message <- function(state, shape, fixed, number) {
   shape$rope_tension <- shape$ropes
   arrays <- lapply(shape[moved_arrays], as.double)
@@ -61,14 +61,6 @@ moved_message <- function(state, shape, fixed, number) {
       now_fixed[changed]
     )
   )
-  text <- charToRaw(enc2utf8(as.character(
-    jsonlite::toJSON(header, auto_unbox = TRUE, digits = I(7), null = "null", na = "null")
-  )))
-  # floats must start at a multiple of their size
-  text <- c(text, rep(charToRaw(" "), -length(text) %% 4L))
-  bytes <- function(x, size) writeBin(x, raw(), size = size, endian = "little")
-  list(
-    moved = c(bytes(length(text), 4L), text, bytes(unlist(arrays, use.names = FALSE), 4L)),
-    fixed = now_fixed, anew = length(changed) > 0
-  )
+  floats <- writeBin(unlist(arrays, use.names = FALSE), raw(), size = 4L, endian = "little")
+  list(moved = with_header(header, floats), fixed = now_fixed, anew = length(changed) > 0)
 }

@@ -1,73 +1,69 @@
-# Downloads of the flume tank. The slow worker writes files that take long.
+# Files that the flume tank's page saves. The slow worker writes files that take long.
 
-flume_saves <- function(output, tank, clerk) {
-  save <- function(name, extension, write) {
-    shiny::downloadHandler(
-      filename = function() paste0(file_strings(tank$gear$plan$name), name, ".", extension),
-      content = write
-    )
-  }
+# Returns the files by name: list(ending of the file name, write), or list(ending, request), the
+# data for the worker without the path of the file. write(file) writes a file at once.
+tank_files <- function(tank) {
   table <- function(make) function(file) write_csv(make(), file)
-  of_state <- function(format) {
-    function(file) {
-      on_slow_worker(clerk, "save", file, function() {
-        tank$request("save", list(format = format, file = file))
-      })
-    }
+  at_once <- function(ending, write) list(ending = ending, write = write)
+  of_state <- function(ending, format) {
+    list(ending = ending, kind = "save", request = list(format = format))
   }
-  output$save_plan <- save("", "yaml", function(file) write_gear(tank$gear, file))
-  output$save_all <- save("-designs", "json", function(file) {
-    write_text(c(design_json(tank$words()), ""), file)
+  formats <- lapply(formats_of("state"), function(format) {
+    of_state(paste0("-", format$name, format$extension), format$name)
   })
-  output$save_measures <- save("-measures", "csv", table(function() {
-    measure_changes(tank$measures, tank$kept[[1L]]$measures)
-  }))
-  output$save_designs <- save("-designs", "csv", table(function() {
-    designs_frame(c(tank$kept, list(list(name = "On screen", measures = tank$measures))))
-  }))
-  lapply(formats_of("state"), function(format) {
-    output[[paste0("save_", format$name)]] <- save(
-      paste0("-", format$name), sub(".", "", format$extension, fixed = TRUE),
-      of_state(format$name)
-    )
+  names(formats) <- vapply(formats_of("state"), `[[`, "", "name")
+  tows <- Map(function(name, one) list(
+    ending = paste0("-tow-", name, ".", one$extension), kind = "save_tow",
+    request = list(name = name, trajectory = tank$trajectory)
+  ), names(tow_saves), tow_saves)
+  drawings <- lapply(stats::setNames(nm = drawing_formats), function(extension) {
+    of_state(paste0("-drawing.", extension), "drawing")
   })
-  output$save_vary <- save("-varied", "csv", table(function() varied_table(tank$varied)))
-  output$save_drag <- save("-drag", "csv", table(function() {
-    as.data.frame(tank$state, what = "drag")
-  }))
-  output$save_code <- save("", "R", function(file) write_text(c(tank$code(), ""), file))
-  for (extension in drawing_formats) {
-    local({
-      extension <- extension
-      output[[paste0("save_drawing_", extension)]] <- save("-drawing", extension,
-        of_state("drawing"))
-    })
-  }
-  output$save_report <- save("", "html", of_state("report"))
-  output$save_share <- save("-living", "html", of_state("share"))
-  output$save_slopes <- save("-slopes", "csv", function(file) {
-    write <- function(slopes) write_csv(as.data.frame(unclass(slopes)), file)
-    if (!is.null(tank$slopes)) return(write(tank$slopes))
-    found <- promised(clerk, "slopes", function() tank$request("slopes", NULL))
-    promises::then(found, write)
-  })
+  c(list(
+    plan = at_once(".yaml", function(file) write_gear(tank$gear, file)),
+    all = at_once("-designs.json", function(file) {
+      write_text(c(design_json(tank$words()), ""), file)
+    }),
+    measures = at_once("-measures.csv", table(function() {
+      measure_changes(tank$measures, tank$kept[[1L]]$measures)
+    })),
+    designs = at_once("-designs.csv", table(function() {
+      designs_frame(c(tank$kept, list(list(name = "On screen", measures = tank$measures))))
+    })),
+    vary = at_once("-varied.csv", table(function() varied_table(tank$varied))),
+    drag = at_once("-drag.csv", table(function() as.data.frame(tank$state, what = "drag"))),
+    code = at_once(".R", function(file) write_text(c(tank$code(), ""), file)),
+    slopes = if (is.null(tank$slopes)) {
+      of_state("-slopes.csv", "slopes")
+    } else {
+      at_once("-slopes.csv", table(function() as.data.frame(unclass(tank$slopes))))
+    },
+    report = of_state(".html", "report"), share = of_state("-living.html", "share")
+  ), stats::setNames(drawings, paste0("drawing_", drawing_formats)),
+  stats::setNames(tows, paste0("tow_", names(tows))), formats)
 }
 
 drawing_formats <- c("svg", "pdf", "dxf")
 
-# Returns a promise of the worker's answer.
-promised <- function(clerk, kind, make) {
-  promises::promise(function(resolve, reject) {
-    clerk$ask(kind, make, function(answer) {
-      if (is.null(answer)) return(reject("A newer request has replaced this one."))
-      if (is.null(answer$problem)) resolve(answer$found) else reject(answer$problem$message)
-    })
+# Sends the file of a name to the page.
+flume_saves <- function(page) {
+  tank <- page$tank
+  list(save_wanted = function(given) {
+    one <- if (is_text(given) && !is.null(tank$gear)) tank_files(tank)[[given]]
+    if (is.null(one)) return()
+    name <- paste0(file_strings(tank$gear$plan$name), one$ending)
+    # drawings have the format of the file's extension
+    file <- tempfile(fileext = sub(".*([.][a-z0-9]+)$", "\\1", one$ending))
+    hand_over <- function(...) {
+      on.exit(unlink(file))
+      page$send_bytes(with_header(list(file = name), readBin(file, "raw", file.size(file))))
+    }
+    if (is.null(one$request)) {
+      if (page$trying("save", one$write(file))) hand_over()
+    } else {
+      page$request_slow_worker(one$kind, c(one$request, list(file = file)), hand_over)
+    }
   })
-}
-
-# Returns a promise of a file that the worker writes.
-on_slow_worker <- function(clerk, kind, file, make) {
-  promises::then(promised(clerk, kind, make), function(found) file)
 }
 
 # Converts a gear's name to a part of a file name.

@@ -23,17 +23,13 @@ sensitivity_label <- function(field, say) {
     USE.NAMES = FALSE)
 }
 
-# Requests the uncertainty of the measures on screen if the user selected `with_intervals`.
-flume_intervals <- function(input, tank, request_slow_worker) {
-  shiny::observe({
-    tank$changed()
-    if (!isTRUE(input$with_intervals) || is.null(tank$gear) || !is.null(tank$uncertainty)) return()
-    serial <- tank$serial
-    request_slow_worker("uncertainty", NULL, function(found) {
-      if (tank$serial != serial) return()
-      tank$uncertainty <- found
-      tank$count_uncertainty()
-    })
+request_uncertainty <- function(page) {
+  tank <- page$tank
+  serial <- tank$serial
+  page$request_slow_worker("uncertainty", NULL, function(found) {
+    if (tank$serial != serial) return()
+    tank$uncertainty <- found
+    page$show_measures()
   })
 }
 
@@ -62,8 +58,8 @@ sensitivities_message <- function(slopes, preferred, say = make_translator()) {
 sensitivity_units <- function(rows) sub(" per [^ ]*$", "", rows$derivative_unit)
 
 # The table lists changes in percent of the measure for 10 % more of the field.
-sensitivities_html <- function(slopes, say = make_translator()) {
-  if (is.null(slopes)) return(NULL)
+sensitivity_tables <- function(slopes, say = make_translator()) {
+  if (is.null(slopes)) return(list())
   fields <- unique(slopes$field)
   measures <- unique(slopes$measure)
   # a row per measure, in the same order for every field
@@ -81,34 +77,29 @@ sensitivities_html <- function(slopes, say = make_translator()) {
   table <- do.call(data.frame, c(list(words), columns, stringsAsFactors = FALSE))
   # measures that no field changes are omitted
   told <- Reduce(`|`, lapply(columns, function(column) nzchar(column) & column != "0"))
-  shiny::tagList(
-    html_table(say("slopes_caption"), c(say("measure"), sensitivity_label(fields, say)),
-      text_rows(table[told, ])),
-    shiny::tags$p(class = "note", say("slopes_star"))
-  )
+  list(page_table(
+    say("slopes_caption"), c(say("measure"), sensitivity_label(fields, say)),
+    text_rows(table[told, ]), note = say("slopes_star")
+  ))
 }
 
-# Handles requests for the sensitivities to `input$slopes_wanted$paths`, or to the fields that users
-# change first if there are no paths.
-serve_sensitivities <- function(input, output, session, tank, request_slow_worker, said, say) {
-  show <- function() {
-    said("flume_sensitivities", fields = sensitivities_message(tank$slopes, tank$preferred, say))
-    tank$count_slopes()
-  }
-  shiny::observeEvent(input$slopes_wanted, {
+# Handles requests for the sensitivities to the fields `paths`, or to the fields that users change
+# first if there are no paths.
+flume_sensitivities <- function(page) {
+  tank <- page$tank
+  list(slopes_wanted = function(given) {
     if (is.null(tank$gear)) return()
     serial <- tank$serial
-    paths <- as.list(input$slopes_wanted)$paths
-    request_slow_worker("slopes", paths, function(found) {
+    page$request_slow_worker("slopes", as.list(given)$paths, function(found) {
       if (tank$serial != serial) return()
       tank$slopes <- with_derivatives(tank$slopes, found)
-      show()
+      show_sensitivities(page)
     })
   })
-  shiny::observeEvent(input$preferred, if (!is.null(tank$slopes)) show())
-  output$slopes <- shiny::renderUI({
-    tank$slopes_changed()
-    tank$changed()
-    sensitivities_html(tank$slopes, say)
-  })
+}
+
+show_sensitivities <- function(page) {
+  tank <- page$tank
+  page$said("flume_sensitivities",
+    fields = sensitivities_message(tank$slopes, tank$preferred, page$say))
 }

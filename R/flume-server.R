@@ -11,56 +11,84 @@ rest_every <- 0.5
 # start: list(gear, state, notes) to open with, or NULL; marked: fields with additional controls;
 # new_worker: a function(seconds, late) that returns a worker; folder: of shared designs, or NULL;
 # hosts: names under which a proxy serves the page, or NULL.
+#
+# Returns a function(request, send, send_bytes, close) that opens a page and returns list(hear,
+# leave, handlers, tank), or NULL if it rejects the page. request: HTTP request of the connection;
+# send(type, message) and send_bytes(bytes) send messages; close() ends the connection.
+# hear(type, message) receives a message, and leave() ends the page.
 flume_server <- function(
   start, marked, nodes, new_worker = process_worker, folder = NULL, hosts = NULL
 ) {
   pages <- 0L
   visitors <- new_visitors()
   shared <- if (!is.null(folder)) new_shared(folder)
-  shared_changed <- shiny::reactiveVal(0L)
-  function(input, output, session) {
-    said <- function(type, ...) session$sendCustomMessage(type, list(...))
-    request <- session$request
-    if (!same_origin(request) || !known_host(request, hosts)) return(session$close())
+  function(request, send, send_bytes, close) {
+    said <- function(type, ...) send(type, list(...))
+    if (!same_origin(request) || !known_host(request, hosts)) return(NULL)
     visitor <- visitors(visitor_of(request))
     full <- if (pages >= flume_sessions) {
       "The tank has reached its maximum number of visitors; try again later."
     } else if (!visitor$enter()) {
       "You have too many pages of the tank open; close one and reload this page."
     }
+    say <- make_translator(page_language(request$QUERY_STRING, request$HTTP_ACCEPT_LANGUAGE))
+    send("flume_begin", begin_message(say, !is.null(start), !is.null(folder)))
     if (!is.null(full)) {
       said("flume_refused", answers = 0, where = "gallery", path = NULL, message = full)
-      return(session$close())
+      return(NULL)
     }
-    bound_messages(session)
-    # the page has the same language, because its address and headers are the same
-    say <- make_translator(page_language(
-      shiny::isolate(session$clientData$url_search), request$HTTP_ACCEPT_LANGUAGE
-    ))
     tank <- new_tank(start, marked, nodes, say)
     worker <- new_worker()
     # second worker for slow requests (reports, tows), so that the 3D view stays responsive
     clerk <- new_worker(seconds = slow_worker_seconds, late = TRUE)
     pages <<- pages + 1L
-    session$onSessionEnded(function() {
+    open <- TRUE
+    leave <- function() {
+      if (!open) return()
+      open <<- FALSE
       pages <<- pages - 1L
       visitor$leave()
+      if (!is.null(shared)) shared$ignore(id)
       worker$stop()
       clerk$stop()
-    })
+    }
+    # what the functions for parts of the page use
+    page <- list2env(list(
+      tank = tank, said = said, say = say, clerk = clerk, send_bytes = send_bytes,
+      closed = function() !open
+    ))
 
-    # The picture is sent before the tables are made.
-    show <- function(answers = 0, passed = FALSE) {
+    # The page keeps the list of measures until the list changes.
+    listed <- measures <- NULL
+    described <- function(x) attributes(x)[c("names", "unit", "kind")]
+    page$show_measures <- function() {
+      now <- tank$measures
+      kept <- tank$kept[[1L]]$measures
+      given <- list(described(now), described(kept), tank$preferred)
+      if (!identical(given, listed)) {
+        measures <<- displayed_measures(now, kept, tank$preferred, say)
+        said("flume_measures_about", measures = measures)
+      }
+      listed <<- given
+      do.call(said, c("flume_measures", displayed_numbers(
+        measures, now, kept, if (tank$with_intervals) tank$uncertainty, say
+      )))
+      if (tank$with_intervals && is.null(tank$uncertainty)) request_uncertainty(page)
+    }
+    page$show_kept <- function() {
+      said("flume_kept", kept = lapply(tank$kept, `[`, c("id", "name", "seen")))
+    }
+    page$show <- function(answers = 0, passed = FALSE) {
       if (is.null(tank$gear)) return(said("flume_idle", answers = answers))
       message <- tank$picture(passed)
-      session$sendCustomMessage("flume_picture", c(list(
+      send("flume_picture", c(list(
         answers = answers, said = spoken(tank$measures, say), notes = I(tank$warnings()),
         towed = !is.null(tank$gear$plan$tow)
       ), message))
-      tank$count_picture()
+      page$show_measures()
     }
     # Sends the form if its fields changed, interpreted numbers, problems, and counts of undo steps.
-    show_draft <- function(understood = list(), settling = FALSE) {
+    page$show_draft <- function(understood = list(), settling = FALSE) {
       if (is.null(tank$gear)) return()
       said("flume_draft",
         form = if (tank$form_is_old()) tank$form(), understood = understood,
@@ -73,14 +101,10 @@ flume_server <- function(
         path = problem$path, cancelled = isTRUE(problem$cancelled))
     }
     # An error in a request is reported in its part of the page. Returns TRUE on success.
-    trying <- function(where, expression, answers = 0) {
+    page$trying <- function(where, expression, answers = 0) {
       problem <- flume_problem(expression)
       if (!is.null(problem)) refuse(problem, where, answers)
       is.null(problem)
-    }
-    number_of <- function(given) {
-      number <- as.list(given)$number
-      if (is.numeric(number) && length(number) == 1L) number else 0
     }
 
     # Requests the rest of the shape that the page has (NULL if the page has all data); and the time
@@ -94,13 +118,13 @@ flume_server <- function(
     under_way <- FALSE
     asked_again <- NULL  # number of the last change
     take_design <- function(given) {
-      number <- number_of(given)
+      number <- request_number(given)
       gesture <- if (is.numeric(given$gesture)) given$gesture[1] else -1
       of_this_gear <- is.null(given$turn) || identical(as.double(given$turn), as.double(tank$turn))
       if (is.null(tank$gear) || !of_this_gear) return(said("flume_idle", answers = number))
       edits <- if (is.list(given$edits)) given$edits else list()
       understood <- NULL
-      if (!trying("design", understood <- tank$edit(edits, gesture), number)) return()
+      if (!page$trying("design", understood <- tank$edit(edits, gesture), number)) return()
       # the user changed the design outside the form
       if (isTRUE(given$anew)) tank$lay_out()
       if (!under_way) return(ask_design(number, understood))
@@ -109,8 +133,8 @@ flume_server <- function(
     }
     ask_design <- function(number, understood = list()) {
       under_way <<- TRUE
-      show_draft(understood, settling = TRUE)
-      request_worker("design", NULL, number)
+      page$show_draft(understood, settling = TRUE)
+      page$request_worker("design", NULL, number)
     }
     design_answered <- function() {
       under_way <<- FALSE
@@ -122,8 +146,7 @@ flume_server <- function(
     # Requests another gear, or the draft at the time when the worker is free (kind "design"). An
     # invalid gear changes nothing. If a draft does not settle, it is stored and the last shape
     # stays. A shape that arrives alone is displayed before the rest is requested.
-    request_worker <- function(kind, asked, answers = 0, then = NULL) {
-      # evaluated now, in the observer
+    page$request_worker <- function(kind, asked, answers = 0, then = NULL) {
       force(asked)
       force(answers)
       edited <- tank$edited
@@ -138,7 +161,7 @@ flume_server <- function(
         }
         pause <- if (kind == "rest" && seconds() - since < rest_every) rest_pause else 0
         worker$ask(kind, make, pause = pause, then = function(answer) {
-          if (session$isClosed()) return()
+          if (page$closed()) return()
           if (kind == "design") on.exit(design_answered())
           # a later request has replaced this one
           if (is.null(answer)) return(said("flume_idle", answers = answers))
@@ -146,7 +169,7 @@ flume_server <- function(
             held <- !is.null(answer$draft)
             if (held) {
               tank$hold(answer$draft, edited)
-              show_draft()
+              page$show_draft()
             }
             # errors of a typed plan are also reported below its text
             if (held && kind == "design") {
@@ -159,7 +182,7 @@ flume_server <- function(
             # the worker has lost this shape, so the last complete design is displayed again
             owed <<- NULL
             tank$forget_picture()
-            show()
+            page$show()
           } else {
             found_is(answer$found)
           }
@@ -169,13 +192,14 @@ flume_server <- function(
         tank$take(kind, found, edited)
         worker$holds <- tank$serial
         owed <<- NULL
-        show(answers, passed)
-        show_draft()
+        page$show(answers, passed)
+        if (kind %in% opening_requests) page$show_kept()
+        page$show_draft()
         if (!is.null(then)) then()
       }
       ask(kind, function(found) {
         if (is.null(found$moved)) return(complete(found))
-        session$sendBinaryMessage("flume_moved", found$moved)
+        send_bytes(found$moved)
         if (found$anew) tank$forget_picture()
         # the worker continues from this shape, complete or not
         worker$holds <- tank$serial
@@ -192,13 +216,13 @@ flume_server <- function(
 
     # Requests a product of the state on screen, then calls then(product). A later request of this
     # kind replaces a waiting request.
-    request_slow_worker <- function(kind, asked, then) {
+    page$request_slow_worker <- function(kind, asked, then) {
       force(asked)
       said("flume_clerk", busy = TRUE, what = kind)
       clerk$ask(
         kind, function() tank$request(kind, asked),
         function(answer) {
-          if (session$isClosed() || is.null(answer)) return()
+          if (page$closed() || is.null(answer)) return()
           said("flume_clerk", busy = FALSE, what = kind)
           if (!is.null(answer$problem)) return(refuse(answer$problem, kind))
           then(answer$found)
@@ -206,92 +230,70 @@ flume_server <- function(
       )
     }
 
-    session$onFlushed(function() {
-      if (is.null(tank$gear)) return()
-      show()
-      show_draft()
-    })
-
-    shiny::observeEvent(input$design, take_design(as.list(input$design)))
-    for (kind in c("plan_file", "plan_text", "shipped", "new")) {
-      local({
-        kind <- kind
-        shiny::observeEvent(input[[kind]], {
-          given <- input[[kind]]
-          asked <- if (is.list(given) && "asked" %in% names(given)) given$asked else given
-          request_worker(kind, asked, number_of(given))
-        })
+    # messages that open a gear
+    opens <- lapply(stats::setNames(nm = c("plan_file", "plan_text", "shipped", "new")),
+      function(kind) function(given) {
+        page$request_worker(kind, as.list(given)$asked, request_number(given))
       })
-    }
-    for (name in c("undo", "redo")) {
-      local({
-        name <- name
-        shiny::observeEvent(input[[name]], {
-          number <- number_of(input[[name]])
-          if (!tank$step(name)) return(said("flume_idle", answers = number))
-          show_draft(settling = TRUE)
-          request_worker("design", NULL, number)
-        })
-      })
-    }
-    shiny::observeEvent(input$cancel, {
-      worker$cancel()
-      clerk$cancel()
+    steps <- lapply(stats::setNames(nm = c("undo", "redo")), function(name) function(given) {
+      number <- request_number(given)
+      if (!tank$step(name)) return(said("flume_idle", answers = number))
+      page$show_draft(settling = TRUE)
+      page$request_worker("design", NULL, number)
     })
-    shiny::observeEvent(input$preferred, {
-      tank$preferred <- preferred_of(input$preferred)
-      if (!is.null(tank$gear)) tank$count_picture()
-    })
-
-    open_words <- flume_keeping(
-      input, tank, clerk, show, show_draft, trying, request_worker, said, session
-    )
+    handlers <- c(opens, steps, list(
+      design = function(given) take_design(as.list(given)),
+      cancel = function(given) {
+        worker$cancel()
+        clerk$cancel()
+      },
+      preferred = function(given) {
+        tank$preferred <- preferred_of(given)
+        if (is.null(tank$gear)) return()
+        page$show_measures()
+        if (!is.null(tank$slopes)) show_sensitivities(page)
+        if (!is.null(tank$varied)) show_varied(page)
+      },
+      intervals_wanted = function(given) {
+        tank$with_intervals <- isTRUE(given)
+        if (!is.null(tank$gear)) page$show_measures()
+      }
+    ), flume_keeping(page), flume_display(page), flume_draws(page), flume_sensitivities(page),
+    flume_varies(page), flume_targets(page), flume_tows(page), flume_saves(page))
     if (!is.null(shared)) {
-      flume_shares(input, tank, shared, shared_changed, visitor, said, trying, open_words)
+      id <- shared$listen(function(designs) said("flume_shared", designs = designs))
+      handlers <- c(handlers, flume_shares(page, shared, visitor, handlers$words))
     }
-    serve_display(input, output, tank, said, say)
-    flume_draws(input, tank, request_slow_worker, said)
-    serve_sensitivities(input, output, session, tank, request_slow_worker, said, say)
-    flume_intervals(input, tank, request_slow_worker)
-    flume_varies(input, tank, clerk, said, session, say)
-    flume_targets(input, tank, request_slow_worker, said, say)
-    flume_tows(input, output, tank, clerk, request_slow_worker, said)
-    flume_saves(output, tank, clerk)
+    if (!is.null(tank$gear)) {
+      page$show()
+      page$show_kept()
+      page$show_draft()
+    }
+    hear <- function(type, given) {
+      handler <- handlers[[type]]
+      if (!open || is.null(handler)) return()
+      # an error here, outside every request, would end the tank for all users
+      tryCatch(handler(given), error = function(e) {
+        message("codend flume: ", conditionMessage(e))
+      })
+    }
+    list(hear = hear, leave = leave, handlers = handlers, tank = tank)
   }
 }
 
-# Handles stored designs and designs in an address: `input$keep` = list(name), `input$kept` =
-# list(id, act, name). Returns the function(words, number) that opens the designs of an address.
-flume_keeping <- function(
-  input, tank, clerk, show, show_draft, trying, request_worker, said, session
-) {
+# Returns the handlers of stored designs and of designs in an address: `keep` = list(name), `kept` =
+# list(id, act, name).
+flume_keeping <- function(page) {
+  tank <- page$tank
   # user-defined rows of the catalogue
   take_own <- function(rows) {
-    if (trying("own", tank$own <- own_rows(rows))) said("flume_own", rows = tank$own)
+    if (page$trying("own", tank$own <- own_rows(rows))) page$said("flume_own", rows = tank$own)
   }
-  shiny::observeEvent(input$own, take_own(as.list(input$own)$rows))
-  shiny::observeEvent(input$keep, {
-    if (!is.null(tank$gear) && trying("keep", tank$keep(as.list(input$keep)$name))) show()
-  })
-  shiny::observeEvent(input$kept, {
-    asked <- as.list(input$kept)
-    act <- if (is_text(asked$act)) asked$act else ""
-    if (act == "open") {
-      trying("keep", {
-        tank$change(tank$kept[[tank$kept_at(asked$id)]]$design)
-        tank$lay_out()
-        show_draft(settling = TRUE)
-        request_worker("design", NULL, if (is.numeric(asked$number)) asked$number[1] else 0)
-      })
-    } else {
-      good <- trying("keep", switch(act,
-        compare = tank$compare(asked$id), remove = tank$remove(asked$id),
-        rename = tank$rename(asked$id, asked$name), show = tank$see(asked$id, TRUE),
-        hide = tank$see(asked$id, FALSE)
-      ))
-      if (good && !is.null(tank$gear)) show()
-    }
-  })
+  change <- function(expression) {
+    if (!page$trying("keep", expression) || is.null(tank$gear)) return()
+    page$show()
+    page$show_kept()
+  }
   # Opens the design of an address, then settles its stored designs in sequence. The sequence ends
   # if the user opens another design.
   open_words <- function(words, number) {
@@ -301,36 +303,60 @@ flume_keeping <- function(
     if (length(words$own)) take_own(c(tank$own, words$own))
     begun <- FALSE
     settle_next <- function(opened) {
-      if (!length(others) || session$isClosed() || !identical(tank$loaded, opened)) {
+      if (!length(others) || page$closed() || !identical(tank$loaded, opened)) {
         return(invisible())
       }
       words <- as.list(others[[1L]])
       others <<- others[-1L]
-      clerk$ask(
+      page$clerk$ask(
         "kept", function() tank$request("kept", words, tank$serial),
         function(answer) {
-          if (session$isClosed() || !identical(tank$loaded, opened)) return()
+          if (page$closed() || !identical(tank$loaded, opened)) return()
           if (is.null(answer$problem)) {
             # replaces the design that was stored when the address was opened
             if (!begun) tank$kept <- list()
             begun <<- TRUE
-            trying("keep", tank$keep(words$name, answer$found))
+            page$trying("keep", tank$keep(words$name, answer$found))
           }
-          show()
+          page$show()
+          page$show_kept()
           settle_next(opened)
         }
       )
     }
-    request_worker("words", first_words, number, then = function() {
-      if (is_text(draft)) request_worker("plan_text", draft)
+    page$request_worker("words", first_words, number, then = function() {
+      if (is_text(draft)) page$request_worker("plan_text", draft)
       settle_next(tank$loaded)
     })
   }
-  shiny::observeEvent(input$words, {
-    asked <- as.list(input$words)
-    open_words(as.list(asked$asked), if (is.numeric(asked$number)) asked$number[1] else 0)
-  })
-  open_words
+  list(
+    own = function(given) take_own(as.list(given)$rows),
+    keep = function(given) if (!is.null(tank$gear)) change(tank$keep(as.list(given)$name)),
+    kept = function(given) {
+      asked <- as.list(given)
+      act <- if (is_text(asked$act)) asked$act else ""
+      if (act != "open") {
+        return(change(switch(act,
+          compare = tank$compare(asked$id), remove = tank$remove(asked$id),
+          rename = tank$rename(asked$id, asked$name), show = tank$see(asked$id, TRUE),
+          hide = tank$see(asked$id, FALSE)
+        )))
+      }
+      page$trying("keep", {
+        tank$change(tank$kept[[tank$kept_at(asked$id)]]$design)
+        tank$lay_out()
+        page$show_draft(settling = TRUE)
+        page$request_worker("design", NULL, request_number(asked))
+      })
+    },
+    words = function(given) open_words(as.list(as.list(given)$asked), request_number(given))
+  )
+}
+
+# Returns the number of a request, 0 without one.
+request_number <- function(given) {
+  number <- as.list(given)$number
+  if (is.numeric(number) && length(number) == 1L) number else 0
 }
 
 # Returns the plan field of a part or support. The fallback for a support is a rope that ends there.
@@ -342,72 +368,36 @@ clicked_field <- function(gear, name) {
   finding_field(gear$plan, names(ends_there)[1L], NULL)
 }
 
-serve_display <- function(input, output, tank, said, say) {
-  of_state <- function(make) {
-    shiny::renderUI({
-      tank$changed()
-      if (!is.null(tank$gear)) make()
-    })
-  }
-  # The page keeps the list of measures until the list changes.
-  listed <- measures <- NULL
-  described <- function(x) attributes(x)[c("names", "unit", "kind")]
-  shiny::observe({
-    tank$changed()
-    tank$uncertainty_changed()
-    if (is.null(tank$gear)) return()
-    now <- tank$measures
-    kept <- tank$kept[[1L]]$measures
-    given <- list(described(now), described(kept), tank$preferred)
-    if (!identical(given, listed)) {
-      measures <<- displayed_measures(now, kept, tank$preferred, say)
-      said("flume_measures_about", measures = measures)
-    }
-    listed <<- given
-    do.call(said, c("flume_measures", displayed_numbers(
-      measures, now, kept, if (isTRUE(input$with_intervals)) tank$uncertainty, say
-    )))
-  })
-  output$tensions <- of_state(function() tensions_html(tank$state, say))
-  output$drag <- of_state(function() drag_html(tank$state, say))
-  output$differences <- of_state(function() {
-    differences_html(tank$kept[[1L]]$gear, tank$gear, say)
-  })
-  output$designs <- of_state(function() {
-    tank$kept_changed()
-    on_screen <- list(list(name = say("on_screen"), measures = tank$measures))
-    designs_html(c(tank$kept, on_screen), tank$preferred, say)
-  })
-  output$code <- shiny::renderText({
-    tank$changed()
-    if (is.null(tank$gear)) "" else tank$code()
-  })
-  # The page requests strings once nothing moves, because they take longer than a picture.
-  shiny::observeEvent(input$plan_wanted, {
-    if (!is.null(tank$gear)) said("flume_plan", text = draft_text(tank$draft))
-  })
-  shiny::observeEvent(input$words_wanted, {
-    words <- if (!is.null(tank$gear)) tank$words()
-    said("flume_words", words = words, number = input$words_wanted)
-  })
-  # the user clicked a part in the picture
-  shiny::observeEvent(input$part_wanted, {
-    name <- as.list(input$part_wanted)$name
-    if (is.null(tank$gear) || !is_text(name) || nchar(name) > most_name) return()
-    path <- clicked_field(tank$gear, name)
-    if (!is.na(path)) said("flume_part", path = path)
-  })
-  shiny::observe({
-    tank$kept_changed()
-    said("flume_kept", kept = lapply(tank$kept, `[`, c("id", "name", "seen")))
-  })
-  shiny::observeEvent(input$offers, {
-    asked <- as.list(input$offers)
-    if (is.null(tank$gear) || !is_text(asked$path) || !is_text(asked$title)) return()
-    offers <- NULL
-    problem <- flume_problem(offers <- form_offers(tank$draft$plan, asked$path, asked$title, say))
-    if (is.null(problem)) {
-      said("flume_offers", path = asked$path, title = asked$title, offers = offers)
-    }
-  })
+# Returns the handlers of tables, texts and parts. The page requests them once nothing moves.
+flume_display <- function(page) {
+  tank <- page$tank
+  said <- page$said
+  # handlers that need a gear on screen
+  lapply(list(
+    table_wanted = function(given) {
+      tables <- if (is_text(given)) tank_tables[[given]]
+      if (!is.null(tables)) said("flume_table", name = given, tables = tables(tank, page$say))
+    },
+    plan_wanted = function(given) said("flume_plan", text = draft_text(tank$draft)),
+    code_wanted = function(given) said("flume_code", text = tank$code()),
+    # the user clicked a part in the picture
+    part_wanted = function(given) {
+      name <- as.list(given)$name
+      if (!is_text(name) || nchar(name) > most_name) return()
+      path <- clicked_field(tank$gear, name)
+      if (!is.na(path)) said("flume_part", path = path)
+    },
+    offers = function(given) {
+      asked <- as.list(given)
+      if (!is_text(asked$path) || !is_text(asked$title)) return()
+      offers <- NULL
+      problem <- flume_problem(
+        offers <- form_offers(tank$draft$plan, asked$path, asked$title, page$say)
+      )
+      if (is.null(problem)) {
+        said("flume_offers", path = asked$path, title = asked$title, offers = offers)
+      }
+    },
+    words_wanted = function(given) said("flume_words", words = tank$words(), number = given)
+  ), function(handler) function(given) if (!is.null(tank$gear)) handler(given))
 }

@@ -10,9 +10,22 @@ most_shared_name <- 30L
 # Returns functions for a folder. list() returns list(author, name, changed) of each design, latest
 # first. put(author, key, name, words, add) writes a design, and calls add() before it adds one to
 # the folder. take_out(author, key, name) removes a design, and words(author, name) reads one as
-# from tank$words().
+# from tank$words(). listen(act) calls act(designs) now and after each changed(), until ignore() of
+# its result.
 new_shared <- function(folder) {
+  listening <- new.env(parent = emptyenv())
   list(
+    listen = function(act) {
+      id <- basename(tempfile(""))
+      assign(id, act, listening)
+      act(shared_designs(folder))
+      id
+    },
+    ignore = function(id) remove(list = id, envir = listening),
+    changed = function() {
+      designs <- shared_designs(folder)
+      for (act in as.list(listening)) act(designs)
+    },
     list = function() shared_designs(folder),
     put = function(author, key, name, words, add = function() NULL) {
       file <- design_file(folder, author, name)
@@ -142,61 +155,33 @@ there <- function(file) {
 
 # ---- on the page ---------------------------------------------------------------------------------
 
-# Lists the folder, opens copies, and shares and removes designs. changed: counter of changes for
-# all pages; visitor: from new_visitors(); open_words(words, number): opens the designs of an
-# address.
-flume_shares <- function(input, tank, shared, changed, visitor, said, trying, open_words) {
-  shiny::observe({
-    changed()
-    said("flume_shared", designs = shared$list())
-  })
-  shiny::observeEvent(input$shared, {
-    given <- as.list(input$shared)
-    act <- if (is_text(given$act)) given$act else ""
-    good <- trying("shared", {
-      visitor$change()
-      switch(act,
-        put = if (!is.null(tank$gear)) {
-          shared$put(given$author, given$key, given$name, tank$words(), visitor$add)
-        },
-        take_out = shared$take_out(given$author, given$key, given$name)
-      )
-    })
-    if (good) {
-      said("flume_shared_done")
-      changed(shiny::isolate(changed()) + 1L)
+# Returns the handlers that share, remove and open designs. visitor: from new_visitors();
+# open_words: handler that opens the designs of an address.
+flume_shares <- function(page, shared, visitor, open_words) {
+  list(
+    shared = function(given) {
+      given <- as.list(given)
+      act <- if (is_text(given$act)) given$act else ""
+      good <- page$trying("shared", {
+        visitor$change()
+        switch(act,
+          put = if (!is.null(page$tank$gear)) {
+            shared$put(given$author, given$key, given$name, page$tank$words(), visitor$add)
+          },
+          take_out = shared$take_out(given$author, given$key, given$name)
+        )
+      })
+      if (!good) return()
+      page$said("flume_shared_done")
+      shared$changed()
+    },
+    shared_open = function(given) {
+      asked <- as.list(as.list(given)$asked)
+      number <- request_number(given)
+      words <- NULL
+      if (page$trying("words", words <- shared$words(asked$author, asked$name), number)) {
+        open_words(list(asked = words, number = number))
+      }
     }
-  })
-  shiny::observeEvent(input$shared_open, {
-    given <- as.list(input$shared_open)
-    asked <- as.list(given$asked)
-    number <- if (is.numeric(given$number)) given$number[1L] else 0
-    words <- NULL
-    if (trying("words", words <- shared$words(asked$author, asked$name), number)) {
-      open_words(words, number)
-    }
-  })
-}
-
-shared_list <- function(say) {
-  tags <- shiny::tags
-  list(tags$h2(say("shared_heading")), tags$ul(class = "shared-list"))
-}
-
-# The list and a form to share designs.
-shared_form <- function(say) {
-  tags <- shiny::tags
-  text <- function(id) {
-    tags$label(say(id), tags$input(type = "text", id = id, class = "form-control form-control-sm",
-      autocomplete = "off", maxlength = most_shared_name))
-  }
-  tags$section(
-    id = "shared", shared_list(say), tags$p(class = "note", say("shared_note")),
-    tags$div(
-      class = "shared-asks", text("shared_author"), text("shared_name")
-    ),
-    tags$button(type = "button", id = "shared_put", class = "btn btn-primary btn-sm",
-      say("shared_put")),
-    tags$p(id = "shared_error", class = "field-error", role = "alert", hidden = NA)
   )
 }

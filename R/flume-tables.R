@@ -1,24 +1,15 @@
-# The tables of the flume tank: numbers of measures, which the page writes, and others as HTML.
+# The tables of the flume tank, as strings and numbers that the page lays out.
 
-# The table is built as a string, because Shiny's tags take longer than settling.
-html_table <- function(caption, head, rows, numbers = seq_along(head)[-1], foot = NULL) {
-  class <- ifelse(seq_along(head) %in% numbers, " class='number'", "")
-  line <- function(cells) {
-    last <- c("</th>", rep("</td>", length(cells) - 1L))
-    open <- c("<th scope='row'>", paste0("<td", class[-1], ">"))
-    html <- escape_markup(as.character(cells))
-    paste0("<tr>", paste0(open, html, last, collapse = ""), "</tr>")
-  }
-  rows_html <- vapply(rows, line, "")
-  said_caption <- escape_markup(caption)
-  heads <- paste0("<th scope='col'", class, ">", escape_markup(head), "</th>", collapse = "")
-  shiny::HTML(paste0(
-    "<div class='table-scroll' tabindex='0' role='region' aria-label='", said_caption, "'>",
-    "<table class='table table-sm flume-table'><caption>", said_caption, "</caption>",
-    "<thead><tr>", heads, "</tr></thead>",
-    "<tbody>", paste(rows_html, collapse = ""), "</tbody>",
-    if (!is.null(foot)) paste0("<tfoot>", line(foot), "</tfoot>"), "</table></div>"
-  ))
+# Returns a table for the page. numbers: columns that are aligned as numbers; foot: last row; note:
+# a sentence below the table.
+page_table <- function(
+  caption, head, rows, numbers = seq_along(head)[-1], foot = NULL, note = NULL
+) {
+  list(
+    caption = caption, head = I(head), rows = lapply(rows, function(row) I(as.character(row))),
+    numbers = I(seq_along(head) %in% numbers), foot = if (!is.null(foot)) I(as.character(foot)),
+    note = note
+  )
 }
 
 text_rows <- function(table) {
@@ -155,7 +146,7 @@ ranked_tensions <- function(state) {
   rows
 }
 
-tensions_html <- function(state, say = make_translator()) {
+tension_tables <- function(state, say = make_translator()) {
   ranked <- ranked_tensions(state)
   margin <- ifelse(
     is.finite(ranked$margin),
@@ -172,16 +163,15 @@ tensions_html <- function(state, say = make_translator()) {
         trimws(column_figures(rows$strength_kN))), margin[ranked$kind == kind])
       head <- c(head, say("breaking_load_kn"), say("margin"))
     }
-    html_table(caption, head, text_rows(cells))
+    page_table(caption, head, text_rows(cells), note = if (with_strength) say("margin_note"))
   }
-  shiny::tagList(
+  Filter(Negate(is.null), list(
     table("rope", say("ropes_by_tension"), "kN", c(say("largest_kn"), say("mean_kn")), TRUE),
-    shiny::tags$p(class = "note", say("margin_note")),
     table("netting", say("netting_by_tension"), "N", c(say("tenth_n"), say("mean_n")), FALSE)
-  )
+  ))
 }
 
-drag_html <- function(state, say = make_translator()) {
+drag_tables <- function(state, say = make_translator()) {
   drag <- drag_table(state)
   totals <- drag_totals(drag)
   total <- totals$drag_kN[nrow(totals)]
@@ -197,27 +187,34 @@ drag_html <- function(state, say = make_translator()) {
   of_parts <- text_rows(cells(names(groups), sums("drag_kN"), sums("side_kN"),
     sums("lift_kN"))[order, ])
   head <- c(say("drag_kn"), say("share"), say("to_starboard_kn"), say("lift_kn"))
-  shiny::tagList(
-    html_table(say("drag_by_group"), c(say("group"), head), of_groups[-last],
+  list(
+    page_table(say("drag_by_group"), c(say("group"), head), of_groups[-last],
       foot = of_groups[[last]]),
-    html_table(say("drag_by_part"), c(say("part"), head), of_parts)
+    page_table(say("drag_by_part"), c(say("part"), head), of_parts)
   )
 }
 
-differences_html <- function(kept, now, say = make_translator()) {
+difference_tables <- function(kept, now, say = make_translator()) {
   found <- plan_changes(kept$plan, now$plan)
-  if (!length(found)) {
-    return(shiny::tags$p(say("no_difference")))
-  }
   shown <- function(value) if (is.null(value)) say("none") else show_value(value)
   listed <- utils::head(found, 60L)
-  shiny::tagList(
-    html_table(
-      say("fields_differ"), c(say("field"), say("kept"), say("now")),
-      lapply(listed, function(d) list(d$path, shown(d$was), shown(d$value))), numbers = integer()
-    ),
-    if (length(found) > length(listed)) {
-      shiny::tags$p(say("and_more", n = length(found) - length(listed)))
-    }
-  )
+  note <- if (!length(found)) {
+    say("no_difference")
+  } else if (length(found) > length(listed)) {
+    say("and_more", n = length(found) - length(listed))
+  }
+  list(page_table(
+    say("fields_differ"), c(say("field"), say("kept"), say("now")),
+    lapply(listed, function(d) list(d$path, shown(d$was), shown(d$value))), numbers = integer(),
+    note = note
+  ))
 }
+
+# Functions of tank and translator that return the tables of a tab, by name.
+tank_tables <- list(
+  tensions = function(tank, say) tension_tables(tank$state, say),
+  drag = function(tank, say) drag_tables(tank$state, say),
+  differences = function(tank, say) difference_tables(tank$kept[[1L]]$gear, tank$gear, say),
+  designs = function(tank, say) designs_tables(tank$kept, tank$measures, tank$preferred, say),
+  slopes = function(tank, say) sensitivity_tables(tank$slopes, say)
+)

@@ -2,10 +2,10 @@
 # designs and the history.
 #
 # `draft` is a design (list(plan, file, source)), which may be incomplete, and `problems` are its
-# errors. The counters are `edited` (changes of the draft), `turn` (opened gears), `changed`
-# (pictures), `kept_changed` (changes of stored designs) and `serial` (states). `slopes` and
-# `uncertainty` belong to the state on screen. `trajectory` is the last tow, serialised. `own` has
-# user-defined rows of the catalogue. The first design of `kept` is the reference of comparisons.
+# errors. The counters are `edited` (changes of the draft), `turn` (opened gears) and `serial`
+# (states). `slopes` and `uncertainty` belong to the state on screen; `with_intervals` is TRUE if
+# the page shows the uncertainty. `trajectory` is the last tow, serialised. `own` has user-defined
+# rows of the catalogue. The first design of `kept` is the reference of comparisons.
 
 # start: list(gear, state, notes) to open with, or NULL to start at the gallery. `say`: translator
 # from make_translator().
@@ -20,18 +20,11 @@ new_tank <- function(start, marked, nodes, say = make_translator()) {
   tank$ids <- 0L
   tank$kept <- list()
   tank$own <- list()
-  tank$changed <- shiny::reactiveVal(0L)
-  tank$kept_changed <- shiny::reactiveVal(0L)
-  tank$slopes_changed <- shiny::reactiveVal(0L)
-  tank$uncertainty_changed <- shiny::reactiveVal(0L)
+  tank$with_intervals <- FALSE
   tank$history <- new_history()
   tank$preferred <- list()
 
-  count <- function(value) value(shiny::isolate(value()) + 1L)
   screen <- function() as.list(tank)[c("gear", "state", "drawing", "measures", "notes")]
-  tank$count_picture <- function() count(tank$changed)
-  tank$count_slopes <- function() count(tank$slopes_changed)
-  tank$count_uncertainty <- function() count(tank$uncertainty_changed)
   paths_of <- remembered(given_paths)
   tank$form <- function() {
     plan <- tank$draft$plan
@@ -125,7 +118,6 @@ new_tank <- function(start, marked, nodes, say = make_translator()) {
     tank$ids <- tank$ids + 1L
     name <- design_name(name, paste("Design", tank$ids))
     tank$kept <- c(tank$kept, list(stored_design(tank$ids, name, found)))
-    count(tank$kept_changed)
   }
   tank$kept_at <- function(id) {
     ids <- vapply(tank$kept, `[[`, 0L, "id")
@@ -136,20 +128,17 @@ new_tank <- function(start, marked, nodes, say = make_translator()) {
   tank$rename <- function(id, name) {
     k <- tank$kept_at(id)
     tank$kept[[k]]$name <- design_name(name, tank$kept[[k]]$name)
-    count(tank$kept_changed)
   }
   # The first design is always visible.
   tank$see <- function(id, seen) {
     k <- tank$kept_at(id)
     tank$kept[[k]]$seen <- seen || k == 1L
-    count(tank$kept_changed)
   }
   # The reference of comparisons is the first design.
   tank$compare <- function(id) {
     k <- tank$kept_at(id)
     tank$kept <- c(tank$kept[k], tank$kept[-k])
     tank$kept[[1L]]$seen <- TRUE
-    count(tank$kept_changed)
   }
   tank$remove <- function(id) {
     k <- tank$kept_at(id)
@@ -159,7 +148,6 @@ new_tank <- function(start, marked, nodes, say = make_translator()) {
     }
     tank$kept <- tank$kept[-k]
     tank$kept[[1L]]$seen <- TRUE
-    count(tank$kept_changed)
   }
 
   # passed: TRUE if the page already has the shape.

@@ -70,15 +70,16 @@ target_sentence <- function(found, preferred, say) {
     low = of_field(found$low), high = of_field(found$high), target = in_words(found$target))
 }
 
-# Handles requests `input$target_wanted`, as in found_target().
-flume_targets <- function(input, tank, request_slow_worker, said, say) {
-  shiny::observeEvent(input$target_wanted, {
+# Handles requests for required values, as in found_target().
+flume_targets <- function(page) {
+  tank <- page$tank
+  list(target_wanted = function(given) {
     if (is.null(tank$gear)) return()
     serial <- tank$serial
-    request_slow_worker("target", as.list(input$target_wanted), function(found) {
+    page$request_slow_worker("target", as.list(given), function(found) {
       if (tank$serial != serial) return()
-      said("flume_target", paths = I(found$paths), value = found$value, unit = found$unit,
-        reached = found$reached, message = target_sentence(found, tank$preferred, say))
+      page$said("flume_target", paths = I(found$paths), value = found$value, unit = found$unit,
+        reached = found$reached, message = target_sentence(found, tank$preferred, page$say))
     })
   })
 }

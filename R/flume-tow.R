@@ -132,34 +132,14 @@ save_tow <- function(said) {
   tow_saves[[said$name]]$write(unserialize(said$trajectory), said$file)
 }
 
-tow_saves_here <- function() {
-  Filter(function(one) {
-    is.null(one$package) || requireNamespace(one$package, quietly = TRUE)
-  }, tow_saves)
-}
-
-# Handles tow requests: `input$tow_wanted` = list(until, planned, changes).
-flume_tows <- function(input, output, tank, clerk, request_slow_worker, said) {
-  shiny::observeEvent(input$tow_wanted, {
+# Handles tow requests: list(until, planned, changes).
+flume_tows <- function(page) {
+  tank <- page$tank
+  list(tow_wanted = function(given) {
     if (is.null(tank$gear)) return()
-    request_slow_worker("tow", as.list(input$tow_wanted), function(found) {
+    page$request_slow_worker("tow", as.list(given), function(found) {
       tank$trajectory <- found$trajectory
-      said("flume_tow", scene = found$scene)
+      page$said("flume_tow", scene = found$scene)
     })
   })
-  for (name in names(tow_saves_here())) {
-    local({
-      name <- name
-      output[[paste0("save_tow_", name)]] <- shiny::downloadHandler(
-        filename = function() {
-          paste0(file_strings(tank$gear$plan$name), "-tow-", name, ".", tow_saves[[name]]$extension)
-        },
-        content = function(file) {
-          on_slow_worker(clerk, "save_tow", file, function() {
-            tank$request("save_tow", list(name = name, file = file, trajectory = tank$trajectory))
-          })
-        }
-      )
-    })
-  }
 }

@@ -45,11 +45,11 @@ make_translator <- remembered(function(language = "en") {
 # Returns the language in the address (?lang=fr), otherwise the available language that the browser
 # prefers, otherwise English. query, accept: as a browser sends them, or NULL.
 page_language <- function(query, accept) {
-  asked <- tryCatch(shiny::parseQueryString(first_of(query, ""))$lang, error = function(e) NULL)
+  asked <- regmatches(query, regexpr("(?<=[?&]lang=)[-_A-Za-z]+(?=&|$)", query, perl = TRUE))
   liked <- strsplit(substr(first_of(accept, ""), 1L, 200L), ",", fixed = TRUE)[[1L]]
   share <- suppressWarnings(as.double(sub(".*;q=", "", liked)))
   share[is.na(share)] <- 1
-  wanted <- c(if (is_text(asked)) asked, sub(";.*", "", trimws(liked))[order(-share)])
+  wanted <- c(asked, sub(";.*", "", trimws(liked))[order(-share)])
   wanted <- tolower(sub("[-_].*", "", wanted[grepl("^[-_A-Za-z]+$", wanted, useBytes = TRUE)]))
   wanted <- sub("^n[bn]$", "no", wanted)
   found <- intersect(wanted, word_languages())
@@ -108,9 +108,9 @@ label_with_unit <- function(say, words, unit) {
 
 # ---- data for the page ---------------------------------------------------------------------------
 
-# Returns JSON: the strings of the language by key, and all names of each field in all languages,
-# for searches.
-strings_json <- function(say) {
+# Returns list(words, sought): the strings of the language by key, and all names of each field in
+# all languages, for searches.
+page_strings <- function(say) {
   table <- word_table()
   family <- sub("[.].*", "", table$key)
   of_field <- family %in% c("field", "also")
@@ -118,9 +118,5 @@ strings_json <- function(say) {
   field <- sub("^[a-z]*[.]", "", table$key[of_field])
   sought <- vapply(split(every, field), paste, "", collapse = " ")
   words <- strings_of_language(attr(say, "language"))
-  words <- words[!startsWith(names(words), "finding.")]
-  escape_json(as.character(jsonlite::toJSON(
-    list(words = as.list(words), sought = as.list(sought)),
-    auto_unbox = TRUE
-  )))
+  list(words = as.list(words[!startsWith(names(words), "finding.")]), sought = as.list(sought))
 }

@@ -102,25 +102,19 @@ varied_message <- function(varied, preferred, say = make_translator()) {
   )
 }
 
-# Handles requests: `input$vary_wanted`, as in varied_field(), and `input$vary_stop`.
-flume_varies <- function(input, tank, clerk, said, session, say) {
+# Handles requests, as in varied_field().
+flume_varies <- function(page) {
+  tank <- page$tank
   turn <- 0L  # number of the last request
-  show <- function(running) {
-    said("flume_varied", running = running,
-      varied = varied_message(tank$varied, tank$preferred, say))
-  }
-  stop_varying <- function() {
+  stop_varying <- function(...) {
     turn <<- turn + 1L
-    if (!is.null(tank$varied)) show(FALSE)
+    if (!is.null(tank$varied)) show_varied(page, FALSE)
   }
-  shiny::observeEvent(input$vary_wanted, {
+  start_varying <- function(given) {
     if (is.null(tank$gear)) return()
-    asked <- as.list(input$vary_wanted)
     varied <- NULL
-    problem <- flume_problem(varied <- varied_field(tank$gear$plan, asked, say))
-    if (!is.null(problem)) {
-      return(said("flume_refused", answers = 0, where = "vary", message = problem$message))
-    }
+    good <- page$trying("vary", varied <- varied_field(tank$gear$plan, as.list(given), page$say))
+    if (!good) return()
     turn <<- turn + 1L
     mine <- turn
     opened <- tank$turn
@@ -132,21 +126,25 @@ flume_varies <- function(input, tank, clerk, said, session, say) {
     go_on <- function() {
       if (tank$turn != opened) return(stop_varying())
       k <- length(tank$varied$found) + 1L
-      show(k <= length(varied$values))
+      show_varied(page)
       if (k > length(varied$values)) return()
       request$said$value <- varied$values[k]
-      clerk$ask("vary", function() if (mine == turn) request, function(answer) {
-        if (session$isClosed() || mine != turn || is.null(answer)) return()
+      page$clerk$ask("vary", function() if (mine == turn) request, function(answer) {
+        if (page$closed() || mine != turn || is.null(answer)) return()
         if (isTRUE(answer$problem$cancelled)) return(stop_varying())
         tank$varied$found[[k]] <- first_of(answer$found, answer$problem$message)
         go_on()
       })
     }
     go_on()
-  })
-  shiny::observeEvent(input$vary_stop, stop_varying())
-  shiny::observeEvent(input$preferred, {
-    running <- length(tank$varied$found) < length(tank$varied$values)
-    if (!is.null(tank$varied)) show(running)
-  })
+  }
+  list(vary_wanted = start_varying, vary_stop = stop_varying)
+}
+
+show_varied <- function(
+  page, running = length(page$tank$varied$found) < length(page$tank$varied$values)
+) {
+  tank <- page$tank
+  page$said("flume_varied", running = running,
+    varied = varied_message(tank$varied, tank$preferred, page$say))
 }

@@ -83,12 +83,12 @@ known_host <- function(request, hosts = NULL) {
   # Every browser sends a host.
   if (is.null(request$HTTP_HOST)) return(TRUE)
   host <- tolower(sub(":[0-9]+$", "", request$HTTP_HOST))
-  host %in% c("localhost", tolower(hosts)) || grepl("^([0-9.]+|\\[[0-9a-f:]+\\])$", host) ||
-    nzchar(Sys.getenv("SHINY_PORT"))
+  host %in% c("localhost", tolower(hosts)) || grepl("^([0-9.]+|\\[[0-9a-f:]+\\])$", host)
 }
 
 # Headers of every response. RStudio shows the page in a frame of its own origin.
-response_headers <- list(
+response_headers <- c(
+  "Cache-Control" = "no-cache",
   "X-Content-Type-Options" = "nosniff", "Referrer-Policy" = "no-referrer",
   "Cross-Origin-Opener-Policy" = "same-origin", "Cross-Origin-Resource-Policy" = "same-origin",
   "Permissions-Policy" = "camera=(), geolocation=(), microphone=()",
@@ -99,8 +99,3 @@ response_headers <- list(
     "frame-ancestors 'self' http://localhost:* http://127.0.0.1:*"
   )
 )
-
-with_headers <- function(request, response) {
-  response$headers[names(response_headers)] <- response_headers
-  response
-}

@@ -291,19 +291,3 @@ message_gate <- function(now = function() proc.time()[["elapsed"]]) {
     bytes <= most_message_bytes && left >= 0
   }
 }
-
-# Ends a session whose page exceeds the limits. Shiny has no limit for messages, so they are counted
-# in the handlers of its connection. Returns FALSE if the connection is not accessible.
-bound_messages <- function(session) {
-  socket <- tryCatch(session$.__enclos_env__$private$websocket, error = function(e) NULL)
-  if (!is.environment(socket) || !is.list(socket$messageCallbacks)) return(FALSE)
-  pass <- message_gate()
-  open <- TRUE
-  handlers <- socket$messageCallbacks
-  socket$messageCallbacks <- list(function(binary, message) {
-    if (!open) return()
-    open <<- pass(if (is.raw(message)) length(message) else nchar(message, "bytes"))
-    if (open) for (handler in handlers) handler(binary, message) else session$close()
-  })
-  TRUE
-}

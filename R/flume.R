@@ -84,9 +84,10 @@
 #' @param folder A writable folder in which users of the page share designs, or `NULL`.
 #' @param hosts Names under which a proxy serves the page, such as `"tank.example.org"`, or `NULL`
 #'   (default): only `localhost` and IP addresses are accepted.
-#' @return A Shiny app, which runs when printed. It throws errors of class `codend_error_argument`
-#'   (invalid argument), `codend_error_plan` (invalid plan), `codend_error_not_converged` (the gear
-#'   does not settle) or `codend_error_package` (missing package).
+#' @return An object of class `codend_flume`. Printing it serves the page until you interrupt R. The
+#'   function throws errors of class `codend_error_argument` (invalid argument),
+#'   `codend_error_plan` (invalid plan), `codend_error_not_converged` (the gear does not settle) or
+#'   `codend_error_package` (missing package).
 #' @seealso [settle()], [vary()] and [tow()] for the same computations in R, [share()] for a page
 #'   that needs no R, `vignette("serve-the-tank")`.
 #' @examplesIf interactive()
@@ -119,30 +120,14 @@ flume <- function(gear = NULL, fields = NULL, nodes = 1500, folder = NULL, hosts
     marked <- check_marked(first_of(fields, character()), gear$plan)
     start <- settled_start(gear, nodes)
   }
-  for (of in c("app", "view")) {
-    shiny::addResourcePath(
-      paste0("codend-", of), system.file(of, package = "codend", mustWork = TRUE)
-    )
-  }
-  if (has_measures_guide()) {
-    shiny::addResourcePath("codend-doc", system.file("doc", package = "codend"))
-  }
-  shiny::shinyApp(
-    ui = function(request) {
-      language <- page_language(request$QUERY_STRING, request$HTTP_ACCEPT_LANGUAGE)
-      flume_page(!is.null(start), make_translator(language), !is.null(folder))
-    },
-    server = flume_server(start, marked, nodes, folder = folder, hosts = hosts),
-    onStart = function() {
-      kept <- options(shiny.maxRequestSize = plan_bytes_limit,
-        shiny.http.response.filter = with_headers)
-      shiny::onStop(function() options(kept))
-    }
+  structure(
+    list(open_page = flume_server(start, marked, nodes, folder = folder, hosts = hosts)),
+    class = "codend_flume"
   )
 }
 
 check_flume_packages <- function() {
-  needed <- c("shiny", "bslib", "callr", "later", "promises")
+  needed <- c("httpuv", "callr", "later", "ps")
   absent <- needed[!vapply(needed, requireNamespace, NA, quietly = TRUE)]
   if (!length(absent)) return(invisible())
   abort_package(

@@ -40,8 +40,10 @@ const bundles = {
   },
   'view/report.js': { entryPoints: ['src/report.ts'] },
   'htmlwidgets/codend.js': { entryPoints: ['src/widget.ts'], plugins: [viewer_outside] },
+  'app/tank.css': { entryPoints: ['src/tank/tank.css'] },
   'app/tank.js': {
-    entryPoints: ['src/tank/index.ts'], globalName: 'codendTank', plugins: [viewer_outside],
+    entryPoints: ['src/tank/index.ts'], jsx: 'automatic', jsxImportSource: 'preact', globalName: 'codendTank',
+    plugins: [viewer_outside],
     banner: { js: licences(['preact']) }
   },
   'share/page.js': { entryPoints: ['src/share/page.ts'] },

@@ -5,7 +5,7 @@ const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const { serve, launch, visit, open, control, measure, answered, tab, complete } = require('./tank');
+const { serve, launch, visit, open, control, measure, answered, save, tab, complete } = require('./tank');
 
 let tank, browser, folder;
 before(async () => {
@@ -39,8 +39,7 @@ const picture = (page) => page.evaluate(() => window.codendTank.Tank.shown().pic
 const painted = (page, id) => page.evaluate(async (id) => {
   let canvas = document.getElementById(id);
   if (id === 'tank') {
-    const png = await fetch(window.codendTank.Tank.shown().picture().toDataURL());
-    canvas = await createImageBitmap(await png.blob());
+    canvas = window.codendTank.Tank.shown().picture();
   }
   const copy = new OffscreenCanvas(canvas.width, canvas.height)
     .getContext('2d', { willReadFrequently: true });
@@ -137,12 +136,10 @@ test('tank rejects wrong, unreadable and 50 MB files and keeps the gear', async 
   await refuses('garbage.yaml', Buffer.from([0, 255, 1, 254, 0, 7]), /garbage\.yaml.*not UTF-8 text/);
   await refuses('code.yaml', 'codend: 1\nname: !expr stop("ran")\n', /cannot contain code/);
   await refuses('large.yaml', Buffer.alloc(50 * 1024 * 1024, 65), /50\.0 MB.*at most 2 MB/);
-  // the server rejects them too
-  const answer = await page.evaluate(() => new Promise((resolve) => {
-    window.Shiny.shinyapp.makeRequest('uploadInit', [[{ name: 'a', size: 5e7, type: '' }]],
-      () => resolve('taken'), resolve);
-  }));
-  assert.match(answer, /size exceeded/);
+  // the server disconnects a page that sends them, which then connects again
+  await page.evaluate(() => window.codendTank.send('plan_text', { number: 0, asked: 'x'.repeat(5e7) }));
+  await page.waitForFunction(() => /cannot be reached/.test(document.getElementById('refused').textContent), null, patience);
+  await page.waitForSelector('#refused', { state: 'hidden', ...patience });
   clean(page);
   await page.close();
 });
@@ -208,24 +205,17 @@ test('tank saves the design, its tables and pictures on screen', async () => {
   await control(page, 'towing.speed').locator('.number').fill('5');
   await changed(page, 'total drag', drag);
   await tab(page, 'Save');
-  const save = async (id) => {
-    await page.waitForSelector(`#${id}[href*="download"]`, { state: 'visible' });
-    const [download] = await Promise.all([
-      page.waitForEvent('download', { timeout: 120000 }), page.click(`#${id}`)
-    ]);
-    return [download.suggestedFilename(), fs.readFileSync(await download.path(), 'utf8')];
-  };
-  const [, report] = await save('save_report');
+  const [, report] = await save(page, 'save_report');
   assert.match(report, /^<!DOCTYPE html>[^]*Midwater trawl[^]*<\/html>\s*$/i);
-  const [name, plan] = await save('save_plan');
+  const [name, plan] = await save(page, 'save_plan');
   assert.equal(name, 'midwater-trawl-2048-m-around-the-mouth.yaml');
   assert.match(plan, /(^|\n)codend: 1\n[^]*speed: 5 knot/);
-  const [, measures] = await save('save_measures');
+  const [, measures] = await save(page, 'save_measures');
   assert.match(measures, /^"measure","unit","now","error","kept","change","change_percent","definition"\n"door s/);
-  assert.match((await save('save_tensions'))[1], /^"part","kind","role","element"/);
-  assert.match((await save('save_drag'))[1], /^"part","kind","role","drag_kN"/);
+  assert.match((await save(page, 'save_tensions'))[1], /^"part","kind","role","element"/);
+  assert.match((await save(page, 'save_drag'))[1], /^"part","kind","role","drag_kN"/);
   await tab(page, 'R code');
-  assert.match((await save('save_code'))[1],
+  assert.match((await save(page, 'save_code'))[1],
     /gear <- update\(read_gear\("midwater_trawl"\),\n {2}towing\.speed = "5 knot"\n\)/);
   clean(page);
   await page.close();
@@ -331,8 +321,7 @@ test('tank starts at a gallery with shipped gears and new ones', async (t) => {
     patience);
   // a running solve is displayed and can be cancelled
   const before = await page.evaluate(() => window.codendTank.Tank.point(0));
-  await page.evaluate(() => Shiny.setInputValue('plan_text', { number: window.codendTank.Talk.next(),
-    asked: document.getElementById('plan_area').value + '\nname: x' }, { priority: 'event' }));
+  await page.evaluate(() => { window.codendTank.Talk.ask('plan_text', document.getElementById('plan_area').value); });
   await page.evaluate(() => { window.codendTank.Talk.ask('shipped', 'cage'); });
   await page.waitForSelector('#cancel', { state: 'visible', ...patience });
   // the solve may end before a pointer reaches the button
@@ -419,9 +408,8 @@ test('tank opens a part\'s fields on a click, but not on rotation', async () => 
   assert.ok(place);
   const marked = page.locator('#form .part.marked');
   await page.evaluate(() => {
-    const { setInputValue } = window.Shiny;
     window.asked = [];
-    window.Shiny.setInputValue = (name, ...rest) => { window.asked.push(name); setInputValue(name, ...rest); };
+    window.codendTank.sending.watch = (name) => { window.asked.push(name); };
   });
   await page.mouse.click(place.x, place.y);
   await marked.waitFor(patience);
@@ -537,12 +525,11 @@ test('tank plots measures against a field with values under the pointer', async 
   await page.mouse.move(place.x + place.width - 12, place.y + place.height / 2);
   const tip = await graph.locator('text').last().textContent();
   assert.match(tip, /^4\.5 knot: \d/);
-  const save = async (what) => {
-    const [download] = await Promise.all([page.waitForEvent('download', patience), page.click(what)]);
-    return fs.readFileSync(await download.path());
-  };
-  assert.deepEqual([...(await save('#vary_graphs .save-graph')).subarray(1, 4)], [...Buffer.from('PNG')]);
-  assert.match(String(await save('#save_vary')), /^"towing.speed_knot","settled","problem","door_spread_m"/);
+  const [download] = await Promise.all([
+    page.waitForEvent('download', patience), page.click('#vary_graphs .save-graph')
+  ]);
+  assert.deepEqual([...fs.readFileSync(await download.path()).subarray(1, 4)], [...Buffer.from('PNG')]);
+  assert.match((await save(page, 'save_vary'))[1], /^"towing.speed_knot","settled","problem","door_spread_m"/);
   clean(page);
   await page.close();
 });
@@ -613,11 +600,7 @@ test('tank tows, plays and saves the design and rejects wrong input', async () =
   await page.waitForFunction((before) => document.querySelector('.graph .now').textContent !==
     before, spread, patience);
   assert.notEqual(await shown(), start);
-  await page.waitForSelector('#save_tow_measures[href*="download"]', { state: 'visible' });
-  const [download] = await Promise.all([
-    page.waitForEvent('download', { timeout: 120000 }), page.click('#save_tow_measures')
-  ]);
-  assert.match(fs.readFileSync(await download.path(), 'utf8'), /^"time_s","measure","value","error","unit"/);
+  assert.match((await save(page, 'save_tow_measures'))[1], /^"time_s","measure","value","error","unit"/);
   // another tow replaces it
   await page.fill('#tow_until', '30 s');
   await page.click('#tow_start');
@@ -767,7 +750,7 @@ test('tank stores user-defined rows and shares designs that other browsers canno
   };
   await finds(page, 'own row');
   if (process.env.PICTURES) await page.screenshot({ path: path.join(process.env.PICTURES, 'own.png') });
-  await row.locator('.btn-link').click();
+  await row.locator('.link').click();
   await page.waitForFunction(() => document.querySelector('[data-paths~="otter_boards.mass"] .number').value === '1234.5',
     null, patience);
   await tab(page, 'Designs');
@@ -807,6 +790,28 @@ test('tank stores user-defined rows and shares designs that other browsers canno
   clean(phone);
   await page.close();
   await phone.close();
+});
+
+test('page continues with its design on another server after its server was lost', async (t) => {
+  const first = await serve('towed_cable', '--nodes', '300');
+  t.after(first.stop);
+  const page = await open(browser, first.url);
+  await control(page, 'towing.speed').locator('.number').fill('5');
+  const shows = (speed) => page.waitForFunction((speed) => document.getElementById('gear_conditions')
+    .textContent.includes(speed), speed, patience);
+  await shows('5 knot');
+  await page.click('#keep');
+  await answered(page);
+  first.stop();
+  await page.waitForSelector('#refused', { state: 'visible', ...patience });
+  const again = await serve('towed_cable', '--nodes', '300', '--port', new URL(first.url).port);
+  t.after(again.stop);
+  await page.waitForSelector('#refused', { state: 'hidden', ...patience });
+  await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
+  await shows('5 knot');
+  await control(page, 'towing.speed').locator('.number').fill('6');
+  await shows('6 knot');
+  await page.close();
 });
 
 test('tank serves browsers separately and survives a disconnect during a solve', async () => {

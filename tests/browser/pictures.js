@@ -17,7 +17,6 @@ async function still(page) {
 }
 
 async function gear(page, name) {
-  await page.waitForFunction(() => window.Shiny?.shinyapp?.isConnected(), null, patience);
   await page.click(`[data-gear="${name}"]`);
   await still(page);
 }
@@ -78,7 +77,6 @@ const scenes = {
   async report(page) {
     await gear(page, 'midwater_trawl');
     await tab(page, 'Save');
-    await page.waitForSelector('#save_report[href*="download"]', { state: 'visible' });
     const [saved] = await Promise.all([page.waitForEvent('download', patience), page.click('#save_report')]);
     const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), 'report-')), 'report.html');
     await saved.saveAs(file);

@@ -70,7 +70,7 @@ function faint() {
     tell(e, 'edge', Math.max(edge, body, e.closest('.codend-view') && style.borderTopWidth === '0px' ? 3 : 0), 3);
     asked += 1;
   });
-  document.querySelectorAll('button, .btn').forEach((e) => {
+  document.querySelectorAll('button').forEach((e) => {
     if (!shown(e) || asleep(e)) return;
     const style = getComputedStyle(e), ground = behind(e.parentElement);
     // the label alone is enough for a button

@@ -4,7 +4,7 @@
 // Every user has a gear with a unique name, moves its towing speed about once a second, and leaves
 // and returns now and then. One user requests a solve that takes too long. Each answer must belong
 // to its user, no answer may fail, no process may outlive its page, and the server's memory may not
-// grow. The test uses Shiny's protocol without a browser. It prints response times and the memory
+// grow. The test has no browser. It prints response times and the memory
 // by minute, and ends with status 1 on failure.
 'use strict';
 const fs = require('node:fs');
@@ -44,12 +44,12 @@ async function use(url, name, end) {
     await tank.open();
     if (!await opened) { wrong.push(`${name}: no picture`); tank.close(); continue; }
     const text = tank.wait(['flume_plan']);
-    tank.set({ plan_wanted: visit });
+    tank.send({ plan_wanted: visit });
     const sent = await text;
     if (!sent) { wrong.push(`${name}: no plan`); tank.close(); continue; }
     const plan = sent.text.replace(/^name: .*$/m, `name: ${name} ${visit}`);
     const named = tank.wait(['flume_picture', 'flume_refused']);
-    tank.set({ 'plan_text': plan });
+    tank.send({ 'plan_text': { number: 0, asked: plan } });
     const own = await named;
     if (!own || own.name !== `${name} ${visit}`) wrong.push(`${name}: ${JSON.stringify(own && own.message)}`);
     const leaves = Date.now() + 60e3 + 60e3 * Math.random();
@@ -59,7 +59,7 @@ async function use(url, name, end) {
       const speed = (3 + 2 * Math.random()).toFixed(2);
       const answer = tank.wait(['flume_picture', 'flume_refused'], (m) => m.answers === mine);
       const asked = performance.now();
-      tank.set({ design: { number: mine, gesture: mine, edits: { 'towing.speed': { value: Number(speed), unit: 'knot' } } } });
+      tank.send({ design: { number: mine, gesture: mine, edits: { 'towing.speed': { value: Number(speed), unit: 'knot' } } } });
       const came = await answer;
       if (!came || came.type === 'flume_refused') {
         wrong.push(`${name}: ${came ? came.message : 'no answer in a minute'}`);
@@ -83,10 +83,10 @@ async function trouble(url, end) {
     await tank.open();
     await opened;
     const text = tank.wait(['flume_plan']);
-    tank.set({ plan_wanted: 1 });
+    tank.send({ plan_wanted: 1 });
     const sent = await text;
-    if (sent) tank.set({ 'plan_text': sent.text + '\nresolution: {nodes: 20000}\n' });
-    tank.set({ 'plan_text': 'x'.repeat(3e6) });
+    if (sent) tank.send({ 'plan_text': { number: 0, asked: sent.text + '\nresolution: {nodes: 20000}\n' } });
+    tank.send({ 'plan_text': { number: 0, asked: 'x'.repeat(3e6) } });
     await sleep(5e3);
     tank.close();
     await sleep(15e3);

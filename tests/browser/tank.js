@@ -1,6 +1,7 @@
 // Opens a headless Chromium for codend's flume tank. CHROMIUM: path of the browser
 // [/usr/bin/chromium]; see serve.js for other variables.
 'use strict';
+const fs = require('node:fs');
 const { chromium } = require('playwright-core');
 const { serve } = require('./serve');
 
@@ -61,18 +62,20 @@ async function measure(page, name) {
 const answered = (page) => page.waitForFunction(() => window.codendTank.Form.still() &&
   !window.codendTank.Talk.waits() && !window.codendTank.Designs.waits(), null, { timeout: 60000 });
 
+// Saves a file by the id of its button. Returns its name and text.
+async function save(page, id) {
+  const [file] = await Promise.all([page.waitForEvent('download', { timeout: 120000 }), page.click('#' + id)]);
+  return [file.suggestedFilename(), fs.readFileSync(await file.path(), 'utf8')];
+}
+
 // Opens a tab by its English name and waits for its content.
 async function tab(page, name) {
   await page.click(`#shown [data-value="${name}"]`);
   await complete(page);
 }
 
-// Resolves when the open tab has all its outputs and no transition runs.
-const complete = (page) => page.waitForFunction(() => {
-  const waits = [...document.querySelectorAll('#shown ~ .tab-content > .active .shiny-bound-output')]
-    .some((output) => output.offsetParent &&
-      (output.matches('.recalculating') || !(output.id in Shiny.shinyapp.$values)));
-  return !waits && !document.documentElement.matches('.shiny-busy') && !document.getAnimations().length;
-}, null, { timeout: 60000 });
+// Resolves when the open tab has its content and no transition runs.
+const complete = (page) => page.waitForFunction(() => !window.codendTank.Tabs.waits() &&
+  !document.getAnimations().length, null, { timeout: 60000 });
 
-module.exports = { serve, launch, visit, open, control, measure, answered, tab, complete };
+module.exports = { serve, launch, visit, open, control, measure, answered, save, tab, complete };

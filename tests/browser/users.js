@@ -38,10 +38,8 @@ async function draw(seconds) {
   const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
   const canvas = document.querySelector('#tank canvas'), gl = canvas.getContext('webgl2');
   let moved = 0;
-  const { setInputValue } = window.Shiny;
-  window.Shiny.setInputValue = function (name, value) {
-    if (name === 'design') asked[value.number] = moved;
-    return setInputValue.apply(this, arguments);
+  window.codendTank.sending.watch = (name) => {
+    if (name === 'design') asked[window.codendTank.Form.pending()] = moved;
   };
   const watch = setInterval(() => {
     const pending = window.codendTank.Form.pending(), arrived = performance.now();
@@ -54,7 +52,7 @@ async function draw(seconds) {
       }, 0));
     });
   }, 1);
-  const refused = () => [...document.querySelectorAll('.alert-danger, .field-error')]
+  const refused = () => [...document.querySelectorAll('.alert, .field-error')]
     .some((e) => !e.hidden);
   const end = performance.now() + 1000 * seconds;
   while (performance.now() < end) {
@@ -80,11 +78,11 @@ async function draw(seconds) {
 
 // Opens a page without a browser and settles a first design, which starts its process.
 async function come(url) {
-  const tank = scripted(url, ['measures']), opened = tank.wait(['flume_picture']);
+  const tank = scripted(url), opened = tank.wait(['flume_picture']);
   await tank.open();
   if (!await opened) wrong.push('no picture');
   const answer = tank.wait(['flume_picture'], (m) => m.answers === 1, 300);
-  tank.set({ design: { number: 1, gesture: 0, edits: {} } });
+  tank.send({ design: { number: 1, gesture: 0, edits: {} } });
   if (!await answer) wrong.push('no answer');
   return tank;
 }
@@ -104,7 +102,7 @@ async function speak(tank, name, seconds) {
       const mine = number, asked = performance.now();
       const answer = tank.wait(['flume_moved', 'flume_picture', 'flume_refused'],
         (m) => m.answers === mine);
-      tank.set({ design: { number: mine, gesture, edits: { 'towing.speed': { value: speed, unit: 'knot' } } } });
+      tank.send({ design: { number: mine, gesture, edits: { 'towing.speed': { value: speed, unit: 'knot' } } } });
       const came = await answer;
       if (!came || came.type === 'flume_refused') {
         wrong.push(`${name}: ${came ? came.message : 'no answer in a minute'}`);
@@ -123,7 +121,7 @@ async function pour(url, rate, seconds) {
   const end = Date.now() + 1000 * seconds;
   let sent = 0;
   while (Date.now() < end) {
-    const tank = scripted(url, ['measures']);
+    const tank = scripted(url);
     await tank.open();
     await tank.wait(['flume_picture']);
     const leaves = Date.now() + (rate > 40 ? 0 : 1000 * seconds);
@@ -131,7 +129,7 @@ async function pour(url, rate, seconds) {
       for (let k = 0; k < (rate > 40 ? 600 : 1); k++) {
         sent += 1;
         const edits = { 'towing.speed': { value: 3.5 + sent % 10 / 10, unit: 'knot' } };
-        tank.set({ design: { number: sent, gesture: sent, edits } });
+        tank.send({ design: { number: sent, gesture: sent, edits } });
       }
       await sleep(rate > 40 ? 600000 / rate : 1000 / rate);
     } while (Date.now() < Math.min(end, leaves));

@@ -149,7 +149,7 @@ tank <- local({
       state <- .Random.seed
       gear <- read_gear("midwater_trawl")
       start <- codend:::settled_start(gear, 150)
-      made <<- function() shiny::isolate(codend:::new_tank(start, list(), 150))
+      made <<- function() codend:::new_tank(start, list(), 150)
       assign(".Random.seed", state, globalenv())
     }
     made()
@@ -165,8 +165,8 @@ try_messages <- function() {
     is.null(problem)
   }
   ask <- function(kind, said) {
-    answer <- codend:::flume_answer(shiny::isolate(tank$request(kind, said)), memory)
-    if (is.null(answer$problem)) shiny::isolate(tank$take(kind, answer$found))
+    answer <- codend:::flume_answer(tank$request(kind, said), memory)
+    if (is.null(answer$problem)) tank$take(kind, answer$found)
     went_well(answer$problem)
   }
   paths <- c(codend:::given_paths(tank$gear$plan), "towing.speed.speed", "", odd_texts)
@@ -194,12 +194,12 @@ try_messages <- function() {
         base = one_of(c("towed_cable", "flat_panel", odd_texts)), edits = edits()
       )),
       ask(one_of(c("shipped", "new")), any_value()),
-      went_well(shiny::isolate(codend:::flume_problem(
+      went_well(codend:::flume_problem(
         switch(sample.int(4L, 1L),
           tank$keep(any_value()), tank$rename(number(), any_value()), tank$compare(number()),
           tank$remove(number())
         )
-      )))
+      ))
     )
   }, NA)
   judged({

@@ -43,51 +43,81 @@ expect_declared <- function(type, message, declared = declared_messages()) {
   if (length(wrong)) testthat::fail(paste0(type, " differs from protocol.ts: ", toString(wrong)))
 }
 
-# Runs `test(session, sent)` in a flume tank without a browser. The session opens with a gear (NULL:
-# with the gallery). sent() returns the messages of a type that the page received since the last
-# call.
+# A flume tank whose page is the test instead of a browser. Returns list(page, hear, tank, sent):
+# hear() sends messages by name. sent(type) returns the messages of a type that the page received
+# since the last call.
+open_flume <- function(server, request = list()) {
+  messages <- list()
+  declared <- declared_messages()
+  add <- function(message) messages[[length(messages) + 1L]] <<- message
+  page <- server(request,
+    send = function(type, message) {
+      expect_declared(type, message, declared)
+      # as the browser receives it
+      testthat::expect_true(jsonlite::validate(message_json(type, message)))
+      add(c(list(type = type), message))
+    },
+    send_bytes = function(bytes) {
+      size <- readBin(bytes, "integer", endian = "little")
+      header <- jsonlite::parse_json(rawToChar(bytes[4L + seq_len(size)]))
+      add(list(type = if (is.null(header$file)) "flume_moved" else "file", header = header,
+        bytes = bytes, content = bytes[-seq_len(4L + size)]))
+    },
+    close = function() NULL
+  )
+  list(
+    page = page, tank = page$tank,
+    hear = function(...) {
+      given <- list(...)
+      for (name in names(given)) page$hear(name, given[[name]])
+    },
+    sent = function(type) {
+      found <- Filter(function(message) message$type == type, messages)
+      messages <<- list()
+      found
+    }
+  )
+}
+
+# Runs `test(session, sent, tank)` in a flume tank without a browser. The session (open_flume())
+# opens with a gear (NULL: with the gallery).
 in_flume <- function(
   gear, test, fields = list(), nodes = 300, new_worker = direct_worker, folder = NULL
 ) {
   if (is.character(gear)) gear <- read_gear(gear)
   start <- if (!is.null(gear)) list(gear = gear, state = settle(gear, nodes = nodes))
-  session <- shiny::MockShinySession$new()
-  messages <- list()
-  declared <- declared_messages()
-  # the mock has no page to send to
-  for (name in c("sendCustomMessage", "sendBinaryMessage")) unlockBinding(name, session)
-  session$sendBinaryMessage <- function(type, message) {
-    messages[[length(messages) + 1L]] <<- list(type = type, bytes = message)
-  }
-  session$sendCustomMessage <- function(type, message) {
-    expect_declared(type, message, declared)
-    messages[[length(messages) + 1L]] <<- c(list(type = type), message)
-  }
-  sent <- function(type) {
-    found <- Filter(function(message) message$type == type, messages)
-    messages <<- list()
-    found
-  }
-  shiny::testServer(
-    flume_server(start, as.list(fields), nodes, new_worker, folder),
-    {
-      session$flushReact()
-      test(session, sent, tank)
-    },
-    session = session
-  )
+  session <- open_flume(flume_server(start, as.list(fields), nodes, new_worker, folder))
+  test(session, session$sent, session$tank)
+}
+
+# Returns the path of a file that the page saves.
+saved_file <- function(session, name) {
+  session$sent("file")
+  session$hear(save_wanted = name)
+  one <- session$sent("file")[[1L]]
+  file <- file.path(tempfile("saved-"), one$header$file)
+  dir.create(dirname(file))
+  writeBin(one$content, file)
+  file
+}
+
+# Returns the first table of a tab.
+table_of <- function(session, name) {
+  session$sent("flume_table")
+  session$hear(table_wanted = name)
+  session$sent("flume_table")[[1L]]$tables[[1L]]
 }
 
 # Sends the latest values of all moved controls, by path.
 ask <- function(session, ..., number = 1, gesture = number) {
-  session$setInputs(design = list(number = number, gesture = gesture, edits = list(...)))
+  session$hear(design = list(number = number, gesture = gesture, edits = list(...)))
 }
 
 # Checks that the server rejects each invalid input once, with a message at the input.
 expect_asks_refused <- function(session, sent, input, wrong, where) {
   for (asked in wrong) {
     sent("flume_refused")
-    do.call(session$setInputs, setNames(list(c(asked, said = stats::runif(1))), input))
+    do.call(session$hear, setNames(list(asked), input))
     refused <- sent("flume_refused")
     expect_length(refused, 1L)
     expect_identical(refused[[1]]$where, where)

@@ -3,6 +3,6 @@
 web_source <- function(path) {
   place <- test_path("..", "..", "web", "src", path)
   skip_if_not(file.exists(place), "the sources of pages are not here")
-  files <- if (dir.exists(place)) list.files(place, "[.]ts$", full.names = TRUE) else place
+  files <- if (dir.exists(place)) list.files(place, "[.]tsx?$", full.names = TRUE) else place
   paste(unlist(lapply(files, readLines, encoding = "UTF-8")), collapse = "\n")
 }

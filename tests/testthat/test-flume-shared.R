@@ -1,5 +1,3 @@
-skip_if_not_installed("shiny")
-
 # An empty folder.
 new_folder <- function() {
   folder <- tempfile("shared-")
@@ -88,22 +86,22 @@ test_that("pages share designs as copies and receive changes", {
   folder <- new_folder()
   in_flume("towed_cable", folder = folder, function(session, sent, tank) {
     rows <- list(list(class = "rope", title = "Mine", values = list(diameter = "16,5")))
-    session$setInputs(own = list(number = 1, rows = rows))
+    session$hear(own = list(number = 1, rows = rows))
     ask(session, towing.speed = list(value = 5, unit = "knot"))
-    session$setInputs(shared = list(act = "put", author = "Anna", key = key_of("a"), name = "Net"))
+    session$hear(shared = list(act = "put", author = "Anna", key = key_of("a"), name = "Net"))
     told <- sent("flume_shared")
     expect_identical(told[[length(told)]]$designs[[1]]$name, "Net")
   })
   in_flume(NULL, folder = folder, function(session, sent, tank) {
     expect_identical(sent("flume_shared")[[1]]$designs[[1]]$author, "Anna")
-    session$setInputs(shared_open = list(number = 3, asked = list(author = "Anna", name = "Net")))
+    session$hear(shared_open = list(number = 3, asked = list(author = "Anna", name = "Net")))
     expect_identical(tank$gear$plan$towing$speed, "5 knot")
     expect_identical(tank$own[[1]]$values, list(diameter = "16.5 mm"))
     sent("flume_refused")
-    session$setInputs(shared_open = list(number = 4, asked = list(author = "..", name = "/etc")))
+    session$hear(shared_open = list(number = 4, asked = list(author = "..", name = "/etc")))
     told <- sent("flume_refused")[[1]]$message
     expect_match(told, "no longer in the folder")
-    session$setInputs(shared = list(act = "take_out", author = "Anna", key = key_of("b"),
+    session$hear(shared = list(act = "take_out", author = "Anna", key = key_of("b"),
       name = "Net"))
     told <- sent("flume_refused")[[1]]$message
     expect_match(told, "only that browser can change it")

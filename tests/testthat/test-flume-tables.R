@@ -23,12 +23,20 @@ test_that("fixed_decimals() shows zero without a sign", {
     c("0", "0", "0", "-0.0001", "", "Inf"))
 })
 
-test_that("html_table() escapes text", {
-  skip_if_not_installed("shiny")
-  html <- html_table("A <b>", c("x", "y"), list(list("<script>", "1 & 2")))
-  expect_match(html, "&lt;script&gt;", fixed = TRUE)
-  expect_match(html, "1 &amp; 2", fixed = TRUE)
-  expect_no_match(html, "<script>", fixed = TRUE)
+test_that("tables have a string for each column of each row", {
+  state <- settled("midwater_trawl", nodes = 500)
+  say <- make_translator()
+  other <- update(read_gear("midwater_trawl"), towing.speed = "5 knot")
+  tables <- c(tension_tables(state, say), drag_tables(state, say),
+    difference_tables(read_gear("midwater_trawl"), other, say))
+  expect_length(tables, 5L)
+  for (table in tables) {
+    expect_gt(length(table$rows), 0L)
+    expect_identical(unique(lengths(c(table$rows, list(table$numbers)))), length(table$head))
+    expect_type(unlist(table$rows), "character")
+  }
+  expect_identical(unclass(tables[[5L]]$rows[[1L]]), c("towing.speed", "4 knot", "5 knot"))
+  expect_identical(difference_tables(other, other, say)[[1L]]$note, say("no_difference"))
 })
 
 test_that("ranked_tensions() orders ropes by tension with their strength margin", {

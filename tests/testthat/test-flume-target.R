@@ -1,6 +1,3 @@
-skip_if_not_installed("shiny")
-skip_if_not_installed("bslib")
-
 wanted <- function(..., paths = list("ropes.cable.length"), measure = "body_depth_m",
                    target = "450 m", unit = "m") {
   list(paths = paths, measure = measure, target = target, unit = unit, ...)
@@ -8,7 +5,7 @@ wanted <- function(..., paths = list("ropes.cable.length"), measure = "body_dept
 
 test_that("page finds the field value of find_value() for a required measure", {
   in_flume("towed_cable", function(session, sent, tank) {
-    session$setInputs(target_wanted = wanted())
+    session$hear(target_wanted = wanted())
     found <- sent("flume_target")[[1]]
     expect_true(found$reached)
     expect_identical(unclass(found$paths), "ropes.cable.length")
@@ -18,7 +15,7 @@ test_that("page finds the field value of find_value() for a required measure", {
     expect_identical(found$unit, "m")
     expect_match(found$message, "gives body depth = 450.0 m", fixed = TRUE)
     # bare numbers are in the displayed unit
-    session$setInputs(target_wanted = wanted(target = "246,06", unit = "fathom"))
+    session$hear(target_wanted = wanted(target = "246,06", unit = "fathom"))
     expect_equal(sent("flume_target")[[1]]$value, found$value, tolerance = 1e-4)
     # the page, not the worker, changes the design
     expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
@@ -27,7 +24,7 @@ test_that("page finds the field value of find_value() for a required measure", {
 
 test_that("page reports the nearest value if a target is out of reach", {
   in_flume("towed_cable", function(session, sent, tank) {
-    session$setInputs(target_wanted = wanted(target = "5000"))
+    session$hear(target_wanted = wanted(target = "5000"))
     found <- sent("flume_target")[[1]]
     expect_false(found$reached)
     expect_match(found$message, "from 500 m to 1500 m was found for body depth = 5000 m.*= 1500 m")

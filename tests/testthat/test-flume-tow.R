@@ -1,6 +1,3 @@
-skip_if_not_installed("shiny")
-skip_if_not_installed("bslib")
-
 faster <- function(...) {
   speed <- list(to = "5 knot", from = "5 s", over = "10 s")
   list(until = "40 s", changes = list(speed = speed), ...)
@@ -8,7 +5,7 @@ faster <- function(...) {
 
 test_that("page plays a tow of the current design that equals tow()", {
   in_flume("towed_cable", function(session, sent, tank) {
-    session$setInputs(tow_wanted = faster())
+    session$hear(tow_wanted = faster())
     scene <- sent("flume_tow")[[1]]$scene
     expect_equal(range(scene$times), c(0, 40))
     here <- tow(tank$state, until = 40, every = 0.4,
@@ -25,12 +22,12 @@ test_that("page plays a tow of the current design that equals tow()", {
     expect_lt(max(abs(energy)), 2)
 
     # saved files equal the displayed tow
-    table <- utils::read.csv(session$output$save_tow_measures)
+    table <- utils::read.csv(saved_file(session, "tow_measures"))
     expect_equal(table$value, as.data.frame(trajectory, what = "measures")$value, tolerance = 1e-12)
-    listed <- utils::untar(session$output$save_tow_grids, list = TRUE, tar = "internal")
+    listed <- utils::untar(saved_file(session, "tow_grids"), list = TRUE, tar = "internal")
     expect_gt(length(listed), 100L)
     expect_true("tow.pvd" %in% basename(listed))
-    page <- readLines(session$output$save_tow_motion, warn = FALSE)
+    page <- readLines(saved_file(session, "tow_motion"), warn = FALSE)
     expect_match(page[1], "DOCTYPE", fixed = TRUE)
   })
 })
@@ -71,7 +68,7 @@ test_that("page runs the tow of the plan", {
   gear <- update(read_gear("towed_cable"), tow = list(until = "5 min", speed = list(
     list(time = "0 s", value = "4 knot"), list(time = "10 s", value = "5 knot"))))
   in_flume(gear, function(session, sent, tank) {
-    session$setInputs(tow_wanted = list(until = "20 s", planned = TRUE))
+    session$hear(tow_wanted = list(until = "20 s", planned = TRUE))
     trajectory <- unserialize(tank$trajectory)
     # until the requested time
     expect_identical(max(trajectory$time), 20)

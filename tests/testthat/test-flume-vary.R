@@ -1,6 +1,3 @@
-skip_if_not_installed("shiny")
-skip_if_not_installed("bslib")
-
 speeds <- function(..., paths = list("towing.speed"), unit = "knot", from = "3", to = "5 knot",
                    number = 3) {
   list(paths = paths, unit = unit, from = from, to = to, number = number, ...)
@@ -8,7 +5,7 @@ speeds <- function(..., paths = list("towing.speed"), unit = "knot", from = "3",
 
 test_that("page varies a field with the results of vary()", {
   in_flume("towed_cable", function(session, sent, tank) {
-    session$setInputs(vary_wanted = speeds())
+    session$hear(vary_wanted = speeds())
     told <- sent("flume_varied")
     expect_identical(vapply(told, `[[`, NA, "running"), c(TRUE, TRUE, TRUE, FALSE))
     varied <- told[[4]]$varied
@@ -19,16 +16,16 @@ test_that("page varies a field with the results of vary()", {
     words <- vapply(varied$measures, `[[`, "", "words")
     depth <- varied$measures[[match("body depth (m)", words)]]
     expect_equal(unclass(depth$values), found$body_depth_m, tolerance = 1e-6)
-    table <- utils::read.csv(session$output$save_vary, check.names = FALSE)
+    table <- utils::read.csv(saved_file(session, "vary"), check.names = FALSE)
     expect_equal(table$towing.speed_knot, 3:5)
     expect_equal(table$total_drag_kN, found$total_drag_kN, tolerance = 1e-6)
-    session$setInputs(preferred = list(length = "fathom"))
+    session$hear(preferred = list(length = "fathom"))
     varied <- sent("flume_varied")[[1]]$varied
     depth <- varied$measures[[match("body depth (fathom)", vapply(varied$measures, `[[`, "",
       "words"))]]
     expect_equal(unclass(depth$values), found$body_depth_m / 1.8288, tolerance = 1e-6)
     # an invalid value is reported as such
-    session$setInputs(vary_wanted = speeds(from = "-1", to = "4", number = 2))
+    session$hear(vary_wanted = speeds(from = "-1", to = "4", number = 2))
     varied <- utils::tail(sent("flume_varied"), 1L)[[1]]$varied
     expect_match(varied$problems[1], "towing.speed", fixed = TRUE)
     expect_identical(unclass(varied$problems)[2], "")
@@ -50,16 +47,16 @@ test_that("page settles one value at a time until stopped", {
     job[[2]](if (!is.null(request)) flume_answer(request, new.env()))
   }
   in_flume("towed_cable", new_worker = held, function(session, sent, tank) {
-    session$setInputs(vary_wanted = speeds())
+    session$hear(vary_wanted = speeds())
     expect_length(jobs, 1L)
     answer()
     expect_length(jobs, 2L)
-    session$setInputs(vary_stop = 1)
+    session$hear(vary_stop = 1)
     expect_false(utils::tail(sent("flume_varied"), 1L)[[1]]$running)
     answer()
     expect_length(jobs, 2L)
-    session$setInputs(vary_wanted = speeds(again = 1))
-    session$setInputs(shipped = list(number = 2, asked = "flat_panel"))
+    session$hear(vary_wanted = speeds(again = 1))
+    session$hear(shipped = list(number = 2, asked = "flat_panel"))
     answer()
     expect_length(jobs, 3L)
     expect_false(utils::tail(sent("flume_varied"), 1L)[[1]]$running)

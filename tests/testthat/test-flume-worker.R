@@ -1,6 +1,6 @@
 # Workers of the flume tank, in separate processes.
 
-for (package in c("shiny", "callr", "later")) skip_if_not_installed(package)
+for (package in c("callr", "later")) skip_if_not_installed(package)
 skip_on_os("windows")
 
 # Runs the event loop until done() is TRUE, or for a maximum time.
@@ -29,7 +29,7 @@ asking <- function(...) {
 }
 
 start <- list(gear = settled_gear("towed_cable"), state = settled("towed_cable", nodes = 300))
-tank <- shiny::isolate(new_tank(start, list(), 300))
+tank <- new_tank(start, list(), 300)
 towed_at <- function(speed) {
   draft <- tank$draft
   draft$plan$towing$speed <- paste(speed, "knot")

@@ -1,6 +1,3 @@
-skip_if_not_installed("shiny")
-skip_if_not_installed("bslib")
-
 test_that("page opens with the settled gear, its picture and controls", {
   in_flume("towed_cable", function(session, sent, tank) {
     picture <- sent("flume_picture")[[1]]
@@ -12,7 +9,9 @@ test_that("page opens with the settled gear, its picture and controls", {
     expect_identical(picture$kept[[1]]$scene$points, picture$now$points)
     form <- tank$form()
     expect_identical(form$quick[[1]]$label, "Towing speed")
-    expect_match(session$output$code, "gear <- read_gear(\"towed_cable\")", fixed = TRUE)
+    session$hear(code_wanted = 1)
+    code <- sent("flume_code")[[1]]$text
+    expect_match(code, "gear <- read_gear(\"towed_cable\")", fixed = TRUE)
   })
 })
 
@@ -73,7 +72,7 @@ test_that("page receives a moved shape before the rest of the picture", {
     # the same for an undo step
     ask(session, warps.length = list(value = 700, unit = "m"), number = 5)
     sent("flume_moved")
-    session$setInputs(undo = list(number = 6))
+    session$hear(undo = list(number = 6))
     expect_equal(passed_shape(sent("flume_moved")[[1]]$bytes)$header$answers, 6)
   })
 })
@@ -126,9 +125,9 @@ test_that("server answers a step whose rest the next step replaces", {
     for (number in 1:3) {
       ask(session, towing.speed = list(value = 4 + number / 10, unit = "knot"), number = number)
     }
-    session$setInputs(undo = list(number = 4))
+    session$hear(undo = list(number = 4))
     sent("flume_moved")
-    session$setInputs(undo = list(number = 5))
+    session$hear(undo = list(number = 5))
     expect_identical(sent("flume_idle")[[1]]$answers, 4)
   })
 })
@@ -170,7 +169,7 @@ test_that("server answers queued requests once with the last draft", {
 test_that("click on a part returns its plan field", {
   in_flume("midwater_trawl", function(session, sent, tank) {
     found <- function(name) {
-      session$setInputs(part_wanted = list(number = stats::runif(1), name = name))
+      session$hear(part_wanted = list(number = stats::runif(1), name = name))
       vapply(sent("flume_part"), `[[`, "", "path")
     }
     expect_identical(found("warp_port"), "warps")
@@ -240,8 +239,8 @@ test_that("draft keeps a wrong value while the last shape stays", {
     ask(session, ropes.cable = list(like = "ropes.other"))
     got <- sent("flume_refused")[[1]]$message
     expect_match(got, "does not have this part")
-    session$setInputs(design = "nonsense")
-    session$setInputs(design = list(number = 3, edits = list(1, 2)))
+    session$hear(design = "nonsense")
+    session$hear(design = list(number = 3, edits = list(1, 2)))
     expect_identical(tank$draft, draft_before)
     ask(session, towing.speed = list(value = "5,5", unit = "knot"))
     expect_length(draft()$problems, 0L)
@@ -267,7 +266,7 @@ test_that("page reaches a consistent net by contradicting edits in any order", {
       expect_gt(unfinished, 0L)
       expect_length(tank$problems, 0L)
       expect_identical(tank$gear$plan, whole$plan)
-      for (k in 1:3) session$setInputs(undo = list(number = stats::runif(1)))
+      for (k in 1:3) session$hear(undo = list(number = stats::runif(1)))
       expect_identical(tank$gear$plan, read_gear(plan)$plan)
     }
   }, nodes = 150)
@@ -279,7 +278,7 @@ test_that("page keeps the last shape if a design fails to settle", {
     sent("flume_draft")
     # such a soft cable stretches without limit
     typed <- sub("12.717 MN", "0.001 N", format(tank$gear), fixed = TRUE)
-    session$setInputs(plan_text = typed)
+    session$hear(plan_text = list(asked = typed))
     draft <- utils::tail(sent("flume_draft"), 1L)[[1]]
     expect_match(draft$problems[[1]]$message, "did not settle")
     expect_match(draft$problems[[1]]$message, "rope `cable`", fixed = TRUE)
@@ -293,7 +292,7 @@ test_that("page rejects invalid plan files by their own name", {
   in_flume("towed_cable", function(session, sent, tank) {
     upload <- function(text, name = "mine.yaml") {
       sent("flume_refused")
-      session$setInputs(plan_file = list(name = name, text = text))
+      session$hear(plan_file = list(asked = list(name = name, text = text)))
       sent("flume_refused")
     }
     garbage <- upload("\001{")[[1]]
@@ -327,7 +326,7 @@ test_that("messages cannot make the server read files or compute too long", {
     before <- tank$state
     refused <- function(...) {
       sent("flume_refused")
-      session$setInputs(...)
+      session$hear(...)
       sent("flume_refused")[[1]]$message
     }
     there <- system.file("gears", "flat_panel.yaml", package = "codend")
@@ -336,14 +335,14 @@ test_that("messages cannot make the server read files or compute too long", {
       list(name = there, datapath = there), list(list(there)), there
     )
     for (message in forged) {
-      expect_identical(refused(plan_file = message), "The plan must be text.")
+      expect_identical(refused(plan_file = list(asked = message)), "The plan must be text.")
     }
-    expect_match(refused(plan_file = list(name = "a", text = there)), "must be a map")
-    expect_match(refused(plan_text = strrep("a", 3 * 1024^2)), "at most 2 MB")
+    expect_match(refused(plan_file = list(asked = list(name = "a", text = there))), "must be a map")
+    expect_match(refused(plan_text = list(asked = strrep("a", 3 * 1024^2))), "at most 2 MB")
 
     divided <- read_gear("flat_panel")
     divided$plan$panels$netting[c("columns", "rows")] <- list(1000, 1000)
-    expect_match(refused(plan_file = list(name = "a", text = format(divided))),
+    expect_match(refused(plan_file = list(asked = list(name = "a", text = format(divided)))),
       "needs 1e+06 nodes (about 10 GB of memory), but at most 20000", fixed = TRUE)
     expect_identical(tank$state$position, before$position)
   })
@@ -353,11 +352,11 @@ test_that("typed plan takes effect and keeps its text", {
   in_flume("towed_cable", function(session, sent, tank) {
     sent("flume_picture")
     typed <- sub("length: 1000 m", "length: 700 m  # shorter", format(tank$gear))
-    session$setInputs(plan_text = list(number = 2, asked = typed))
+    session$hear(plan_text = list(number = 2, asked = typed))
     expect_identical(tank$gear$plan$ropes$cable$length, "700 m")
     got <- sent("flume_picture")[[1]]$answers
     expect_identical(got, 2)
-    session$setInputs(plan_wanted = 1)
+    session$hear(plan_wanted = 1)
     got <- sent("flume_plan")[[1]]$text
     expect_match(got, "700 m  # shorter", fixed = TRUE)
   })
@@ -369,22 +368,22 @@ test_that("page starts at the gallery of shipped and new gears", {
     expect_length(sent("flume_picture"), 0L)
     # requests before there is a gear
     ask(session, towing.speed = list(value = 5, unit = "knot"))
-    session$setInputs(undo = list(number = 1), keep = list(), words_wanted = 1, plan_wanted = 1)
+    session$hear(undo = list(number = 1), keep = list(), words_wanted = 1, plan_wanted = 1)
     expect_null(tank$gear)
-    session$setInputs(shipped = list(number = 4, asked = "../towed_cable"))
+    session$hear(shipped = list(number = 4, asked = "../towed_cable"))
     got <- sent("flume_refused")[[1]]$message
     expect_match(got, "No shipped gear")
-    session$setInputs(shipped = list(number = 5, asked = "towed_cable"))
+    session$hear(shipped = list(number = 5, asked = "towed_cable"))
     expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
-    session$setInputs(new = list(asked = list(kind = "bottom_trawl",
+    session$hear(new = list(asked = list(kind = "bottom_trawl",
       values = list(headline = "20 m", depth = "", file = tempfile()))))
     expect_identical(tank$gear$plan, new_plan("bottom_trawl", headline = "20 m")$plan)
     sent("flume_refused")
-    session$setInputs(new = list(asked = list(kind = "bottom_trawl",
+    session$hear(new = list(asked = list(kind = "bottom_trawl",
       values = list(headline = "wide"))))
     got <- sent("flume_refused")[[1]]$message
     expect_match(got, "headline", fixed = TRUE)
-    session$setInputs(new = list(asked = list(kind = "boat")))
+    session$hear(new = list(asked = list(kind = "boat")))
     got <- sent("flume_refused")[[1]]$message
     expect_match(got, "boat")
   })
@@ -398,7 +397,7 @@ test_that("page undoes and redoes every movement", {
     for (value in c(4.2, 4.6, 5)) ask(session, towing.speed = list(value = value, unit = "knot"))
     ask(session, towing.speed = list(value = 6, unit = "knot"), gesture = 2)
     step <- function(name) {
-      do.call(session$setInputs, stats::setNames(list(list(number = stats::runif(1))), name))
+      do.call(session$hear, stats::setNames(list(list(number = stats::runif(1))), name))
     }
     faster <- tank$measures
     step("undo")
@@ -421,12 +420,12 @@ test_that("page undoes and redoes every movement", {
 test_that("page stores named designs and restores them", {
   in_flume("towed_cable", function(session, sent, tank) {
     ask(session, towing.speed = list(value = 5, unit = "knot"))
-    session$setInputs(keep = list(number = 1, name = "  Fast\n one "))
+    session$hear(keep = list(number = 1, name = "  Fast\n one "))
     kept <- function(field) vapply(tank$kept, function(one) as.character(one[[field]]), "")
     expect_identical(kept("name"), c("As opened", "Fast one"))
-    expect_match(session$output$designs$html, "Fast one", fixed = TRUE)
+    expect_identical(unclass(table_of(session, "designs")$head)[3:4], c("Fast one", "On screen"))
     ids <- vapply(tank$kept, `[[`, 0L, "id")
-    act <- function(...) session$setInputs(kept = list(number = stats::runif(1), ...))
+    act <- function(...) session$hear(kept = list(number = stats::runif(1), ...))
     act(id = ids[1], act = "open")
     expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
     act(id = ids[2], act = "compare")
@@ -443,9 +442,9 @@ test_that("page stores named designs and restores them", {
     act(id = ids[1], act = "remove")
     got <- sent("flume_refused")[[1]]$message
     expect_match(got, "last kept design")
-    for (k in 1:30) session$setInputs(keep = list(number = k))
+    for (k in 1:30) session$hear(keep = list(number = k))
     expect_length(tank$kept, most_stored_designs)
-    table <- utils::read.csv(session$output$save_designs, check.names = FALSE)
+    table <- utils::read.csv(saved_file(session, "designs"), check.names = FALSE)
     expect_identical(dim(table), c(length(tank$measures), 3L + most_stored_designs))
   })
 })
@@ -454,17 +453,17 @@ test_that("address contains the designs and is validated", {
   words <- NULL
   in_flume("towed_cable", function(session, sent, tank) {
     ask(session, towing.speed = list(value = 5, unit = "knot"))
-    session$setInputs(keep = list(number = 1, name = "Fast"))
+    session$hear(keep = list(number = 1, name = "Fast"))
     ask(session, ropes.cable.length = list(value = 800, unit = "m"))
-    session$setInputs(words_wanted = 1)
+    session$hear(words_wanted = 1)
     words <<- sent("flume_words")[[1]]$words
     expect_identical(words$now, list(base = "towed_cable",
       edits = list(towing.speed = "5 knot", ropes.cable.length = "800 m")))
   })
   # as a browser would send it back
-  words <- jsonlite::fromJSON(as.character(shiny:::toJSON(words)), simplifyVector = FALSE)
+  words <- jsonlite::parse_json(message_json("words", words))$words
   in_flume(NULL, function(session, sent, tank) {
-    session$setInputs(words = list(number = 9, asked = words))
+    session$hear(words = list(number = 9, asked = words))
     expect_identical(tank$gear$plan,
       update(read_gear("towed_cable"), towing.speed = "5 knot", ropes.cable.length = "800 m")$plan)
     expect_identical(vapply(tank$kept, `[[`, "", "name"), c("As opened", "Fast"))
@@ -480,10 +479,10 @@ test_that("address contains the designs and is validated", {
     )
     for (now in wrong) {
       sent("flume_refused")
-      session$setInputs(words = list(number = stats::runif(1), asked = list(now = now)))
+      session$hear(words = list(number = stats::runif(1), asked = list(now = now)))
       expect_length(sent("flume_refused"), 1L)
     }
-    session$setInputs(words = "nonsense")
+    session$hear(words = "nonsense")
     expect_identical(tank$gear$plan, before)
   })
 })
@@ -491,11 +490,11 @@ test_that("address contains the designs and is validated", {
 test_that("page saves the displayed plan, tables and pictures", {
   in_flume("towed_cable", function(session, sent, tank) {
     ask(session, towing.speed = list(value = 5, unit = "knot"))
-    expect_identical(read_gear(session$output$save_plan)$plan, tank$gear$plan)
-    table <- utils::read.csv(session$output$save_measures)
+    expect_identical(read_gear(saved_file(session, "plan"))$plan, tank$gear$plan)
+    table <- utils::read.csv(saved_file(session, "measures"))
     expect_equal(table$now, unname(tank$measures), tolerance = 1e-12)
     expect_equal(table$change, table$now - table$kept, tolerance = 1e-9)
-    expect_equal(utils::read.csv(session$output$save_drag)$drag_kN,
+    expect_equal(utils::read.csv(saved_file(session, "drag"))$drag_kN,
       as.data.frame(tank$state, what = "drag")$drag_kN, tolerance = 1e-12)
   })
 })
@@ -503,7 +502,7 @@ test_that("page saves the displayed plan, tables and pictures", {
 test_that("drawing names only fields of the form", {
   in_flume("midwater_trawl", function(session, sent, tank) {
     sent("flume_drawing")
-    session$setInputs(drawing_wanted = 1)
+    session$hear(drawing_wanted = 1)
     svg <- sent("flume_drawing")[[1]]$svg
     named <- unlist(regmatches(svg, gregexpr("(?<=data-path=\")[^\"]+", svg, perl = TRUE)))
     expect_gt(length(unique(named)), 20L)
@@ -524,50 +523,94 @@ test_that("sessions have separate gears", {
   gear <- read_gear("towed_cable")
   start <- list(gear = gear, state = settle(gear, nodes = 300))
   server <- flume_server(start, list(), 300, direct_worker)
-  # the mock warns that it has no page to send to
-  suppressWarnings({
-    shiny::testServer(server, {
-      ask(session, towing.speed = list(value = 6, unit = "knot"))
-      expect_identical(tank$gear$plan$towing$speed, "6 knot")
-    })
-    shiny::testServer(server, expect_identical(tank$gear$plan, gear$plan))
-  })
+  one <- open_flume(server)
+  other <- open_flume(server)
+  ask(one, towing.speed = list(value = 6, unit = "knot"))
+  expect_identical(one$tank$gear$plan$towing$speed, "6 knot")
+  expect_identical(other$tank$gear$plan, gear$plan)
 })
 
 test_that("flume() accepts a gear and its fields, and rejects others", {
-  expect_s3_class(flume("towed_cable", fields = "ropes.cable.length"), "shiny.appobj")
+  expect_s3_class(flume("towed_cable", fields = "ropes.cable.length"), "codend_flume")
   expect_error(flume("towed_cable", fields = "ropes.cable.lengt"), "did you mean",
     class = "codend_error_argument")
   expect_error(flume("towed_cable", fields = "notes"), "has no control for that field",
     class = "codend_error_argument")
   expect_error(flume("towed_cable", fields = 3), class = "codend_error_argument")
   expect_error(flume("towed_cabel"), class = "codend_error_plan")
-  expect_s3_class(flume(), "shiny.appobj")
+  expect_s3_class(flume(), "codend_flume")
   expect_error(flume(fields = "ropes.cable.length"), "needs `gear`",
     class = "codend_error_argument")
   expect_error(flume("towed_cable", nodes = 0), class = "codend_error_argument")
 })
 
 test_that("page loads nothing from other servers", {
-  # addresses of catalogue sources are text
-  asked <- "(src|href|action) *= *[\"']?https?://|url[(] *[\"']?https?://"
-  expect_false(grepl(asked, as.character(flume_page())))
-  files <- list.files(system.file("app", package = "codend"), "[.](js|css)$", full.names = TRUE)
+  files <- list.files(system.file("app", package = "codend"), "[.](js|css|html)$",
+    full.names = TRUE)
   # names of XML vocabularies and addresses of licences are text
   texts <- vapply(files, function(file) {
     sub("(?s)^/[*]!.*?[*]/", "", paste(readLines(file), collapse = "\n"), perl = TRUE)
   }, "")
+  expect_length(texts, 3L)
   expect_false(any(grepl("https?://(?!www[.]w3[.]org/)|@import", texts, perl = TRUE)))
 })
 
-test_that("page links to the definitions of measures", {
-  words <- as.character(flume_page())
-  leads <- if (has_measures_guide()) {
-    "href=\"codend-doc/measures.html\""
-  } else {
-    "vignette(\"measures\", \"codend\")"
+test_that("server serves the page, its files and messages, and rejects other hosts", {
+  skip_if_not_installed("httpuv")
+  skip_if_not_installed("callr")
+  port <- httpuv::randomPort()
+  process <- callr::r_bg(function(port) codend:::serve_flume(codend::flume(), port, FALSE),
+    list(port), stdout = NULL, stderr = NULL)
+  withr::defer(process$kill())
+  read <- function(path) readLines(url(sprintf("http://127.0.0.1:%d/%s", port, path)), warn = FALSE)
+  for (k in 1:100) {
+    page <- tryCatch(suppressWarnings(read("")), error = function(e) NULL)
+    if (!is.null(page)) break
+    Sys.sleep(0.2)
   }
-  expect_true(grepl(leads, words, fixed = TRUE))
+  expect_match(page, "<script src=\"tank.js\" defer></script>", fixed = TRUE, all = FALSE)
+  expect_gt(sum(nchar(read("view/viewer.js"))), 1e5)
+  expect_error(suppressWarnings(read("../DESCRIPTION")))
+  # a WebSocket's first message is the start of the page
+  shake <- function(host) {
+    socket <- socketConnection("127.0.0.1", port, open = "r+b")
+    on.exit(close(socket))
+    writeBin(charToRaw(paste0(paste(c("GET /?lang=fr HTTP/1.1", paste("Host:", host),
+      "Upgrade: websocket", "Connection: Upgrade", "Sec-WebSocket-Version: 13",
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ=="), collapse = "\r\n"), "\r\n\r\n")), socket)
+    bytes <- raw()
+    for (k in 1:100) {
+      bytes <- c(bytes, readBin(socket, "raw", 400L))
+      if (length(bytes) > 300) break
+      Sys.sleep(0.02)
+    }
+    rawToChar(bytes[bytes >= 0x20 & bytes < 0x7f])
+  }
+  expect_match(shake(paste0("localhost:", port)), "\"flume_begin\"", fixed = TRUE)
+  expect_no_match(shake("evil.example"), "flume_begin", fixed = TRUE)
+  process$interrupt()
+  process$wait(5000)
+  expect_false(process$is_alive())
+})
+
+test_that("page that exceeds its limits is disconnected", {
+  heard <- list()
+  closed <- FALSE
+  act <- NULL
+  socket <- list(request = list(), send = function(message) NULL,
+    close = function(...) closed <<- TRUE, onMessage = function(f) act <<- f,
+    onClose = function(f) NULL)
+  connect_page(socket, function(request, send, send_bytes, close) {
+    list(hear = function(type, given) heard[[type]] <<- given, leave = function() NULL)
+  })
+  texts <- c("{\"undo\": {\"number\": 1}}", "{", "3", "{\"a\": 1, \"b\": 2}", "[1]")
+  for (text in texts) act(FALSE, text)
+  expect_identical(heard, list(undo = list(number = 1L)))
+  expect_false(closed)
+  act(FALSE, strrep("x", most_message_bytes + 1))
+  expect_true(closed)
+  act(FALSE, "{\"redo\": 1}")
+  expect_named(heard, "undo")
 })
 
 test_that("expect_declared() rejects messages that the page's protocol does not declare", {
@@ -578,26 +621,12 @@ test_that("expect_declared() rejects messages that the page's protocol does not 
   expect_failure(expect_declared("flume_other", list()), "flume_other")
 })
 
-test_that("server reads exactly the inputs of the page's protocol", {
+test_that("server reads exactly the messages of the page's protocol", {
   lines <- c(protocol_lines("Asked"), protocol_lines("Told"))
   skip_if(is.null(lines), "the sources of pages are not here")
-  sent <- sub("^  (\\w+):.*", "\\1", grep("^  \\w+:", lines, value = TRUE))
-  read <- character()
-  walk <- function(x) {
-    if (!is.call(x)) return()
-    if (identical(x[[1]], quote(`$`)) && identical(x[[2]], quote(input))) {
-      read <<- c(read, as.character(x[[3]]))
-    }
-    # a loop over names reads input[[name]]
-    if (identical(x[[1]], quote(`for`)) && any(all.names(x) == "input")) {
-      read <<- c(read, as.character(eval(x[[3]])))
-    }
-    for (inner in as.list(x)) if (!missing(inner)) walk(inner)
-  }
-  ns <- asNamespace("codend")
-  for (name in grep("^(flume|serve)_", ls(ns), value = TRUE)) {
-    if (is.function(ns[[name]])) walk(body(ns[[name]]))
-  }
-  # a checkbox of Shiny
-  expect_setequal(setdiff(read, "with_intervals"), sent)
+  folder <- tempfile("shared-")
+  dir.create(folder)
+  page <- open_flume(flume_server(NULL, list(), 300, direct_worker, folder))$page
+  expect_setequal(names(page$handlers), sub("^  (\\w+):.*", "\\1", grep("^  \\w+:", lines,
+    value = TRUE)))
 })

@@ -6,6 +6,6 @@ assign("install.packages", function(packages) {
   stopifnot(packages %in% unlist(strsplit(unlist(known), "[ ,\n]+")))
 })
 # Stop the live tank when it would open a browser.
-options(shiny.launch.browser = function(url) later::later(shiny::stopApp))
+options(browser = function(url) later::later(function() tools::pskill(Sys.getpid(), tools::SIGINT)))
 
 source("example.R", echo = TRUE, max.deparse.length = Inf, spaced = FALSE)

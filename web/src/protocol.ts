@@ -63,8 +63,30 @@ export interface Varied {
 // A change of speed, course or warp, as typed.
 export interface Change { from: string; over: string; to?: string; by?: string }
 
+// A table as strings. `numbers` is true for columns of numbers.
+export interface Table {
+  caption: string; head: string[]; rows: string[][]; numbers: boolean[]; foot: string[] | null; note: string | null;
+}
+
 // Messages from R. `answers` is the number of a request, 0 without one.
 export interface FromR {
+  flume_begin: {
+    language: string;
+    languages: { name: string; words: string }[];
+    checked: boolean;
+    words: Record<string, string>;
+    sought: Record<string, string>;
+    catalogue: Catalogue;
+    units: Record<string, string[]>;
+    gears: { name: string; title: string; kind: string; panels: number; ropes: number; speed: number }[];
+    kinds: { name: string; values: Record<string, string> }[];
+    formats: { name: string; title: string; extension: string; opens: string }[];
+    tow_saves: string[];
+    opens: boolean;
+    shares: boolean;
+    can_share: boolean;
+    guide: boolean;
+  };
   flume_picture: {
     answers: number;
     said: string;
@@ -136,6 +158,13 @@ export interface FromR {
   flume_plan: {
     text: string;
   };
+  flume_code: {
+    text: string;
+  };
+  flume_table: {
+    name: string;
+    tables: Table[];
+  };
   flume_sensitivities: {
     fields: Sensitivity[];
   };
@@ -155,8 +184,9 @@ export interface FromR {
   };
 }
 
-// The header of the binary message flume_moved: a shape while a slider moves. Floats follow it, `counts`
-// by name. R/flume-picture.R describes the bytes.
+// The headers of binary messages (R/flume-serve.R): a file, whose bytes follow, or a shape while a slider
+// moves. Floats follow the latter, `counts` by name, in the order of R/flume-picture.R.
+export interface FileHeader { file: string }
 export interface MovedHeader {
   answers: number; counts: Record<string, number>; conditions: string; part: Partial<Scene>;
 }
@@ -184,6 +214,10 @@ export interface Told {
   preferred: Units;
   cancel: number;
   plan_wanted: number;
+  code_wanted: number;
+  table_wanted: 'tensions' | 'drag' | 'slopes' | 'designs' | 'differences';
+  save_wanted: string;
+  intervals_wanted: boolean;
   words_wanted: number;
   drawing_wanted: number;
   part_wanted: { number: number; name: string };

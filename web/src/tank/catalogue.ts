@@ -1,18 +1,15 @@
 // Catalogue items that fit a part of the plan, and the user's own rows.
 
 import type { Catalogue, CatalogueRow, Edits, OwnRow } from '../protocol';
-import { element, find } from '../view';
+import { element } from '../view';
 import * as Designs from './designs';
 import { tell } from './notices';
 import { send } from './server';
 import { say, say_field, say_unit } from './words';
 
-let catalogue: Catalogue | null = null, own: CatalogueRow[] = [];
+let known: Catalogue = { things: [], fields: {} }, own: CatalogueRow[] = [];
 let listed: { narrow(): void; close(): void } | null = null;
-function known(): Catalogue {
-  catalogue = catalogue || JSON.parse(find('catalogue').textContent ?? '') as Catalogue;
-  return catalogue;
-}
+export function set_catalogue(catalogue: Catalogue): void { known = catalogue; }
 
 // Stores the user's own rows and refreshes an open list.
 export function take_own(rows: CatalogueRow[]): void {
@@ -27,10 +24,10 @@ function tell_own(rows: OwnRow[]) {
 
 // Returns the form for a new row of the user.
 function own_form(kind: string): HTMLElement {
-  const box = element('details', 'own-row'), fields = known().fields[kind];
+  const box = element('details', 'own-row'), fields = known.fields[kind];
   box.appendChild(element('summary', '', say('own_row')));
   function ask(name: string, label: string): HTMLInputElement {
-    const line = element('label', '', label), input = element('input', 'form-control form-control-sm', undefined,
+    const line = element('label', '', label), input = element('input', '', undefined,
       { type: 'text', autocomplete: 'off', maxlength: 60, 'data-own': name });
     line.appendChild(input);
     box.appendChild(line);
@@ -39,7 +36,7 @@ function own_form(kind: string): HTMLElement {
   const title = ask('title', say('own_name')), inputs = Object.keys(fields).map((name) => ({
     name, input: ask(name, say_field(name) + (fields[name] ? ' (' + say_unit(fields[name]) + ')' : ''))
   }));
-  const add = element('button', 'btn btn-primary btn-sm own-add', say('own_add'), { type: 'button' });
+  const add = element('button', 'primary own-add', say('own_add'), { type: 'button' });
   add.addEventListener('click', () => {
     const values = Object.fromEntries(inputs.map(({ name, input }) => [name, input.value]));
     tell_own([...own, { class: kind, title: title.value, values }]);
@@ -54,14 +51,14 @@ export function pick_from(button: HTMLElement, edit: (edits: Edits) => void): vo
   // Only one list is open at a time.
   listed?.close();
   const fitting = (rows: CatalogueRow[]) => rows.filter((row) => classes.includes(row.class));
-  const fits = fitting(known().things);
+  const fits = fitting(known.things);
   const box = element('div', 'picks'), list = element('ul', 'pick-list');
-  const input = element('input', 'form-control form-control-sm', undefined,
+  const input = element('input', '', undefined,
     { type: 'search', 'aria-label': say('find_in_catalogue'), placeholder: say('find_such_as',
       { word: fits[0] ? fits[0].title.split(' ')[0] : '' }), autocomplete: 'off' });
   function row_of(row: CatalogueRow) {
     const facts = Object.entries(row.values).map(([name, value]) => say_field(name) + ' ' + value.replace(/_/g, ' '));
-    const item = element('li'), one = element('button', 'btn btn-link btn-sm', row.title, { type: 'button' });
+    const item = element('li'), one = element('button', 'link', row.title, { type: 'button' });
     item.appendChild(one);
     if (own.includes(row)) {
       const out = element('button', 'take-out', '\u00d7', { type: 'button',

@@ -36,21 +36,21 @@ function number_row(field: Field, id: string): HTMLElement {
   const shown = (value: number) => share === 1 ? value : tidy(value * share);
   const { value, low, high = 0, step = 0 } = field;
   if (typeof value === 'number' && low !== undefined) {
-    const slider = element('input', 'form-range', undefined, {
+    const slider = element('input', '', undefined, {
       type: 'range', min: shown(low), max: shown(high), step: shown(step), 'aria-label': field.label
     });
     slider.value = String(shown(value));
     slider.setAttribute('aria-valuetext', shown(value) + ' ' + field.unit);
     row.appendChild(slider);
   }
-  const input = element('input', 'form-control form-control-sm number', undefined, {
+  const input = element('input', 'number', undefined, {
     type: 'text', id, inputmode: 'text', autocomplete: 'off', spellcheck: 'false',
     'aria-describedby': id + '_help ' + id + '_error ' + id + '_echo'
   });
   input.value = typeof value === 'number' ? String(shown(value)) : field.typed ?? '';
   row.appendChild(input);
   if (field.dimension) {
-    const select = element('select', 'form-select form-select-sm unit', undefined,
+    const select = element('select', 'unit', undefined,
       { 'aria-label': say('unit_of', { label: field.label }) });
     units_of(field).forEach(([unit, factor]) => {
       select.appendChild(element('option', '', say_unit(unit), { value: unit, 'data-factor': factor }));
@@ -64,7 +64,7 @@ function number_row(field: Field, id: string): HTMLElement {
 
 function choice_row(field: Field, id: string): HTMLElement {
   const row = element('div', 'control-row');
-  const select = element('select', 'form-select form-select-sm choice', undefined,
+  const select = element('select', 'choice', undefined,
     { id, 'aria-describedby': id + '_help ' + id + '_error' });
   if (!field.value) select.appendChild(element('option', '', '', { value: '' }));
   field.choices.forEach((one) => select.appendChild(element('option', '', one.replace(/_/g, ' '), { value: one })));
@@ -75,8 +75,8 @@ function choice_row(field: Field, id: string): HTMLElement {
 
 function text_row(field: Field, id: string): HTMLElement {
   const row = element('div', 'control-row'), long = field.kind === 'yaml' && String(field.value).length > 40;
-  const input = long ? element('textarea', 'form-control form-control-sm text', undefined, { rows: 2 }) :
-    element('input', 'form-control form-control-sm text', undefined, { type: 'text' });
+  const input = long ? element('textarea', 'text', undefined, { rows: 2 }) :
+    element('input', 'text', undefined, { type: 'text' });
   input.id = id;
   input.spellcheck = false;
   input.setAttribute('autocomplete', 'off');
@@ -102,11 +102,11 @@ export function new_control(field: Field, removable: boolean): HTMLElement {
   });
   let row: HTMLElement;
   if (field.kind === 'truth') {
-    row = element('div', 'form-check');
-    const tick = element('input', 'form-check-input truth', undefined,
+    row = element('div', 'check');
+    const tick = element('input', 'truth', undefined,
       { type: 'checkbox', id, 'aria-describedby': id + '_help ' + id + '_error' });
     tick.checked = field.value === true;
-    label.className = 'form-check-label';
+    label.className = '';
     row.append(tick, label);
     box.appendChild(row);
   } else {

@@ -11,6 +11,7 @@ import { say } from './words';
 
 const largest = 2 * 1024 * 1024;
 let timer: number | undefined, mine: string | null = null, wanted: number | null = null;
+let last: Words | null = null;  // the designs of the page, as in its address
 
 // ---- the address --------------------------------------------------------------------------------
 
@@ -55,6 +56,13 @@ export function read(): boolean {
   return true;
 }
 
+// Opens the designs of the page again, after the connection was lost.
+export function open_again(): void {
+  tell('refused', '');
+  tell('gallery_refused', '');
+  if (last) open(last);
+}
+
 // Opens the designs that an address or a file encodes; missing parts become empty.
 export function open(words: Words | null): void {
   if (words?.units) prefer(words.units);
@@ -78,7 +86,8 @@ export function moved(): void {
 // Writes R's description of the designs to the address.
 export async function write({ words, number }: FromR['flume_words']): Promise<void> {
   if (words) {
-    mine = await pack({ ...words, units: preferred() });
+    last = { ...words, units: preferred() };
+    mine = await pack(last);
     window.history.replaceState(null, '', '#d=' + mine);
   }
   if (number === wanted) wanted = null;
@@ -120,20 +129,20 @@ export function show(kept: KeptDesign[]): void {
   first = kept.length ? kept[0].id : null;
   let seen = 0;
   find('kept_designs').replaceChildren(...kept.map((one, k) => {
-    const row = element('div', 'kept-row'), tick = element('input', 'form-check-input', undefined,
+    const row = element('div', 'kept-row'), tick = element('input', '', undefined,
       { type: 'checkbox', 'aria-label': say('in_picture_of', { name: one.name }), title: say('in_picture') });
     tick.checked = one.seen;
     tick.addEventListener('change', () => act(one.id, tick.checked ? 'show' : 'hide'));
     const colour = element('span', 'kept-colour');
     if (one.seen) colour.style.background = kept_colour(seen++);
-    const name = element('input', 'form-control form-control-sm', undefined,
+    const name = element('input', '', undefined,
       { type: 'text', 'aria-label': say('kept_name'), maxlength: 60 });
     name.value = one.name;
     name.addEventListener('change', () => act(one.id, 'rename', name.value));
     row.append(tick, colour, name);
     [['open', say('put_on_screen')], ['compare', k ? say('compare_with') : say('compared_with')],
       ['remove', say('remove')]].forEach(([what, words]) => {
-      const button = element('button', 'btn btn-outline-secondary btn-sm', words,
+      const button = element('button', '', words,
         { type: 'button', 'aria-label': say('of_design', { act: words, name: one.name }) });
       button.disabled = what === 'compare' && k === 0 || what === 'remove' && kept.length === 1;
       button.addEventListener('click', () => act(one.id, what));
@@ -171,7 +180,7 @@ export function shared(designs: SharedDesign[]): void {
       const item = element('li');
       item.append(element('span', '', name), element('span', 'note', author + ', ' + changed));
       function button(key: string, act: () => void) {
-        const made = element('button', 'btn btn-outline-secondary btn-sm', say(key),
+        const made = element('button', '', say(key),
           { type: 'button', 'aria-label': say('of_design', { act: say(key), name: name + ', ' + author }) });
         made.addEventListener('click', act);
         item.appendChild(made);

@@ -145,7 +145,7 @@ function share_of(event: MouseEvent) {
 function thing_of(event: Event) { return (event.target as Element).closest<Thing>('[data-path]'); }
 function path_of(thing: Thing) { return thing.dataset.path ?? ''; }
 const in_form = (event: Event) => (event.target as Element).closest('.typed');
-function listen() {
+export function listen() {
   const place = find('drawing');
   place.addEventListener('wheel', (event) => {
     if (!box) return;
@@ -249,7 +249,7 @@ function type_in(thing: Thing, path: string, field: Form.ShownField) {
   if (old) old.remove();
   const r = thing.getBoundingClientRect(), home = place.getBoundingClientRect();
   const row = element('form', 'typed control-row'), input = element(field.kind === 'choice' ? 'select' : 'input',
-    'form-control form-control-sm', undefined, { 'aria-label': say_path(path), autocomplete: 'off' });
+    '', undefined, { 'aria-label': say_path(path), autocomplete: 'off' });
   if (field.kind === 'choice') {
     field.choices.forEach((one) => { input.appendChild(element('option', '', one, { value: one })); });
   }
@@ -353,7 +353,5 @@ on('click', ({ id }) => {
   else if (id === 'drawing_out') zoom(1.25, 0.5, 0.5);
   else if (id === 'drawing_all' && box) see_all();
 });
-document.addEventListener('DOMContentLoaded', listen);
-
 // Resets the view for another plan.
 export function opened(): void { box = sought = null; }

@@ -138,7 +138,7 @@ function matches(words: string[], text: string, paths: string): boolean {
 // Returns buttons that add the absent fields that match.
 function absent_fields({ groups }: Form, words: string[]): HTMLElement[] {
   const add = (label: string, path: string, title: string, wanted: string) =>
-    element('button', 'btn btn-outline-secondary btn-sm add-field', label,
+    element('button', 'add-field', label,
       { type: 'button', 'data-path': path, 'data-title': title, 'data-wanted': wanted });
   return groups.flatMap(({ title, absent, parts }) => [
     ...absent.filter((name) => matches(words, '', name)).map((name) => add(say_field(name), '', title, name)),
@@ -304,11 +304,11 @@ function ask_name(button: HTMLElement, path: string, act: string) {
   const steps = path.split('.'), name = steps.pop() ?? '', parent = steps.join('.');
   const number = name.match(/^(.*?)(\d+)$/);
   const row = element('form', 'control-row name-row');
-  const input = element('input', 'form-control form-control-sm', undefined,
+  const input = element('input', '', undefined,
     { type: 'text', 'aria-label': act === 'copy' ? say('copy_name') : say('new_name', { name }), autocomplete: 'off' });
   input.value = act === 'rename' ? name : number ? number[1] + (Number(number[2]) + 1) : name + '_2';
   const words = act === 'copy' ? say('copy') : say('rename');
-  row.append(input, element('button', 'btn btn-primary btn-sm', words, { type: 'submit' }));
+  row.append(input, element('button', 'primary', words, { type: 'submit' }));
   row.addEventListener('submit', (event) => {
     event.preventDefault();
     const made = input.value.trim().replace(/[^A-Za-z0-9_]+/g, '_');
@@ -327,7 +327,7 @@ function ask_name(button: HTMLElement, path: string, act: string) {
 export function offers(message: FromR['flume_offers']): void {
   const button = adding, fields = message.offers;
   if (!button?.isConnected || button.dataset.path !== message.path || button.dataset.title !== message.title) return;
-  const select = element('select', 'form-select form-select-sm offered', undefined,
+  const select = element('select', 'offered', undefined,
     { 'aria-label': say('field_to_add') });
   select.append(element('option', '', say('which_field'), { value: '' }),
     ...fields.map((field, k) => element('option', '', field.label, { value: k, title: field.help })));
@@ -389,7 +389,7 @@ function echo(understood: Record<string, Understood | null>) {
       place.textContent = '= ' + one.text + (one.doubt ? '. ' + one.doubt.message + ' ' : '');
       place.hidden = false;
       if (!one.doubt?.instead) return;
-      place.appendChild(element('button', 'btn btn-outline-secondary btn-sm doubt',
+      place.appendChild(element('button', 'doubt',
         say('no_instead', { instead: one.doubt.instead }),
         { type: 'button', 'data-path': path, 'data-instead': one.doubt.instead }));
     });
@@ -405,7 +405,7 @@ export function draft(message: FromR['flume_draft']): void {
     find('draft_problems').replaceChildren(...problems.map((problem) => {
       const item = element('li'), path = plain_path(problem.path);
       if (path) {
-        item.appendChild(element('button', 'btn btn-link btn-sm go-to', problem.message,
+        item.appendChild(element('button', 'link go-to', problem.message,
           { type: 'button', 'data-path': path }));
       } else item.textContent = problem.message;
       return item;
@@ -423,6 +423,9 @@ export function refused(message: FromR['flume_refused']): boolean {
   boxes.forEach((box) => show_error(box, message.message));
   return boxes.length > 0;
 }
+
+// Forgets the pending request after a lost connection.
+export function lost(): void { sent = null; }
 
 export function answered(number: number): void {
   if (number !== sent) return;

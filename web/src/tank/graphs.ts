@@ -21,7 +21,7 @@ export function new_graphs(
 
   function figure(measure: Measured) {
     const box = element('figure', 'graph'), head = element('figcaption', '', said(measure));
-    const now = element('span', 'now'), png = element('button', 'btn btn-link btn-sm save-graph', 'PNG',
+    const now = element('span', 'now'), png = element('button', 'link save-graph', 'PNG',
       { type: 'button', 'aria-label': say('save_graph', { words: said(measure) }) });
     const out = element('button', 'take-out', '\u00d7',
       { type: 'button', 'aria-label': say('take_graph', { words: said(measure) }) });

@@ -1,7 +1,8 @@
 // The page of the flume tank: passes R's messages to the modules. The bundle, inst/app/tank.js, defines
 // `codendTank` for tests.
 
-import type { FromR, MovedHeader } from '../protocol';
+import { h, render } from 'preact';
+import type { FileHeader, FromR, MovedHeader } from '../protocol';
 import { element, file_name, find, save_as } from '../view';
 import * as Catalogue from './catalogue';
 import * as Designs from './designs';
@@ -10,19 +11,21 @@ import { on } from './events';
 import { show_line } from './files';
 import * as Form from './form';
 import './gallery';
+import { Page } from './layout';
 import * as Measures from './measures';
 import { gallery, is_open, set_open, tell } from './notices';
-import { hear, hear_bytes, on_page, send } from './server';
+import { connect, hear, hear_bytes, send, sending } from './server';
 import * as Slopes from './slopes';
+import * as Tabs from './tabs';
 import * as Talk from './talk';
 import * as Tank from './tank';
 import * as Target from './target';
 import * as Tow from './tow';
 import * as Units from './units';
 import * as Vary from './vary';
-import { say } from './words';
+import { say, set_words } from './words';
 
-export { Designs, Form, Talk, Tank, Tow, send };
+export { Designs, Form, Tabs, Talk, Tank, Tow, send, sending };
 
 let speaking: number | undefined, wanted: number | undefined;
 
@@ -39,16 +42,18 @@ on('change', (target) => {
   address.searchParams.set('lang', target.value);
   window.location.assign(address.href);
 });
-Units.on_change(Designs.moved);
+Units.on_change(() => {
+  Designs.moved();
+  Tabs.changed();
+});
 
-// Requests the drawing and the plan text when nothing is pending.
+// Requests the drawing and the content of the open tab when nothing is pending.
 function want_texts() {
+  Tabs.changed();
   window.clearTimeout(wanted);
   wanted = window.setTimeout(() => {
-    if (Talk.waits()) { want_texts(); return; }
-    const tab = document.querySelector<HTMLElement>('#shown .active');
-    Drawing.want();
-    if (tab?.dataset.value === 'Plan') send('plan_wanted', Date.now());
+    if (Talk.waits()) want_texts();
+    else Drawing.want();
   }, 400);
 }
 
@@ -82,18 +87,20 @@ function picture(message: FromR['flume_picture']) {
   want_texts();
 }
 
-// Intermediate shape while a slider moves; other outputs follow.
-function moved(bytes: ArrayBuffer) {
-  const size = new DataView(bytes).getUint32(0, true);
-  const told = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, size))) as MovedHeader;
-  let at = 4 + size;
-  Object.entries(told.counts).forEach(([name, count]) => {
-    Object.assign(told.part, { [name]: { floats: new Float32Array(bytes, at, count) } });
+// A file, or an intermediate shape while a slider moves; other outputs follow.
+function take_bytes(header: MovedHeader | FileHeader, bytes: ArrayBuffer, from: number) {
+  if ('file' in header) {
+    save_as(new Blob([new Uint8Array(bytes, from)]), header.file);
+    return;
+  }
+  let at = from;
+  Object.entries(header.counts).forEach(([name, count]) => {
+    Object.assign(header.part, { [name]: { floats: new Float32Array(bytes, at, count) } });
     at += 4 * count;
   });
-  Tank.moved(told.part);
-  find('gear_conditions').textContent = told.conditions;
-  Form.answered(told.answers);
+  Tank.moved(header.part);
+  find('gear_conditions').textContent = header.conditions;
+  Form.answered(header.answers);
 }
 
 // The elements that show errors of requests, by kind.
@@ -103,7 +110,8 @@ const in_gallery: Record<string, string> = {
 };
 const in_panels: Record<string, string> = {
   tow: 'tow_error', slopes: 'slopes_error', uncertainty: 'uncertainty_error', vary: 'vary_error',
-  target: 'target_error', own: 'own_error', shared: 'shared_error'
+  target: 'target_error', own: 'own_error', shared: 'shared_error', save: 'save_error',
+  save_tow: 'save_error'
 };
 function refused(message: FromR['flume_refused']) {
   const { where, path, cancelled } = message;
@@ -146,58 +154,76 @@ function part({ path }: FromR['flume_part']) {
   Drawing.seek(path);
 }
 
-function listen() {
+// Builds the page. After a lost connection, the page exists and opens its designs again.
+function begin(message: FromR['flume_begin']) {
+  if (document.getElementById('flume')) {
+    Designs.open_again();
+    return;
+  }
+  document.documentElement.lang = message.language;
+  set_words(message);
+  document.title = say('page_title');
+  Catalogue.set_catalogue(message.catalogue);
+  document.body.textContent = '';
+  render(h(Page, message), document.body);
   Tank.listen();
-  hear('flume_picture', picture);
-  hear_bytes('flume_moved', moved);
-  hear('flume_refused', refused);
-  hear('flume_idle', (message) => {
-    answer(message.answers);
-    want_texts();
-  });
-  hear('flume_draft', draft);
-  hear('flume_measures_about', Measures.set_about);
-  hear('flume_measures', Measures.show);
-  hear('flume_sensitivities', Slopes.show);
-  hear('flume_varied', Vary.show);
-  hear('flume_target', Target.show);
-  hear('flume_tow', Tow.show);
-  hear('flume_offers', Form.offers);
-  hear('flume_kept', (message) => Designs.show(message.kept));
-  hear('flume_words', Designs.write);
-  hear('flume_own', (message) => Catalogue.take_own(message.rows));
-  hear('flume_shared', (message) => Designs.shared(message.designs));
-  hear('flume_shared_done', () => tell('shared_error', ''));
-  hear('flume_clerk', ({ busy, what }) => {
-    if (busy) Talk.busy('clerk ' + what, say('busy.' + what));
-    else Talk.free('clerk ' + what);
-    if (what === 'uncertainty') tell('uncertainty_error', '');
-  });
-  hear('flume_drawing', (message) => Drawing.show(message.svg));
-  hear('flume_part', part);
-  hear('flume_plan', (message) => {
-    find<HTMLTextAreaElement>('plan_area').value = message.text;
-    tell('plan_text_error', '');
-  });
+  Drawing.listen();
+  if (Designs.read()) find('gear_name').textContent = say('opening_address');
+  else find('gallery').hidden = message.opens;
 }
 
-on('click', ({ id }) => {
+hear({
+  flume_begin: begin,
+  flume_picture: picture,
+  flume_refused: refused,
+  flume_idle(message) {
+    answer(message.answers);
+    want_texts();
+  },
+  flume_draft: draft,
+  flume_measures_about: Measures.set_about,
+  flume_measures: Measures.show,
+  flume_sensitivities: Slopes.show,
+  flume_varied: Vary.show,
+  flume_target: Target.show,
+  flume_tow: Tow.show,
+  flume_offers: Form.offers,
+  flume_kept(message) {
+    Designs.show(message.kept);
+    Tabs.changed();
+  },
+  flume_words: Designs.write,
+  flume_own(message) { Catalogue.take_own(message.rows); },
+  flume_shared(message) { Designs.shared(message.designs); },
+  flume_shared_done() { tell('shared_error', ''); },
+  flume_clerk({ busy, what }) {
+    if (busy) Talk.busy('clerk ' + what, say('busy.' + what));
+    else Talk.free('clerk ' + what);
+  },
+  flume_drawing(message) { Drawing.show(message.svg); },
+  flume_part: part,
+  flume_plan(message) {
+    Tabs.show_plan(message);
+    tell('plan_text_error', '');
+  },
+  flume_code: Tabs.show_code,
+  flume_table: Tabs.show
+});
+hear_bytes(take_bytes);
+
+on('click', ({ id, classList }) => {
   if (id === 'save_picture') save_as(Tank.save_picture(), file_name(find('gear_name').textContent ?? '') + '.png');
+  else if (classList.contains('save')) {
+    tell('save_error', '');
+    send('save_wanted', id.replace('save_', ''));
+  }
 });
 
-document.addEventListener('DOMContentLoaded', () => {
-  find<HTMLButtonElement>('undo').disabled = find<HTMLButtonElement>('redo').disabled = true;
-  const opens = find('flume').classList.contains('opens');
-  if (!opens && !/^#d=/.test(window.location.hash)) find('gallery').hidden = false;
-  on_page('shown.bs.tab', want_texts);
-});
 window.addEventListener('hashchange', () => Designs.read());
-on_page('shiny:connected', () => {
-  listen();
-  if (Designs.read()) find('gear_name').textContent = say('opening_address');
-});
-on_page('shiny:disconnected', () => {
+connect(() => {
   Talk.stop();
+  Tabs.lost();
+  Form.lost();
   tell('refused', say('process_ended'));
   tell('gallery_refused', say('process_gone'));
 });

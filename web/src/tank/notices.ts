@@ -1,7 +1,6 @@
 // Messages next to the parts of the page, and the choice between gallery and design.
 
 import { find } from '../view';
-import { tell_visible } from './server';
 
 // Writes a message into an element, or hides the element if there is none.
 export function tell(id: string, words: string): void {
@@ -23,7 +22,6 @@ export function gallery(yes: boolean): void {
   find('gallery').hidden = !yes;
   find('design').hidden = yes;
   find('gears').setAttribute('aria-expanded', String(yes));
-  tell_visible(find('design'), !yes);
   // The jump is instant, because the form's layout restores the present scroll position.
   window.scrollTo({ top: 0, behavior: 'instant' });
 }

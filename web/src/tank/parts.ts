@@ -37,7 +37,7 @@ function fold(kind: string, key: string, title: string, count: string, fill: (bo
 }
 
 function tool(class_name: string, words: string, attributes: Record<string, string>) {
-  return element('button', 'btn btn-outline-secondary btn-sm ' + class_name, words, { type: 'button', ...attributes });
+  return element('button', '' + class_name, words, { type: 'button', ...attributes });
 }
 
 function part_tools(part: Part, title: string): HTMLElement[] {
@@ -54,7 +54,7 @@ function part_tools(part: Part, title: string): HTMLElement[] {
     });
   }
   if (path && !part.required) {
-    tools.push(element('button', 'btn btn-outline-danger btn-sm take-part', say('take_part'),
+    tools.push(element('button', 'danger take-part', say('take_part'),
       { type: 'button', 'data-path': path, 'aria-label': say('take_out', { label: part.title }) }));
   }
   (part.picks ?? []).forEach((pick) => {

@@ -7,6 +7,7 @@ import { on } from './events';
 import * as Form from './form';
 import { tell } from './notices';
 import { send } from './server';
+import * as Tabs from './tabs';
 import * as Talk from './talk';
 import { say } from './words';
 
@@ -56,7 +57,7 @@ function write() {
   if (!isFinite(more)) return;
   const scroll = element('div', 'table-scroll', undefined, { tabindex: 0, role: 'region',
     'aria-label': say('would_do') });
-  const table = element('table', 'table table-sm flume-table'), body = element('tbody');
+  const table = element('table'), body = element('tbody');
   let kinks = false;
   one.measures.forEach((words, k) => {
     const change = one.slope[k] * more, below = one.below[k], above = one.above[k];
@@ -85,6 +86,7 @@ function write() {
 export function show({ fields }: FromR['flume_sensitivities']): void {
   fields.forEach((one) => { found[one.paths.join(' ')] = one; });
   write();
+  Tabs.changed();
 }
 // Discards all results after a change of the design.
 export function stale(): void { found = {}; form(); }

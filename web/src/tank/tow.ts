@@ -5,7 +5,7 @@ import { element, find, new_viewer, type Scene, type Viewer } from '../view';
 import { on } from './events';
 import { new_graphs } from './graphs';
 import { tell } from './notices';
-import { send, tell_visible } from './server';
+import { send } from './server';
 import { say, say_measure } from './words';
 
 let viewer: Viewer | null = null, graphs: ReturnType<typeof new_graphs> | null = null, towed: Scene | null = null;
@@ -51,7 +51,6 @@ export function show({ scene }: FromR['flume_tow']): void {
   towed = scene;
   find('towed').hidden = false;
   tell('tow_stale', '');
-  tell_visible(find('towed'), true);
   if (!viewer) {
     const host = element('div', 'tow-view');
     find('tow_place').appendChild(host);

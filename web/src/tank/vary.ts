@@ -6,7 +6,7 @@ import { on } from './events';
 import * as Form from './form';
 import { new_graphs } from './graphs';
 import { tell } from './notices';
-import { send, tell_visible } from './server';
+import { send } from './server';
 import { say } from './words';
 
 let graphs: ReturnType<typeof new_graphs> | null = null, field = '';
@@ -34,7 +34,6 @@ export function show({ varied, running }: FromR['flume_varied']): void {
   const done = varied.values.length;
   const drawn = graphs = graphs || new_graphs(find('vary_graphs'), find('vary_more'), (words) => words.slice(0, 4));
   find('varied').hidden = false;
-  tell_visible(find('varied'), true);
   find('vary_stop').hidden = !running;
   const wrong = varied.values.map((value, k) =>
     varied.problems[k] && value + ' ' + varied.unit + ': ' + varied.problems[k]).filter(Boolean);

@@ -1,31 +1,32 @@
 // Translations of the flume tank's page, from inst/app/words.csv, also for the viewer.
 
-import { fill, find, translate_by, type Values } from '../view';
+import type { FromR } from '../protocol';
+import { fill, translate_by, type Values } from '../view';
 
-// The script runs before the page exists.
-let given: { words: Record<string, string>; sought: Record<string, string> } | null = null;
-function known() {
-  given = given || JSON.parse(find('words').textContent ?? '') as NonNullable<typeof given>;
-  return given;
-}
-function has(key: string): boolean { return Object.prototype.hasOwnProperty.call(known().words, key); }
+let known: Pick<FromR['flume_begin'], 'words' | 'sought'> = { words: {}, sought: {} };
+// words: strings by key, sought: names of fields in all languages
+export function set_words(given: typeof known): void { known = given; }
+export function has_word(key: string): boolean { return Object.hasOwn(known.words, key); }
+export function capital(text: string): string { return text.charAt(0).toUpperCase() + text.slice(1); }
 
 // Returns the string of a key, with {n} replaced by values.n. Unknown keys are returned unchanged.
-export function say(key: string, values?: Values): string { return fill(has(key) ? known().words[key] : key, values); }
-translate_by((words, values) => has('view.' + words) ? say('view.' + words, values) :
+export function say(key: string, values?: Values): string {
+  return fill(has_word(key) ? known.words[key] : key, values);
+}
+translate_by((words, values) => has_word('view.' + words) ? say('view.' + words, values) :
   fill(say_field(words.replace(/ /g, '_')), values));
 
 export function say_field(name: string): string {
-  return has('field.' + name) ? say('field.' + name) : name.replace(/_/g, ' ');
+  return has_word('field.' + name) ? say('field.' + name) : name.replace(/_/g, ' ');
 }
 export function say_path(path: string): string { return path.split('.').map(say_field).join(' '); }
-export function say_unit(unit: string): string { return has('unit.' + unit) ? say('unit.' + unit) : unit; }
+export function say_unit(unit: string): string { return has_word('unit.' + unit) ? say('unit.' + unit) : unit; }
 
 // Also after the name of a gear in a rig: "port door spread". Empty without a translation.
 function measured(words: string): string {
   const number = words.match(/\d+/), space = words.indexOf(' ');
   const key = 'measure.' + words.replace(/\d+/, '#').replace(/ /g, '_');
-  if (has(key)) return say(key).replace('#', number?.[0] ?? '');
+  if (has_word(key)) return say(key).replace('#', number?.[0] ?? '');
   const of_gear = space < 0 ? '' : measured(words.slice(space + 1));
   return of_gear && words.slice(0, space) + ': ' + of_gear;
 }
@@ -42,5 +43,5 @@ export function bare(text: string): string {
 }
 // Returns the names of fields in all languages, for the search.
 export function sought(paths: string): string {
-  return bare(paths.split(/[. ]/).map((name) => known().sought[name] || '').join(' '));
+  return bare(paths.split(/[. ]/).map((name) => known.sought[name] || '').join(' '));
 }

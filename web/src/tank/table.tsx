@@ -1,0 +1,23 @@
+// Tables of the tank's page.
+
+import type { ComponentChildren } from 'preact';
+import type { Table } from '../protocol';
+
+export function note(words: string | null) { return words && <p class="note">{words}</p>; }
+
+// rows: elements of the table's body
+export function table({ caption, head, numbers, foot }: Omit<Table, 'rows' | 'note'>, rows: ComponentChildren) {
+  return <div class="table-scroll" tabIndex={0} role="region" aria-label={caption}>
+    <table>
+      <caption>{caption}</caption>
+      <thead><tr>{head.map((words, k) => <th scope="col" class={numbers[k] ? 'number' : ''}>{words}</th>)}</tr></thead>
+      <tbody>{rows}</tbody>
+      {foot && <tfoot>{row_of(foot, numbers)}</tfoot>}
+    </table>
+  </div>;
+}
+function row_of(cells: string[], numbers: boolean[]) {
+  return <tr>{cells.map((words, k) =>
+    k ? <td class={numbers[k] ? 'number' : ''}>{words}</td> : <th scope="row">{words}</th>)}</tr>;
+}
+export function rows_of({ rows, numbers }: Table) { return rows.map((cells) => row_of(cells, numbers)); }

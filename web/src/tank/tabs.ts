@@ -1,0 +1,69 @@
+// The tabs below the tank, and the texts and tables that R sends for the open tab.
+
+import { render } from 'preact';
+import type { FromR, Told } from '../protocol';
+import { find } from '../view';
+import { on } from './events';
+import { send } from './server';
+import { note, rows_of, table } from './table';
+import * as Talk from './talk';
+
+let timer: number | undefined, stale = false, awaited = 0;
+const tables: Record<string, Told['table_wanted']> = {
+  Tensions: 'tensions', Drag: 'drag', Slopes: 'slopes', Designs: 'designs', Changes: 'differences'
+};
+const all = () => Array.from(find('shown').children) as HTMLElement[];
+const selected = () => all().find((tab) => tab.ariaSelected === 'true') as HTMLElement;
+
+function open(tab: HTMLElement) {
+  all().forEach((one) => {
+    one.ariaSelected = String(one === tab);
+    one.tabIndex = one === tab ? 0 : -1;
+    find(one.id + '_panel').hidden = one !== tab;
+  });
+  stale = true;
+  want();
+}
+on('click', (target) => { if (target.role === 'tab') open(target); });
+on('keydown', (target, { key }) => {
+  const step = { ArrowRight: 1, ArrowLeft: -1 }[key];
+  if (target.role !== 'tab' || !step) return;
+  const tabs = all(), next = tabs[(tabs.indexOf(target) + step + tabs.length) % tabs.length];
+  next.focus();
+  open(next);
+});
+
+// Requests the content of the open tab from R.
+function want() {
+  window.clearTimeout(timer);
+  timer = window.setTimeout(() => {
+    if (Talk.waits()) { want(); return; }
+    timer = undefined;
+    if (!stale) return;
+    stale = false;
+    const name = selected().dataset.value ?? '';
+    if (name === 'Plan') send('plan_wanted', Date.now());
+    else if (name === 'R code') send('code_wanted', Date.now());
+    else if (tables[name]) send('table_wanted', tables[name]);
+    else return;
+    awaited += 1;
+  }, 50);
+}
+// Requests the content after a change, once nothing is pending.
+export function changed(): void { stale = true; want(); }
+// Returns true while content of the open tab is missing.
+export function waits(): boolean { return stale || timer !== undefined || awaited > 0; }
+export function lost(): void { awaited = 0; }
+
+export function show({ name, tables }: FromR['flume_table']): void {
+  awaited -= 1;
+  render(tables.map((one) => [one.rows.length > 0 && table(one, rows_of(one)), note(one.note)]), find(name));
+}
+export function show_plan({ text }: FromR['flume_plan']): void {
+  awaited -= 1;
+  find<HTMLTextAreaElement>('plan_area').value = text;
+}
+export function show_code({ text }: FromR['flume_code']): void {
+  awaited -= 1;
+  find('code').textContent = text;
+}
