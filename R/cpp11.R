@@ -65,7 +65,8 @@ engine_model_field <- function(handle, name) {
 }
 
 engine_integrate <- function(handle, position, velocity, step, steps, tolerance, substitutions) {
-  .Call(`_codend_engine_integrate`, handle, position, velocity, step, steps, tolerance, substitutions)
+  .Call(`_codend_engine_integrate`, handle, position, velocity, step, steps, tolerance,
+    substitutions)
 }
 
 engine_tow <- function(handle, schedule, past, control, stops, keep, steer, refill, watch) {
@@ -96,8 +97,10 @@ engine_settle <- function(handle, start, from, strain, part, tolerance, iteratio
   .Call(`_codend_engine_settle`, handle, start, from, strain, part, tolerance, iterations, watch)
 }
 
-engine_settle_gear <- function(numbers, nodes, from, through_levels, told, tolerance, iterations, watch, built, levels) {
-  .Call(`_codend_engine_settle_gear`, numbers, nodes, from, through_levels, told, tolerance, iterations, watch, built, levels)
+engine_settle_gear <- function(numbers, nodes, from, through_levels, told, tolerance, iterations,
+    watch, built, levels) {
+  .Call(`_codend_engine_settle_gear`, numbers, nodes, from, through_levels, told, tolerance,
+    iterations, watch, built, levels)
 }
 
 engine_body_modes <- function(handle, position, velocity) {
@@ -108,8 +111,10 @@ engine_near_gear <- function(numbers, counts, position, wake) {
   .Call(`_codend_engine_near_gear`, numbers, counts, position, wake)
 }
 
-engine_near_changes <- function(near, numbers, share, tolerance, steps, renewals, closes_in, reach) {
-  .Call(`_codend_engine_near_changes`, near, numbers, share, tolerance, steps, renewals, closes_in, reach)
+engine_near_changes <- function(near, numbers, share, tolerance, steps, renewals, closes_in,
+    reach) {
+  .Call(`_codend_engine_near_changes`, near, numbers, share, tolerance, steps, renewals, closes_in,
+    reach)
 }
 
 engine_near_settled <- function(near, numbers, tolerance, iterations) {

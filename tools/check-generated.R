@@ -4,10 +4,11 @@
 copy <- tempfile("generated")
 dir.create(copy)
 invisible(file.copy(c("DESCRIPTION", "NAMESPACE", "R", "man", "src"), copy, recursive = TRUE))
+register <- normalizePath("tools/register.R")
 here <- setwd(copy)
 said <- utils::capture.output({
   suppressMessages(roxygen2::roxygenise(load_code = "installed"))
-  cpp11::cpp_register(quiet = TRUE)
+  source(register, local = TRUE)
 })
 
 generated <- function(folder) {
@@ -23,6 +24,7 @@ in_step <- function(file) {
 stale <- files[!vapply(files, in_step, NA)]
 if (length(stale) > 0L) {
   cat("These files do not match their sources:", stale, sep = "\n  ")
-  cat("Run: Rscript -e 'roxygen2::roxygenise(load_code = \"installed\"); cpp11::cpp_register()'\n")
+  cat("Run: Rscript -e 'roxygen2::roxygenise(load_code = \"installed\")'\n")
+  cat("and: Rscript tools/register.R\n")
   quit(status = 1)
 }
