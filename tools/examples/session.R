@@ -5,7 +5,5 @@ assign("install.packages", function(packages) {
   known <- utils::packageDescription("codend", fields = c("Imports", "Suggests"))
   stopifnot(packages %in% unlist(strsplit(unlist(known), "[ ,\n]+")))
 })
-# Stop the live tank when it would open a browser.
-options(browser = function(url) later::later(function() tools::pskill(Sys.getpid(), tools::SIGINT)))
 
 source("example.R", echo = TRUE, max.deparse.length = Inf, spaced = FALSE)
