@@ -66,13 +66,18 @@ found <- lapply(numbers, function(number) {
 })
 counts <- vapply(found, is.data.frame, NA)
 rows <- do.call(rbind, found[counts])
+# Values of one tow are correlated, and a longline has more than a thousand. The columns `of_tows`
+# therefore give each tow the same weight.
 by <- function(rows, of) {
   bind_rows(lapply(split(rows, rows[[of]]), function(some) {
+    within <- 100 * (some$true <= 2 * some$error)
+    ratio <- some$error / some$true
     row <- list(some[[of]][1L], nrow(some), length(unique(some$tow)),
-      100 * mean(some$true <= 2 * some$error), stats::median(some$error / some$true),
+      mean(within), mean(tapply(within, some$tow, mean)),
+      stats::median(ratio), stats::median(tapply(ratio, some$tow, stats::median)),
       100 * mean(some$true > 5 * some$error))
-    stats::setNames(row, c(of, "values", "tows", "within_twice_percent", "error_over_truth_median",
-      "missed_by_five_percent"))
+    stats::setNames(row, c(of, "values", "tows", "within_twice_percent", "within_twice_of_tows",
+      "error_over_truth_median", "median_of_tows", "missed_by_five_percent"))
   }))
 }
 times <- rows$what == "times"
