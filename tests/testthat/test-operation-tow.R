@@ -263,8 +263,8 @@ test_that("tow() of a turning trawl rejects few steps", {
     schedule = tow_schedule(course = data.frame(time = c(0, 480), value = c("0 deg", "90 deg"))))
   report <- found$report
   rejected <- report$repeated + report$not_found + report$unbalanced
-  # 13 % of attempts are rejected; 18 % if steps may grow by a factor of 2
-  expect_lt(rejected / (rejected + report$steps), 0.15)
+  # 17 % of the attempts are rejected, because lines become slack and taut
+  expect_lt(rejected / (rejected + report$steps), 0.2)
 })
 
 test_that("tow() ignores the plan's schedule if it contradicts the state", {
