@@ -9,7 +9,7 @@ namespace {
 // Number of steps between comparisons of explicit steps with the present stability limit.
 constexpr int steps_between_limits = 200;
 constexpr double share_of_limit = 0.9;
-// Errors exceed their order when slack lines become taut. With a growth of 2, a trawl in a turn
+// Errors exceed their order when slack lines become taut. With a growth of 2, a net in a turn
 // repeats more steps and takes more iterations.
 constexpr double most_growth = 1.5;
 // First step over the gear's fall time, if its length is not given.
