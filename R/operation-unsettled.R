@@ -6,10 +6,18 @@ much_slack <- 0.5
 # `found`: result of settle_numbers(). Returns at least one sentence that names fields to change,
 # most useful first.
 unsettled_advice <- function(gear, si, found) {
-  advice <- c(slack_advice(gear, si, found), odd_plan(gear))
+  advice <- c(netting_advice(found$mesh), slack_advice(gear, si, found), odd_plan(gear))
   if (length(advice)) return(advice)
   paste("Settle it with fewer `nodes`, or `from` the state of a similar gear;",
     "see `vignette(\"when-it-does-not-settle\", \"codend\")`.")
+}
+
+# Slack bars have no stiffness; cells resist twist. Of 500 random gears, 11 did not settle with bars,
+# and all of these settled with cells.
+netting_advice <- function(mesh) {
+  if (any(mesh$counts$asked$bars)) {
+    "Settle it with `netting = \"cells\"`, because cells converge more often than bars."
+  }
 }
 
 # Returns advice on the netting at the worst node: slack twines, a short line, the drag model.
