@@ -9,9 +9,8 @@ namespace {
 // Number of steps between comparisons of explicit steps with the present stability limit.
 constexpr int steps_between_limits = 200;
 constexpr double share_of_limit = 0.9;
-// Errors exceed their order when slack lines become taut. With a growth of 2, a net in a turn
-// repeats more steps and takes more iterations.
-constexpr double most_growth = 1.5;
+// Errors exceed their order when slack lines become taut.
+constexpr double most_growth = 2.0;
 // First step over the gear's fall time, if its length is not given.
 constexpr double first_share = 2e-3;
 // The error of the first step, whose length is arbitrary, allows larger growth.
