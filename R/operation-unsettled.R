@@ -12,8 +12,8 @@ unsettled_advice <- function(gear, si, found) {
     "see `vignette(\"when-it-does-not-settle\", \"codend\")`.")
 }
 
-# Slack bars have no stiffness; cells resist twist. Of 500 random gears, 11 did not settle with bars,
-# and all of these settled with cells.
+# Slack bars have no stiffness; cells resist twist. Of 500 random gears, 11 did not settle with
+# bars, and all of these settled with cells.
 netting_advice <- function(mesh) {
   if (any(mesh$counts$asked$bars)) {
     "Settle it with `netting = \"cells\"`, because cells converge more often than bars."
