@@ -434,8 +434,8 @@ test('tank restores the design after a reload and from links', async (t) => {
     if (!plans.length) await page.locator('[data-gear="towed_cable"]').click(patience);
     const speed = control(page, 'towing.speed').locator('.number');
     const shows = async (one) => {
-      await one.waitForFunction(() => /5 knot/.test(document.getElementById('gear_conditions').textContent) &&
-        document.getElementById('tank').offsetParent && document.getElementById('gallery').hidden, null, patience);
+      await one.waitForFunction(() => /5 knot/.test(document.getElementById('gear_conditions')?.textContent) &&
+        document.getElementById('tank')?.offsetParent && document.getElementById('gallery').hidden, null, patience);
     };
     await speed.fill('5');
     await shows(page);
@@ -798,7 +798,7 @@ test('page continues with its design on another server after its server was lost
   const page = await open(browser, first.url);
   await control(page, 'towing.speed').locator('.number').fill('5');
   const shows = (speed) => page.waitForFunction((speed) => document.getElementById('gear_conditions')
-    .textContent.includes(speed), speed, patience);
+    ?.textContent.includes(speed), speed, patience);
   await shows('5 knot');
   await page.click('#keep');
   await answered(page);
