@@ -809,6 +809,7 @@ test('page continues with its design on another server after its server was lost
   await page.waitForSelector('#refused', { state: 'hidden', ...patience });
   await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
   await shows('5 knot');
+  await answered(page);
   await control(page, 'towing.speed').locator('.number').fill('6');
   await shows('6 knot');
   await page.close();
