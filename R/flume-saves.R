@@ -11,7 +11,6 @@ tank_files <- function(tank) {
   formats <- lapply(formats_of("state"), function(format) {
     of_state(paste0("-", format$name, format$extension), format$name)
   })
-  names(formats) <- vapply(formats_of("state"), `[[`, "", "name")
   tows <- Map(function(name, one) list(
     ending = paste0("-tow-", name, ".", one$extension), kind = "save_tow",
     request = list(name = name, trajectory = tank$trajectory)
