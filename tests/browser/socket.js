@@ -3,7 +3,7 @@
 'use strict';
 
 // Returns the content of a message by type. Only the header of a binary message is read
-// (R/flume-serve.R).
+// (R/flume-message.R).
 function messages(data) {
   if (typeof data === 'string') return JSON.parse(data);
   const size = new DataView(data).getUint32(0, true);

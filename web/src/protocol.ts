@@ -184,7 +184,7 @@ export interface FromR {
   };
 }
 
-// The headers of binary messages (R/flume-serve.R): a file, whose bytes follow, or a shape while a slider
+// The headers of binary messages (R/flume-message.R): a file, whose bytes follow, or a shape while a slider
 // moves. Floats follow the latter, `counts` by name, in the order of R/flume-picture.R.
 export interface FileHeader { file: string }
 export interface MovedHeader {
