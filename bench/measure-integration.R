@@ -26,15 +26,20 @@ found <- march()
 seconds <- stats::median(vapply(1:3, function(k) cpu(march()), 0))
 report <- found$report
 # Cost and root mean square distance of nodes from a run with a thirtieth of the accuracy.
-accuracies <- usual_accuracy * c(loose = 3, usual = 1, tight = 1 / 3)
 reference <- march(usual_accuracy / 30)
-runs <- vapply(accuracies, function(accuracy) {
-  spent <- cpu(found <- march(accuracy))
-  c(cost = spent / case$until,
+costs <- function(seconds, found) {
+  list(cost = seconds / case$until,
     error = sqrt(mean(colSums((found$position - reference$position)^2))))
-}, numeric(2))
+}
+costs_at <- function(accuracy) {
+  seconds <- cpu(run <- march(accuracy))
+  costs(seconds, run)
+}
 leave_results(c(list(
-  nodes = ncol(begun$position), cpu_per_second = seconds / case$until, steps = report$steps,
+  nodes = ncol(begun$position), steps = report$steps,
   repeated = report$repeated, not_found = report$not_found, iterations = report$iterations,
   factorisations = report$factorisations
-), as.list(unlist(as.data.frame(runs)))), given[4])
+), unlist(list(
+  loose = costs_at(3 * usual_accuracy), usual = costs(seconds, found),
+  tight = costs_at(usual_accuracy / 3)
+), recursive = FALSE)), given[4])

@@ -18,7 +18,7 @@ compare_marches <- function(runs) {
     of <- runs[runs$case == groups$case[k] & runs$asked == groups$asked[k], ]
     now <- of[of$version == "now", ]
     was <- of[of$version == "release", ]
-    ratio <- (now$cpu_per_second / now$nodes) / (was$cpu_per_second / was$nodes)
+    ratio <- (now$usual.cost / now$nodes) / (was$usual.cost / was$nodes)
     equal <- vapply(seq_len(nrow(now)), function(k) cost_at_error(now[k, ], was$usual.error[k]), 0)
     list(
       case = compared_motions[[groups$case[k]]]$label, asked = groups$asked[k],
@@ -26,8 +26,8 @@ compare_marches <- function(runs) {
       error_release = was$usual.error[1], error = now$usual.error[1],
       ratio = stats::median(ratio), least = min(ratio), most = max(ratio),
       nodes_release = was$nodes[1], nodes = now$nodes[1],
-      cpu_release = 1000 * stats::median(was$cpu_per_second),
-      cpu = 1000 * stats::median(now$cpu_per_second),
+      cpu_release = 1000 * stats::median(was$usual.cost),
+      cpu = 1000 * stats::median(now$usual.cost),
       steps_release = was$steps[1], steps = now$steps[1],
       rejected_release = was$repeated[1] + was$not_found[1],
       rejected = now$repeated[1] + now$not_found[1],
