@@ -106,7 +106,6 @@ export function new_control(field: Field, removable: boolean): HTMLElement {
     const tick = element('input', 'truth', undefined,
       { type: 'checkbox', id, 'aria-describedby': id + '_help ' + id + '_error' });
     tick.checked = field.value === true;
-    label.className = '';
     row.append(tick, label);
     box.appendChild(row);
   } else {

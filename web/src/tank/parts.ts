@@ -37,7 +37,7 @@ function fold(kind: string, key: string, title: string, count: string, fill: (bo
 }
 
 function tool(class_name: string, words: string, attributes: Record<string, string>) {
-  return element('button', '' + class_name, words, { type: 'button', ...attributes });
+  return element('button', class_name, words, { type: 'button', ...attributes });
 }
 
 function part_tools(part: Part, title: string): HTMLElement[] {
