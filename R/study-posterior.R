@@ -36,7 +36,7 @@
 #' fit <- calibrate("towed_cable", runs, nodes = 20,
 #'   change = list(ropes.cable.diameter = c("10 mm", "30 mm")), match = Drag ~ total_drag_kN)
 #' \donttest{
-#' sample_posterior(fit, draws = 60, burn_in = 30)
+#' sample_posterior(fit, draws = 40, burn_in = 20)
 #' }
 sample_posterior <- function(calibration, draws = 1000, burn_in = 100, seed = 1) {
   check_given("calibration")
