@@ -1,5 +1,6 @@
 # Checks for warnings: properties of a gear or state outside practice and measurements. Each warning
-# has a value, a location and advice. A new check is a new entry in a file `finding-*.R`.
+# has a value, a location and advice. A new check is a new entry in a file `finding-*.R`. Checks of
+# single numbers are rows of a table (finding-numbers.R).
 
 # All checks by name. The files of checks fill this environment when the package is built.
 finding_checks <- new.env(parent = emptyenv())

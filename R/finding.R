@@ -89,7 +89,8 @@ finding_rows <- function(found, translate = identity) {
 }
 
 sorted_checks <- function() {
-  checks <- mget(sort(ls(finding_checks), method = "radix"), finding_checks)
+  checks <- c(as.list(finding_checks), number_checks())
+  checks <- checks[sort(names(checks), method = "radix")]
   # Problems of the plan come first because they cause problems of the shape.
   checks[order(vapply(checks, `[[`, 0L, "rank"), vapply(checks, `[[`, "", "of"))]
 }
@@ -136,7 +137,8 @@ finding_help <- function() {
       one_line(vapply(checks, function(check) {
         if (is.function(check$message)) check$message() else check$message
       }, ""))),
-    "", paste("The file `bands.csv` in `system.file(\"extdata\", package = \"codend\")` lists the",
-      "usual ranges by kind of gear with their sources.")
+    "", paste("The files `ranges.csv` and `bands.csv` in",
+      "`system.file(\"extdata\", package = \"codend\")` list the limits, and the usual ranges by",
+      "kind of gear, with their sources.")
   )
 }

@@ -276,9 +276,13 @@ test_that("findings() reports unusual proportions for the kind of gear", {
     towing.speed = "8 knot"))$check)
 })
 
-test_that("every range has a quantity, a kind and a source", {
+test_that("every range has a number, limits, a kind and a source", {
   bands <- known_bands()
-  expect_setequal(unique(bands$quantity), intersect(bands$quantity, names(finding_checks)))
+  ranges <- known_ranges()
+  expect_setequal(ranges$check, names(checked_numbers))
+  limited <- !is.na(ranges$least) | !is.na(ranges$greatest)
+  expect_setequal(ranges$check[!limited],
+    c(unique(bands$quantity), paste(c("length", "diameter", "mass"), "for its role")))
   expect_true(all(bands$kind %in% c(names(new_plan_kinds()), "assembly")))
   expect_true(all(nzchar(bands$source)))
   within <- function(a, b) all(is.na(a) | is.na(b) | a <= b)

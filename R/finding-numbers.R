@@ -1,0 +1,83 @@
+# Numbers outside the range that is possible or usual. The table inst/extdata/ranges.csv lists their
+# checks with limits, messages, advice and sources. Checks with rows in inst/extdata/bands.csv have
+# limits by kind of gear instead; they apply to each net. A new check needs a row in the table and a
+# function in finding-ranges.R or finding-proportions.R.
+
+# Functions(si, state) by check. Each returns numbers in the unit of the check, named by location as
+# in finding(). Numbers without names have the location of the table. An attribute `limits` has a
+# row of limits for each number. `si`: the gear in SI, or one of its nets.
+checked_numbers <- new.env(parent = emptyenv())
+
+define_number <- function(check, values) checked_numbers[[check]] <- values
+
+# Defines the number of each part, or NA. kind: "rope", "panel", "piece" or "seam".
+define_part_number <- function(check, kind, of) {
+  parts <- paste0(kind, "s")
+  define_number(check, function(si, state) numbers_of_parts(si[[parts]], kind, of))
+}
+
+# Returns a number for each part of a list, named by location. `of(part)`: the number or NA.
+numbers_of_parts <- function(parts, kind, of) {
+  found <- vapply(parts, of, 0)
+  setNames(found, paste(kind, names(parts), recycle0 = TRUE))
+}
+
+known_ranges <- remembered(function() {
+  utils::read.csv(system.file("extdata", "ranges.csv", package = "codend"))
+})
+
+# `usual_least` and `usual_greatest` are published values, which starters must meet.
+known_bands <- remembered(function() {
+  utils::read.csv(system.file("extdata", "bands.csv", package = "codend"))
+})
+
+# Returns the checks of the table of ranges, as in define_finding().
+number_checks <- remembered(function() {
+  ranges <- known_ranges()
+  lapply(split(ranges, ranges$check), function(range) {
+    list(name = range$check, message = range$message, of = range$of, rank = range$rank,
+      test = function(gear, state) unusual_numbers(range, gear, state))
+  })
+})
+
+# Returns findings. range: a row of the table of ranges.
+unusual_numbers <- function(range, gear, state) {
+  si <- if (range$of == "state") state$si else gear_si(gear)
+  by_kind <- range$check %in% known_bands()$quantity
+  nets <- if (by_kind) si_by_net(si) else list(si)
+  found <- Map(function(si, net) {
+    limits <- if (by_kind) band_of(range$check, si) else range
+    if (is.null(limits)) return(NULL)
+    values <- checked_numbers[[range$check]](si, state)
+    limits <- first_of(attr(values, "limits"), limits[rep(1L, length(values)), ])
+    below <- !is.na(limits$least) & values < limits$least
+    lapply(which(is.finite(values) & (below | values > limits$greatest)), function(k) {
+      location <- first_of(names(values)[k], range$location)
+      unusual_number(range, values[[k]], limits[k, ], location_in_net(location, net, gear$plan),
+        below[[k]])
+    })
+  }, nets, first_of(names(nets), ""))
+  unlist(unname(found), recursive = FALSE)
+}
+
+# Returns the finding of a number. limits: a row of a table. below: TRUE if the number is too small.
+unusual_number <- function(range, value, limits, location, below) {
+  with_unit <- trimws(paste("{n}", first_of(limits$unit, range$unit)))
+  label <- template(with_unit, n = figures(value))
+  least <- first_of(limits$usual_least, limits$least)
+  greatest <- first_of(limits$usual_greatest, limits$greatest)
+  field <- first_of(limits$field, range$field)
+  finding(location, value, label,
+    template("{quantity} is {value}; usual is {band}.", quantity = range$quantity, value = label,
+      band = template(with_unit, n = band_text(least, greatest))),
+    if (below || !nzchar(range$high)) range$low else range$high,
+    field = if (nzchar(field)) field)
+}
+
+# An end of a range without limit is NA.
+band_text <- function(least, greatest) {
+  number <- function(x) format(x, trim = TRUE)
+  if (is.na(least)) return(template("at most {n}", n = number(greatest)))
+  if (is.na(greatest)) return(template("at least {n}", n = number(least)))
+  template("{least} to {most}", least = number(least), most = number(greatest))
+}
