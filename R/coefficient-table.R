@@ -61,11 +61,11 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
         coefficient_rows("netting", law, "angle", degree, reynolds, sn, found)
       })
     }), recursive = FALSE),
-    lapply(names(published_polars), function(name) {
-      attack <- sort(unique(c(degree, published_polars[[name]]$values$attack)))
+    Map(function(polar, name) {
+      attack <- sort(unique(c(degree, polar$attack)))
       found <- board_specimens(name, radian(attack), 2)
-      coefficient_rows(polar_force(name), name, "angle", attack, NA, NA, found)
-    }),
+      coefficient_rows(polar$force[1L], name, "angle", attack, NA, NA, found)
+    }, published_polars(), names(published_polars())),
     list(coefficient_rows("sphere", "knot", "reynolds", NA, reynolds_range(-1, 5), NA,
       sphere_specimens(reynolds_range(-1, 5))["drag"]),
     coefficient_rows("sphere", "smooth_sphere", "reynolds", NA, reynolds_range(-1, 6), NA,
@@ -104,8 +104,6 @@ print.codend_coefficients <- function(x, n = 30, ...) {
 # Returns a logarithmic series between two powers of ten, ten values per decade.
 reynolds_range <- function(from, to) 10^seq(from, to, by = 0.1)
 
-polar_force <- function(name) if (name == "fabric_kite") "kite" else "otter_board"
-
 twine_by_reynolds <- function(law, solidity) {
   reynolds <- reynolds_range(0, 6)
   found <- twine_specimens(law, rep(pi / 2, length(reynolds)), reynolds, solidity)
@@ -126,22 +124,13 @@ coefficient_rows <- function(force, law, by, angle, reynolds, solidity, found) {
 
 # Returns the published values, for netting only at the given solidities.
 published_coefficients <- function(solidity) {
-  file <- system.file("extdata", "published-coefficients.csv", package = "codend")
-  printed <- utils::read.csv(file)
-  of_netting <- printed$force == "netting"
-  printed <- printed[!of_netting | printed$solidity %in% solidity, ]
-  along_reynolds <- printed$force == "sphere" |
-    printed$law %in% c("takagi", "choo_casarella")
-  printed$by <- ifelse(along_reynolds, "reynolds", "angle")
+  printed <- published_values()
+  printed <- printed[printed$force != "netting" | printed$solidity %in% solidity, ]
+  by_reynolds <- printed$force == "sphere" | printed$law %in% c("takagi", "choo_casarella")
+  printed$by <- ifelse(by_reynolds, "reynolds", "angle")
   printed$angle_deg[printed$force == "sphere"] <- NA
-  boards <- do.call(rbind, lapply(names(published_polars), function(name) {
-    polar <- published_polars[[name]]
-    rows <- coefficient_rows(polar_force(name), name, "angle", polar$values$attack, NA, NA,
-      polar$values[c("drag", "lift")])
-    rows$source <- polar$source
-    rows
-  }))
-  rbind(boards, printed[names(boards)])
+  printed[c("force", "law", "by", "angle_deg", "reynolds", "solidity", "coefficient", "value",
+    "source")]
 }
 
 check_coefficient_arguments <- function(reynolds, solidity) {

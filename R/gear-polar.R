@@ -1,43 +1,23 @@
 # Lift and drag of otter boards, kites and depressors by angle of attack: published tests,
 # interpolation and extrapolation.
 
-# Tested boards and kites, with published values only. Attack in deg, coefficients on the area.
-tested_polar <- function(source, attack, lift, drag) {
-  list(source = source, values = data.frame(attack = attack, lift = lift, drag = drag))
-}
-published_polars <- list(
-  # largest C_L/C_D at 15 deg, largest C_L at 30 deg
-  low_aspect_cambered = tested_polar(
-    "low-aspect vertical cambered otter board, no heel: doi 10.3724/SP.J.1231.2013.38768",
-    c(15, 30), c(1.120, 1.699), c(0.463, 1.140)
-  ),
-  # largest C_L/C_D at 10 deg, largest C_L at 30 deg
-  krill_cambered = tested_polar(
-    "hollow vertical cambered otter board of a krill trawl: DRDS journal database, abstract",
-    c(10, 30), c(0.981, 1.436), c(0.210, 0.649)
-  ),
-  # largest C_L/C_D at 10 deg, largest C_L at 27.5 deg
-  high_lift = tested_polar(
-    "Effect of aspect ratio on hydrodynamic performance of high lift otter board: abstract, H2",
-    c(10, 27.5), c(1.660, 2.535), c(0.473, 1.424)
-  ),
-  # Read from diagrams; Reynolds number 140,000.
-  flat_plate = tested_polar(
-    "A. Pelletier and T. J. Mueller, Journal of Aircraft 37, 2000: flat plate, aspect ratio 2",
-    c(3, 6, 8, 10, 15, 20, 25), c(0.15, 0.30, 0.40, 0.50, 0.70, 0.75, 0.67),
-    c(0.020, 0.035, 0.060, 0.080, 0.180, 0.280, 0.330)
-  ),
-  square_plate = tested_polar(
-    "A. Pelletier and T. J. Mueller, Journal of Aircraft 37, 2000: flat plate, aspect ratio 1",
-    c(3, 6, 8, 10, 15, 20, 25, 28), c(0.075, 0.15, 0.20, 0.25, 0.50, 0.70, 0.80, 0.80),
-    c(0.020, 0.030, 0.040, 0.060, 0.150, 0.280, 0.420, 0.480)
-  ),
-  # Published at 0, 20 and 40 deg, drag also at 90 deg; 40 deg is on their straight line.
-  fabric_kite = tested_polar(
-    "U. Fechner et al., Renewable Energy 83, 2015, in KiteModels: soft kite with inflated edges",
-    c(0, 20, 40), c(0.2, 1.0, 1.0), c(0.1, 0.2, 0.429)
-  )
-)
+published_values <- remembered(function() {
+  utils::read.csv(system.file("extdata", "published-coefficients.csv", package = "codend"))
+})
+
+# Returns the polars of tested boards and kites by name: data frames of force, attack (deg), and
+# lift and drag on the area. Boards without published drag are omitted.
+published_polars <- remembered(function() {
+  rows <- published_values()
+  rows <- rows[rows$force %in% c("otter_board", "kite"), ]
+  polars <- lapply(split(rows, factor(rows$law, unique(rows$law))), function(own) {
+    lift <- own[own$coefficient == "lift", ]
+    drag <- own[own$coefficient == "drag", ]
+    data.frame(force = lift$force, attack = lift$angle_deg, lift = lift$value,
+      drag = drag$value[match(lift$angle_deg, drag$angle_deg)])
+  })
+  Filter(function(polar) !anyNA(polar$drag), polars)
+})
 
 #' Lift and drag coefficients of an otter board or kite
 #'
@@ -66,7 +46,8 @@ published_polars <- list(
 #' | `fabric_kite` | soft kite with inflated edges (Fechner et al., 2015) | 0, 20, 40 |
 #'
 #' A. Pelletier and T. J. Mueller: Journal of Aircraft 37. U. Fechner et al.: Renewable Energy 83.
-#' The values of the plates were read from diagrams.
+#' The values of the plates were read from diagrams, at a Reynolds number of 140,000. The drag of
+#' the kite at 40 deg is on a straight line between published values at 20 and 90 deg.
 #'
 #' The otter boards have only two published angles. The higher one has the largest lift, and the
 #' boards count as stalled beyond it. No test of a trawl kite with published angles was found: the
@@ -86,14 +67,14 @@ published_polars <- list(
 board_polar <- function(polar, aspect_ratio = 2) {
   check_given("polar")
   aspect_ratio <- quantity_number(aspect_ratio, "number", "aspect_ratio", positive = TRUE)
-  if (is.character(polar) && length(polar) == 1L && polar %in% names(published_polars)) {
-    given <- published_polars[[polar]]$values
+  if (is.character(polar) && length(polar) == 1L && polar %in% names(published_polars())) {
+    given <- published_polars()[[polar]]
   } else if (is.data.frame(polar) && all(c("attack", "lift", "drag") %in% names(polar))) {
     given <- polar
   } else {
     abort_argument(
       "{.arg polar} must be a data frame with columns {.val attack}, {.val lift} and {.val drag},
-      or one of {.val {names(published_polars)}}."
+      or one of {.val {names(published_polars())}}."
     )
   }
   given <- given[order(given$attack), ]
