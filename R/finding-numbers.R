@@ -31,6 +31,16 @@ known_bands <- remembered(function() {
   utils::read.csv(system.file("extdata", "bands.csv", package = "codend"))
 })
 
+# si: SI numbers of one net (`si_by_net()`).
+band_of <- function(quantity, si) {
+  bands <- known_bands()
+  kind <- if (length(si$nets) == 1L) si$nets[[1L]]$kind else "assembly"
+  # Pair trawls off the seabed have the proportions of midwater trawls.
+  if (kind == "pair_trawl" && is.null(si$ground)) kind <- "midwater_trawl"
+  row <- which(bands$quantity == quantity & bands$kind == kind)
+  if (length(row)) bands[row, ]
+}
+
 # Returns the checks of the table of ranges, as in define_finding().
 number_checks <- remembered(function() {
   ranges <- known_ranges()
@@ -80,4 +90,13 @@ band_text <- function(least, greatest) {
   if (is.na(least)) return(template("at most {n}", n = number(greatest)))
   if (is.na(greatest)) return(template("at least {n}", n = number(least)))
   template("{least} to {most}", least = number(least), most = number(greatest))
+}
+
+# Returns the location of a finding with the name of its net in a rig ("" for a single net).
+location_in_net <- function(location, net, plan) {
+  if (!nzchar(net)) return(location)
+  if (grepl("^rope ", location)) return(sub("^rope ", paste0("rope ", net, "_"), location))
+  of <- intersect(c(net, sub("_[0-9]+$", "", net)), names(plan$gears))
+  own <- if (length(of)) gear_field_path(plan$gears, of[1L], location) else location
+  if (is.null(plan_field(plan, own))) location else own
 }

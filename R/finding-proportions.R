@@ -1,24 +1,5 @@
 # Typical proportions by kind of gear (inst/extdata/bands.csv).
 
-# si: SI numbers of one net (`si_by_net()`).
-band_of <- function(quantity, si) {
-  bands <- known_bands()
-  kind <- if (length(si$nets) == 1L) si$nets[[1L]]$kind else "assembly"
-  # Pair trawls off the seabed have the proportions of midwater trawls.
-  if (kind == "pair_trawl" && is.null(si$ground)) kind <- "midwater_trawl"
-  row <- which(bands$quantity == quantity & bands$kind == kind)
-  if (length(row)) bands[row, ]
-}
-
-# Returns the location of a finding with the name of its net in a rig ("" for a single net).
-location_in_net <- function(location, net, plan) {
-  if (!nzchar(net)) return(location)
-  if (grepl("^rope ", location)) return(sub("^rope ", paste0("rope ", net, "_"), location))
-  of <- intersect(c(net, sub("_[0-9]+$", "", net)), names(plan$gears))
-  own <- if (length(of)) gear_field_path(plan$gears, of[1L], location) else location
-  if (is.null(plan_field(plan, own))) location else own
-}
-
 # Returns a measure of a net (`si`) in a state.
 measure_of <- function(si, state, name) {
   measure <- si$measures[[name]]
