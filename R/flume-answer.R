@@ -5,7 +5,7 @@ flume_nodes <- 20000
 
 # request: list(kind, `said` (the page's data; for a design its draft), number, file (of the gear on
 # screen), nodes, state). The default state is the one in `memory`, an environment. Returns
-# list(found, problem, draft): `problem` from flume_problem(), `draft` from draft_problems().
+# list(found, problem, problems): `problem` from flume_problem(), `problems` from draft_problems().
 flume_answer <- function(request, memory) {
   if (!is.null(request$state)) {
     memory$state <- request$state
@@ -24,30 +24,16 @@ flume_answer <- function(request, memory) {
       displayed_design(request, memory)
     }
   })
-  draft <- if (!is.null(problem) && request$kind %in% c("design", "plan_text")) {
-    draft_problems(request, memory, problem)
+  problems <- if (!is.null(problem) && request$kind == "design") {
+    draft_problems(request$said, memory, problem)
   }
-  list(found = found, problem = problem, draft = draft)
+  list(found = found, problem = problem, problems = problems)
 }
 
-# Returns list(problems from draft_gear(), design (if it was typed as text)) for a draft that does
-# not settle. Returns NULL if the typed text is not a plan.
-draft_problems <- function(request, memory, problem) {
-  of_settling <- list(problem[c("path", "message")])
-  if (request$kind == "design") {
-    problems <- draft_gear(request$said$plan, memory$state$gear)$problems
-    return(list(problems = if (length(problems)) problems else of_settling))
-  }
-  tree <- tryCatch(
-    split_uncertain(plain_tree(plan_of_bytes(charToRaw(enc2utf8(request$said)), "on this page"))),
-    error = function(e) NULL
-  )
-  if (is.null(tree)) return(NULL)
-  problems <- draft_gear(tree, memory$state$gear)$problems
-  list(
-    problems = if (length(problems)) problems else of_settling,
-    design = list(plan = tree, file = request$file, source = request$said)
-  )
+# Returns the problems of a draft that does not settle, as in draft_gear().
+draft_problems <- function(design, memory, problem) {
+  problems <- draft_gear(design$plan, memory$state$gear)$problems
+  if (length(problems)) problems else list(problem[c("path", "message")])
 }
 
 # Products of the state on screen. These functions do not change the state.
@@ -101,14 +87,13 @@ settled_design <- function(request, memory, complete = TRUE) {
   said <- request$said
   gear <- switch(request$kind,
     design = gear_of_design(said, memory$state$gear),
-    plan_text = read_typed(said, request$file),
     plan_file = read_opened(said),
     shipped = read_shipped(said),
     new = read_new(said),
-    words = , kept = gear_of_address(said)
+    words = , kept = gear_of_words(said)
   )
-  like <- request$kind %in% c("design", "plan_text")
-  found <- c(list(gear = gear), settle_noted(gear, request$nodes, if (like) memory$state))
+  like <- if (request$kind == "design") memory$state
+  found <- c(list(gear = gear), settle_noted(gear, request$nodes, like))
   if (complete) complete_design(found) else found
 }
 

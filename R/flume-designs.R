@@ -1,59 +1,52 @@
-# The designs that a page stores for comparison.
+# Designs of the flume tank. A design is list(plan, file, source) of a gear; its plan may be
+# invalid. The page keeps its history and its stored designs as list(base = name of a shipped plan)
+# or list(plan = text), with `edits`: a list of changes as in edited_plan(), in their order.
 
-most_stored_designs <- 24L
+design_of <- function(gear) list(plan = gear$plan, file = gear$file, source = gear$source)
 
-# found: list(gear, drawing, measures). `seen` is TRUE if the picture contains the design.
-stored_design <- function(id, name, found) {
-  list(
-    id = id, name = name, design = design_of(found$gear), gear = found$gear,
-    drawing = found$drawing, measures = found$measures, seen = TRUE
-  )
+gear_of_design <- function(design, like = NULL) {
+  as_gear(design$plan, file = design$file, like = like, source = design$source)
 }
+
+# The text contains the remarks of the source if possible.
+draft_text <- function(design) edited_text(design$source, design$plan)
+
+# Returns an opened gear as the page keeps it.
+page_design <- function(gear) {
+  base <- loaded_shipped(gear)
+  if (!is.null(base)) list(base = base) else list(plan = draft_text(design_of(gear)))
+}
+
+# Returns the design that a page sends. An address may contain anything, so all of it is checked.
+sent_design <- function(words) {
+  words <- as.list(words)
+  design <- if (is.null(words$base)) typed_design(words$plan) else shipped_design(words$base)
+  edits <- words$edits
+  # one map of changes is a list of one
+  if (is_map(edits)) edits <- list(edits)
+  if (!all(vapply(edits, is.list, NA)) || length(edits) > most_edits) {
+    abort_argument("This address has no list of changed fields.")
+  }
+  plan <- design$plan
+  for (some in edits) plan <- edited_plan(plan, some)$plan
+  if (length(edits)) design$plan <- without_gone(plan, design$plan)
+  design
+}
+
+shipped_design <- function(name) design_of(read_shipped(name))
+
+typed_design <- function(text) {
+  if (!is_text(text)) abort_plan("The plan must be text.", NULL)
+  text <- enc2utf8(text)
+  tree <- with_included_plans(plan_of_bytes(charToRaw(text), "on this page"), NULL)
+  list(plan = split_uncertain(tree), file = NULL, source = text)
+}
+
+gear_of_words <- function(words) gear_of_design(sent_design(words))
 
 # Returns a cleaned and shortened name, or `otherwise` if a page did not send a name.
 design_name <- function(name, otherwise) {
   if (!is_text(name)) return(otherwise)
   name <- trimws(gsub("[[:cntrl:][:space:]]+", " ", substr(name, 1L, 4L * most_name)))
   if (nzchar(name)) substr(name, 1L, most_name) else otherwise
-}
-
-# designs: list of list(name, measures); the first design is the reference. Returns list(measure,
-# unit, values, changes), with one vector of values and of changes per design.
-design_table <- function(designs) {
-  every <- lapply(designs, `[[`, "measures")
-  names <- unique(unlist(lapply(every, names)))
-  units <- unlist(unname(lapply(every, attr, "unit")))
-  unit <- unname(units[match(names, names(units))])
-  values <- lapply(every, function(one) unname(plain_measures(one)[names]))
-  list(
-    measure = label_of(names, unit), unit = unit, values = values,
-    changes = lapply(values, function(value) value - values[[1L]])
-  )
-}
-
-# Returns the table of stored designs and of the measures on screen, with a column per design.
-designs_tables <- function(kept, measures, preferred, say = make_translator()) {
-  designs <- c(kept, list(list(name = say("on_screen"), measures = measures)))
-  table <- in_preferred(design_table(designs), preferred)
-  figures <- decimals_of(do.call(pmax, c(lapply(table$values, abs), list(na.rm = TRUE))))
-  head <- c(say("measure"), vapply(designs, `[[`, "", "name"))
-  cells <- Map(function(value, change, k) {
-    shown <- fixed_decimals(value, figures)
-    if (k == 1L) return(shown)
-    moved <- signed(change, figures)
-    paste0(shown, ifelse(nzchar(moved) & moved != "0", paste0("\n", moved), ""))
-  }, table$values, table$changes, seq_along(designs))
-  rows <- do.call(data.frame, c(
-    list(label_with_unit(say, table$measure, table$unit)), unname(cells), stringsAsFactors = FALSE
-  ))
-  list(page_table(say("designs_caption"), head, text_rows(rows)))
-}
-
-# Returns the table as a data frame, for a file.
-designs_frame <- function(designs) {
-  table <- design_table(designs)
-  values <- stats::setNames(table$values, vapply(designs, `[[`, "", "name"))
-  data.frame(
-    measure = table$measure, unit = table$unit, values, check.names = FALSE
-  )
 }

@@ -12,7 +12,8 @@ doubtful_factor <- 100
 # Returns list(plan, understood) after changes of fields; the plan may be invalid. `understood` has
 # list(text, doubt) for each typed number, by path; `doubt` is NULL or list(message, instead).
 # `edits` is a list by path with these items.
-#   `list(value, unit)`: a number with its own unit or in `unit`, a word, or YAML on one line.
+#   `list(value, unit)`: a number with its own unit or in `unit`, a word, or YAML on one line; a
+#     value without a list has no unit.
 #   `list(gone = TRUE)` removes the field.
 #   `list(like = path, after)` copies another part of the plan; the copy follows `after`.
 #   `list(rename = name)` renames the part.
@@ -24,7 +25,8 @@ edited_plan <- function(plan, edits) {
   }
   understood <- list()
   for (path in names(edits)) {
-    given <- as.list(edits[[path]])
+    given <- edits[[path]]
+    if (!is.list(given)) given <- list(value = given)
     before <- plan
     plan <- edited_field(plan, path, given)
     if (is.character(given$value)) understood[[path]] <- understood_value(before, plan, path)

@@ -9,13 +9,6 @@ read_opened <- function(given) {
   read_sent(given$text, name)
 }
 
-# file: path of the gear whose plan was edited.
-read_typed <- function(text, file) {
-  gear <- read_sent(text, "on this page")
-  gear["file"] <- list(file)
-  gear
-}
-
 read_shipped <- function(name) {
   if (!is_text(name) || !name %in% names(shipped_plans())) {
     abort_argument("No shipped gear has this name.")

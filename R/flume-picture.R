@@ -1,5 +1,5 @@
-# Data for the viewer of the flume tank: scenes of the design on screen and of stored designs, some
-# tens of kilobytes. Connectivity is sent only if it has changed.
+# Data for the viewer of the flume tank, some tens of kilobytes. Connectivity is sent only if it has
+# changed.
 
 # Largest number of lines and cells in a picture.
 flume_lines <- 6000L
@@ -17,22 +17,14 @@ flume_drawing <- function(state, shape = flume_shape(state)) {
   )
 }
 
-# now: drawing of the design on screen; seen: visible stored designs. `known`: list(now = drawing,
-# kept = ids) that the page already has. `passed`: TRUE if it has the shape from moved_message().
-# All designs share one colour scale per quantity.
-picture_message <- function(state, now, seen, known, passed = FALSE) {
-  moved <- if (passed) now$moved[setdiff(names(now$moved), moved_arrays)] else now$moved
-  about <- scene_about(state, c(list(now), lapply(seen, `[[`, "drawing")))
-  list(
-    now = c(moved, if (!identical(now$fixed, known$now$fixed)) now$fixed),
-    kept = lapply(seen, function(one) {
-      new <- !one$id %in% known$kept
-      list(
-        id = one$id, name = one$name, scene = if (new) c(one$drawing$moved, one$drawing$fixed)
-      )
-    }),
-    of_all = c(list(times = I(0), labels = I("")), about),
-    name = about$name, conditions = conditions_text(state$si, state$gear$plan)
+# Returns the scene of a state. drawing: its drawing; known: connectivity that the page has; passed:
+# TRUE if the page has the shape from moved_message().
+picture_scene <- function(state, drawing, known = NULL, passed = FALSE) {
+  moved <- drawing$moved
+  if (passed) moved <- moved[setdiff(names(moved), moved_arrays)]
+  c(
+    list(times = I(0), labels = I("")), scene_about(state, list(drawing)), moved,
+    if (!identical(drawing$fixed, known)) drawing$fixed
   )
 }
 

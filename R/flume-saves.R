@@ -1,45 +1,43 @@
 # Files that the flume tank's page saves. The slow worker writes files that take long.
 
-# Returns the files by name: list(ending of the file name, write), or list(ending, request), the
-# data for the worker without the path of the file. write(file) writes a file at once.
-tank_files <- function(tank) {
-  table <- function(make) function(file) write_csv(make(), file)
-  at_once <- function(ending, write) list(ending = ending, write = write)
+# Files that are written at once: list(ending of the file name, write(tank, file)).
+quick_files <- list(
+  plan = list(".yaml", function(tank, file) write_gear(tank$gear, file)),
+  vary = list("-varied.csv", function(tank, file) write_csv(varied_table(tank$varied), file)),
+  drag = list("-drag.csv", function(tank, file) {
+    write_csv(as.data.frame(tank$state, what = "drag"), file)
+  })
+)
+
+# Returns a file that the page requests by name: list(ending, write(file)), or list(ending, kind,
+# request), the request to the worker without the path of the file. NULL for an unknown name.
+tank_file <- function(name, tank) {
+  quick <- quick_files[[name]]
+  if (!is.null(quick)) {
+    return(list(ending = quick[[1L]], write = function(file) quick[[2L]](tank, file)))
+  }
+  if (name == "slopes" && !is.null(tank$slopes)) {
+    return(list(ending = "-slopes.csv", write = function(file) {
+      write_csv(as.data.frame(unclass(tank$slopes)), file)
+    }))
+  }
+  tow <- sub("^tow_", "", name)
+  if (tow != name) {
+    if (is.null(tow_saves[[tow]])) return(NULL)
+    return(list(
+      ending = paste0("-tow-", tow, ".", tow_saves[[tow]]$extension), kind = "save_tow",
+      request = list(name = tow, trajectory = tank$trajectory)
+    ))
+  }
   of_state <- function(ending, format) {
     list(ending = ending, kind = "save", request = list(format = format))
   }
-  formats <- lapply(formats_of("state"), function(format) {
-    of_state(paste0("-", format$name, format$extension), format$name)
-  })
-  tows <- Map(function(name, one) list(
-    ending = paste0("-tow-", name, ".", one$extension), kind = "save_tow",
-    request = list(name = name, trajectory = tank$trajectory)
-  ), names(tow_saves), tow_saves)
-  drawings <- lapply(stats::setNames(nm = drawing_formats), function(extension) {
-    of_state(paste0("-drawing.", extension), "drawing")
-  })
-  c(list(
-    plan = at_once(".yaml", function(file) write_gear(tank$gear, file)),
-    all = at_once("-designs.json", function(file) {
-      write_text(c(design_json(tank$words()), ""), file)
-    }),
-    measures = at_once("-measures.csv", table(function() {
-      measure_changes(tank$measures, tank$kept[[1L]]$measures)
-    })),
-    designs = at_once("-designs.csv", table(function() {
-      designs_frame(c(tank$kept, list(list(name = "On screen", measures = tank$measures))))
-    })),
-    vary = at_once("-varied.csv", table(function() varied_table(tank$varied))),
-    drag = at_once("-drag.csv", table(function() as.data.frame(tank$state, what = "drag"))),
-    code = at_once(".R", function(file) write_text(c(tank$code(), ""), file)),
-    slopes = if (is.null(tank$slopes)) {
-      of_state("-slopes.csv", "slopes")
-    } else {
-      at_once("-slopes.csv", table(function() as.data.frame(unclass(tank$slopes))))
-    },
-    report = of_state(".html", "report"), share = of_state("-living.html", "share")
-  ), stats::setNames(drawings, paste0("drawing_", drawing_formats)),
-  stats::setNames(tows, paste0("tow_", names(tows))), formats)
+  drawing <- sub("^drawing_", "", name)
+  if (drawing %in% drawing_formats) return(of_state(paste0("-drawing.", drawing), "drawing"))
+  endings <- c(slopes = "-slopes.csv", report = ".html", share = "-living.html")
+  if (name %in% names(endings)) return(of_state(endings[[name]], name))
+  format <- Find(function(format) format$name == name, formats_of("state"))
+  if (!is.null(format)) of_state(paste0("-", name, format$extension), name)
 }
 
 drawing_formats <- c("svg", "pdf", "dxf")
@@ -48,7 +46,7 @@ drawing_formats <- c("svg", "pdf", "dxf")
 flume_saves <- function(page) {
   tank <- page$tank
   list(save_wanted = function(given) {
-    one <- if (is_text(given) && !is.null(tank$gear)) tank_files(tank)[[given]]
+    one <- if (is_text(given) && !is.null(tank$gear)) tank_file(given, tank)
     if (is.null(one)) return()
     name <- paste0(file_strings(tank$gear$plan$name), one$ending)
     # drawings have the format of the file's extension

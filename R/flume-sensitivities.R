@@ -34,13 +34,11 @@ request_uncertainty <- function(page) {
 }
 
 # Returns a list by field: paths, value, unit, an increase to start with, and for each measure its
-# change per unit of the field, in preferred units.
-sensitivities_message <- function(slopes, preferred, say = make_translator()) {
+# change per unit of the field.
+sensitivities_message <- function(slopes, say = make_translator()) {
   lapply(unique(slopes$field), function(field) {
     rows <- slopes[slopes$field == field & is.finite(slopes$derivative), ]
     unit <- sensitivity_units(rows)
-    told <- lapply(unit, function(one) preferred_number(1, one, preferred))
-    factor <- vapply(told, `[[`, 0, "value")
     value <- rows$value[1L]
     whole <- grepl("[.]number$", field)
     list(
@@ -48,40 +46,13 @@ sensitivities_message <- function(slopes, preferred, say = make_translator()) {
       value = value, unit = rows$unit[1L],
       more = if (whole) max(1, round_step(abs(value) / 4)) else round_step(abs(value) / 20),
       measures = I(label_of_measure(say, label_of(rows$measure, unit))),
-      units = I(label_of_unit(say, vapply(told, `[[`, "", "unit"))),
-      slope = I(rows$derivative * factor), below = I(rows$secant_below * factor),
-      above = I(rows$secant_above * factor), smooth = I(rows$smooth)
+      units = I(unit), slope = I(rows$derivative), below = I(rows$secant_below),
+      above = I(rows$secant_above), smooth = I(rows$smooth), elasticity = I(rows$elasticity)
     )
   })
 }
 
 sensitivity_units <- function(rows) sub(" per [^ ]*$", "", rows$derivative_unit)
-
-# The table lists changes in percent of the measure for 10 % more of the field.
-sensitivity_tables <- function(slopes, say = make_translator()) {
-  if (is.null(slopes)) return(list())
-  fields <- unique(slopes$field)
-  measures <- unique(slopes$measure)
-  # a row per measure, in the same order for every field
-  by_field <- lapply(fields, function(field) {
-    rows <- slopes[slopes$field == field, ]
-    rows[match(measures, rows$measure), ]
-  })
-  columns <- lapply(by_field, function(rows) {
-    small <- !is.na(rows$elasticity) & abs(rows$elasticity) < 0.1
-    text <- signed(10 * rows$elasticity, ifelse(small, 2L, 1L))
-    paste0(text, ifelse(nzchar(text) & text != "0" & !rows$smooth, " *", ""))
-  })
-  unit <- sensitivity_units(by_field[[1L]])
-  words <- label_of_measure(say, label_of(measures, unit))
-  table <- do.call(data.frame, c(list(words), columns, stringsAsFactors = FALSE))
-  # measures that no field changes are omitted
-  told <- Reduce(`|`, lapply(columns, function(column) nzchar(column) & column != "0"))
-  list(page_table(
-    say("slopes_caption"), c(say("measure"), sensitivity_label(fields, say)),
-    text_rows(table[told, ]), note = say("slopes_star")
-  ))
-}
 
 # Handles requests for the sensitivities to the fields `paths`, or to the fields that users change
 # first if there are no paths.
@@ -93,13 +64,7 @@ flume_sensitivities <- function(page) {
     page$request_slow_worker("slopes", as.list(given)$paths, function(found) {
       if (tank$serial != serial) return()
       tank$slopes <- with_derivatives(tank$slopes, found)
-      show_sensitivities(page)
+      page$said("flume_sensitivities", fields = sensitivities_message(tank$slopes, page$say))
     })
   })
-}
-
-show_sensitivities <- function(page) {
-  tank <- page$tank
-  page$said("flume_sensitivities",
-    fields = sensitivities_message(tank$slopes, tank$preferred, page$say))
 }

@@ -32,6 +32,8 @@ flume_server <- function(
       "You have too many pages of the tank open; close one and reload this page."
     }
     say <- make_translator(page_language(request$QUERY_STRING, request$HTTP_ACCEPT_LANGUAGE))
+    # after a lost connection, the page opens its own design again
+    if (continues(request$QUERY_STRING)) start <- NULL
     send("flume_begin", begin_message(say, !is.null(start), !is.null(folder)))
     if (!is.null(full)) {
       said("flume_refused", answers = 0, where = "gallery", path = NULL, message = full)
@@ -59,41 +61,28 @@ flume_server <- function(
     ))
 
     # The page keeps the list of measures until the list changes.
-    listed <- measures <- NULL
-    described <- function(x) attributes(x)[c("names", "unit", "kind")]
+    listed <- NULL
     page$show_measures <- function() {
-      now <- tank$measures
-      kept <- tank$kept[[1L]]$measures
-      given <- list(described(now), described(kept), tank$preferred)
-      if (!identical(given, listed)) {
-        measures <<- displayed_measures(now, kept, tank$preferred, say)
-        said("flume_measures_about", measures = measures)
-      }
-      listed <<- given
-      do.call(said, c("flume_measures", displayed_numbers(
-        measures, now, kept, if (tank$with_intervals) tank$uncertainty, say
-      )))
+      about <- measures_about(tank$measures, say)
+      now <- measures_numbers(tank$measures, if (tank$with_intervals) tank$uncertainty)
+      send("flume_measures", c(if (!identical(about, listed)) list(about = about), now))
+      listed <<- about
       if (tank$with_intervals && is.null(tank$uncertainty)) request_uncertainty(page)
-    }
-    page$show_kept <- function() {
-      said("flume_kept", kept = lapply(tank$kept, `[`, c("id", "name", "seen")))
     }
     page$show <- function(answers = 0, passed = FALSE) {
       if (is.null(tank$gear)) return(said("flume_idle", answers = answers))
-      message <- tank$picture(passed)
       send("flume_picture", c(list(
-        answers = answers, said = spoken(tank$measures, say), notes = I(tank$warnings()),
-        towed = !is.null(tank$gear$plan$tow)
-      ), message))
+        answers = answers, edited = tank$shown, said = spoken(tank$measures, say),
+        notes = I(tank$warnings()), towed = !is.null(tank$gear$plan$tow)
+      ), tank$picture(passed)))
       page$show_measures()
     }
-    # Sends the form if its fields changed, interpreted numbers, problems, and counts of undo steps.
+    # Sends the form if its fields changed, interpreted numbers, and problems.
     page$show_draft <- function(understood = list(), settling = FALSE) {
       if (is.null(tank$gear)) return()
       said("flume_draft",
         form = if (tank$form_is_old()) tank$form(), understood = understood,
-        problems = tank$problems, settling = settling,
-        undo = length(tank$history$past), redo = length(tank$history$future)
+        problems = tank$problems, settling = settling
       )
     }
     refuse <- function(problem, where, answers = 0) {
@@ -117,16 +106,21 @@ flume_server <- function(
     # moving slider waits for each answer.
     under_way <- FALSE
     asked_again <- NULL  # number of the last change
+    # given: list(number, turn, and either edits or design)
     take_design <- function(given) {
       number <- request_number(given)
-      gesture <- if (is.numeric(given$gesture)) given$gesture[1] else -1
       of_this_gear <- is.null(given$turn) || identical(as.double(given$turn), as.double(tank$turn))
       if (is.null(tank$gear) || !of_this_gear) return(said("flume_idle", answers = number))
       edits <- if (is.list(given$edits)) given$edits else list()
       understood <- NULL
-      if (!page$trying("design", understood <- tank$edit(edits, gesture), number)) return()
+      taken <- page$trying("design", answers = number, if (is.null(given$design)) {
+        understood <- tank$edit(edits, number)
+      } else {
+        tank$change(sent_design(given$design), number)
+      })
+      if (!taken) return()
       # the user changed the design outside the form
-      if (isTRUE(given$anew)) tank$lay_out()
+      if (isTRUE(given$anew) || !is.null(given$design)) tank$lay_out()
       if (!under_way) return(ask_design(number, understood))
       if (!is.null(asked_again)) said("flume_idle", answers = asked_again)
       asked_again <<- number
@@ -143,13 +137,17 @@ flume_server <- function(
       if (!is.null(number)) ask_design(number)
     }
 
+    show_opened <- function(answers = 0) {
+      said("flume_opened", answers = answers, design = page_design(tank$gear))
+    }
+
     # Requests another gear, or the draft at the time when the worker is free (kind "design"). An
     # invalid gear changes nothing. If a draft does not settle, it is stored and the last shape
     # stays. A shape that arrives alone is displayed before the rest is requested.
-    page$request_worker <- function(kind, asked, answers = 0, then = NULL) {
+    page$request_worker <- function(kind, asked, answers = 0) {
       force(asked)
       force(answers)
-      edited <- tank$edited
+      edited <- answers
       ask <- function(kind, found_is, wanted = function() TRUE) {
         make <- function() {
           if (!wanted()) return(NULL)
@@ -166,19 +164,15 @@ flume_server <- function(
           # a later request has replaced this one
           if (is.null(answer)) return(said("flume_idle", answers = answers))
           if (!is.null(answer$problem)) {
-            held <- !is.null(answer$draft)
-            if (held) {
-              tank$hold(answer$draft, edited)
-              page$show_draft()
-            }
-            # errors of a typed plan are also reported below its text
-            if (held && kind == "design") {
-              said("flume_idle", answers = answers)
-            } else {
+            if (is.null(answer$problems)) {
               refuse(answer$problem, kind, answers)
+            } else {
+              if (edited == tank$edited) tank$problems <- answer$problems
+              page$show_draft()
+              said("flume_idle", answers = answers)
             }
             if (is.null(owed)) return()
-            if (kind %in% c("design", "plan_text") && worker$holds > 0) return(owed())
+            if (kind == "design" && worker$holds > 0) return(owed())
             # the worker has lost this shape, so the last complete design is displayed again
             owed <<- NULL
             tank$forget_picture()
@@ -192,10 +186,9 @@ flume_server <- function(
         tank$take(kind, found, edited)
         worker$holds <- tank$serial
         owed <<- NULL
+        if (kind %in% opening_requests) show_opened(answers)
         page$show(answers, passed)
-        if (kind %in% opening_requests) page$show_kept()
         page$show_draft()
-        if (!is.null(then)) then()
       }
       ask(kind, function(found) {
         if (is.null(found$moved)) return(complete(found))
@@ -231,28 +224,14 @@ flume_server <- function(
     }
 
     # messages that open a gear
-    opens <- lapply(stats::setNames(nm = c("plan_file", "plan_text", "shipped", "new")),
-      function(kind) function(given) {
+    opens <- lapply(stats::setNames(nm = opening_requests), function(kind) function(given) {
         page$request_worker(kind, as.list(given)$asked, request_number(given))
       })
-    steps <- lapply(stats::setNames(nm = c("undo", "redo")), function(name) function(given) {
-      number <- request_number(given)
-      if (!tank$step(name)) return(said("flume_idle", answers = number))
-      page$show_draft(settling = TRUE)
-      page$request_worker("design", NULL, number)
-    })
-    handlers <- c(opens, steps, list(
+    handlers <- c(opens, list(
       design = function(given) take_design(as.list(given)),
       cancel = function(given) {
         worker$cancel()
         clerk$cancel()
-      },
-      preferred = function(given) {
-        tank$preferred <- preferred_of(given)
-        if (is.null(tank$gear)) return()
-        page$show_measures()
-        if (!is.null(tank$slopes)) show_sensitivities(page)
-        if (!is.null(tank$varied)) show_varied(page)
       },
       intervals_wanted = function(given) {
         tank$with_intervals <- isTRUE(given)
@@ -262,11 +241,11 @@ flume_server <- function(
     flume_varies(page), flume_targets(page), flume_tows(page), flume_saves(page))
     if (!is.null(shared)) {
       id <- shared$listen(function(designs) said("flume_shared", designs = designs))
-      handlers <- c(handlers, flume_shares(page, shared, visitor, handlers$words))
+      handlers <- c(handlers, flume_shares(page, shared, visitor))
     }
     if (!is.null(tank$gear)) {
+      show_opened()
       page$show()
-      page$show_kept()
       page$show_draft()
     }
     hear <- function(type, given) {
@@ -281,77 +260,37 @@ flume_server <- function(
   }
 }
 
-# Returns the handlers of stored designs and of designs in an address: `keep` = list(name), `kept` =
-# list(id, act, name).
+# Returns the handlers of stored designs, which the page keeps, and of user-defined rows of the
+# catalogue: `kept` = list(number, design) settles a design.
 flume_keeping <- function(page) {
-  tank <- page$tank
-  # user-defined rows of the catalogue
-  take_own <- function(rows) {
-    if (page$trying("own", tank$own <- own_rows(rows))) page$said("flume_own", rows = tank$own)
-  }
-  change <- function(expression) {
-    if (!page$trying("keep", expression) || is.null(tank$gear)) return()
-    page$show()
-    page$show_kept()
-  }
-  # Opens the design of an address, then settles its stored designs in sequence. The sequence ends
-  # if the user opens another design.
-  open_words <- function(words, number) {
-    others <- utils::head(as.list(words$kept), most_stored_designs)
-    first_words <- as.list(words$now)
-    draft <- as.list(words$draft)$plan
-    if (length(words$own)) take_own(c(tank$own, words$own))
-    begun <- FALSE
-    settle_next <- function(opened) {
-      if (!length(others) || page$closed() || !identical(tank$loaded, opened)) {
-        return(invisible())
-      }
-      words <- as.list(others[[1L]])
-      others <<- others[-1L]
-      page$clerk$ask(
-        "kept", function() tank$request("kept", words, tank$serial),
-        function(answer) {
-          if (page$closed() || !identical(tank$loaded, opened)) return()
-          if (is.null(answer$problem)) {
-            # replaces the design that was stored when the address was opened
-            if (!begun) tank$kept <- list()
-            begun <<- TRUE
-            page$trying("keep", tank$keep(words$name, answer$found))
-          }
-          page$show()
-          page$show_kept()
-          settle_next(opened)
-        }
-      )
-    }
-    page$request_worker("words", first_words, number, then = function() {
-      if (is_text(draft)) page$request_worker("plan_text", draft)
-      settle_next(tank$loaded)
-    })
-  }
   list(
-    own = function(given) take_own(as.list(given)$rows),
-    keep = function(given) if (!is.null(tank$gear)) change(tank$keep(as.list(given)$name)),
-    kept = function(given) {
-      asked <- as.list(given)
-      act <- if (is_text(asked$act)) asked$act else ""
-      if (act != "open") {
-        return(change(switch(act,
-          compare = tank$compare(asked$id), remove = tank$remove(asked$id),
-          rename = tank$rename(asked$id, asked$name), show = tank$see(asked$id, TRUE),
-          hide = tank$see(asked$id, FALSE)
-        )))
+    own = function(given) {
+      rows <- NULL
+      if (page$trying("own", rows <- own_rows(as.list(given)$rows))) {
+        page$said("flume_own", rows = rows)
       }
-      page$trying("keep", {
-        tank$change(tank$kept[[tank$kept_at(asked$id)]]$design)
-        tank$lay_out()
-        page$show_draft(settling = TRUE)
-        page$request_worker("design", NULL, request_number(asked))
-      })
     },
-    words = function(given) open_words(as.list(as.list(given)$asked), request_number(given))
+    kept = function(given) {
+      given <- as.list(given)
+      request <- page$tank$request("kept", given$design, page$tank$serial)
+      page$clerk$ask("kept", function() request, function(answer) {
+        if (page$closed()) return()
+        found <- answer$found
+        page$said("flume_kept",
+          number = request_number(given),
+          design = if (!is.null(found)) list(
+            scene = picture_scene(found$state, found$drawing),
+            about = measures_about(found$measures, page$say),
+            numbers = measures_numbers(found$measures)
+          )
+        )
+      })
+    }
   )
 }
+
+# TRUE if the address of a page says that it continues after a lost connection.
+continues <- function(query) isTRUE(grepl("[?&]continues(&|=|$)", query))
 
 # Returns the number of a request, 0 without one.
 request_number <- function(given) {
@@ -375,11 +314,23 @@ flume_display <- function(page) {
   # handlers that need a gear on screen
   lapply(list(
     table_wanted = function(given) {
-      tables <- if (is_text(given)) tank_tables[[given]]
-      if (!is.null(tables)) said("flume_table", name = given, tables = tables(tank, page$say))
+      name <- as.list(given)$name
+      make <- if (is_text(name)) tank_tables[[name]]
+      tables <- NULL
+      if (is.null(make)) return()
+      if (page$trying("table", tables <- make(tank, page$say, as.list(given)$kept))) {
+        said("flume_table", name = name, tables = tables)
+      }
     },
     plan_wanted = function(given) said("flume_plan", text = draft_text(tank$draft)),
-    code_wanted = function(given) said("flume_code", text = tank$code()),
+    code_wanted = function(given) {
+      text <- NULL
+      good <- page$trying("code", text <- flume_code(
+        gear_of_words(as.list(given)$opened), gear_of_words(as.list(given)$kept), tank$gear,
+        tank$nodes
+      ))
+      if (good) said("flume_code", text = text)
+    },
     # the user clicked a part in the picture
     part_wanted = function(given) {
       name <- as.list(given)$name
@@ -397,7 +348,6 @@ flume_display <- function(page) {
       if (is.null(problem)) {
         said("flume_offers", path = asked$path, title = asked$title, offers = offers)
       }
-    },
-    words_wanted = function(given) said("flume_words", words = tank$words(), number = given)
+    }
   ), function(handler) function(given) if (!is.null(tank$gear)) handler(given))
 }

@@ -10,7 +10,7 @@ most_shared_name <- 30L
 # Returns functions for a folder. list() returns list(author, name, changed) of each design, latest
 # first. put(author, key, name, words, add) writes a design, and calls add() before it adds one to
 # the folder. take_out(author, key, name) removes a design, and words(author, name) reads one as
-# from tank$words(). listen(act) calls act(designs) now and after each changed(), until ignore() of
+# the page sent it. listen(act) calls act(designs) now and after each changed(), until ignore() of
 # its result.
 new_shared <- function(folder) {
   listening <- new.env(parent = emptyenv())
@@ -29,7 +29,7 @@ new_shared <- function(folder) {
     list = function() shared_designs(folder),
     put = function(author, key, name, words, add = function() NULL) {
       file <- design_file(folder, author, name)
-      text <- design_json(c(words, list(owner = owner_of(key))))
+      text <- design_json(words, owner_of(key))
       if (nchar(text, "bytes") > most_shared_bytes) {
         abort_argument("The designs are too large to be shared; remove some of the kept designs.")
       }
@@ -89,11 +89,10 @@ shared_words <- function(file) {
   words
 }
 
-# words: from tank$words().
-design_json <- function(words) {
-  as.character(jsonlite::toJSON(
-    c(list(codend_designs = 1), words), auto_unbox = TRUE, digits = NA, null = "null"
-  ))
+# words: designs as the page sends them; owner: from owner_of().
+design_json <- function(words, owner) {
+  words <- words[intersect(names(words), c("now", "kept", "draft", "own", "units"))]
+  to_json(c(list(codend_designs = 1), words, list(owner = owner)), NA)
 }
 
 shared_designs <- function(folder) {
@@ -155,9 +154,8 @@ there <- function(file) {
 
 # ---- on the page ---------------------------------------------------------------------------------
 
-# Returns the handlers that share, remove and open designs. visitor: from new_visitors();
-# open_words: handler that opens the designs of an address.
-flume_shares <- function(page, shared, visitor, open_words) {
+# Returns the handlers that share, remove and open designs. visitor: from new_visitors().
+flume_shares <- function(page, shared, visitor) {
   list(
     shared = function(given) {
       given <- as.list(given)
@@ -166,7 +164,7 @@ flume_shares <- function(page, shared, visitor, open_words) {
         visitor$change()
         switch(act,
           put = if (!is.null(page$tank$gear)) {
-            shared$put(given$author, given$key, given$name, page$tank$words(), visitor$add)
+            shared$put(given$author, given$key, given$name, as.list(given$words), visitor$add)
           },
           take_out = shared$take_out(given$author, given$key, given$name)
         )
@@ -180,7 +178,7 @@ flume_shares <- function(page, shared, visitor, open_words) {
       number <- request_number(given)
       words <- NULL
       if (page$trying("words", words <- shared$words(asked$author, asked$name), number)) {
-        open_words(list(asked = words, number = number))
+        page$said("flume_words", answers = number, words = words)
       }
     }
   )

@@ -16,87 +16,30 @@ text_rows <- function(table) {
   lapply(seq_len(nrow(table)), function(k) unname(as.list(table[k, , drop = FALSE])))
 }
 
-# Compares the measures of two states. Returns a data frame: measure, unit, now, error (of now),
-# kept, change, change_percent, definition. A value is NA if a state lacks the measure;
-# change_percent also if the stored value is 0.
-measure_changes <- function(now, kept) {
-  names <- union(names(now), names(kept))
-  unit <- unname(c(attr(now, "unit"), attr(kept, "unit"))[names])
-  error <- unname(attr(now, "error")[names])
-  definition <- c(
-    setNames(definitions_of(now), names(now)), setNames(definitions_of(kept), names(kept))
-  )[names]
-  now <- unname(plain_measures(now)[names])
-  kept <- unname(plain_measures(kept)[names])
-  change <- now - kept
-  data.frame(
-    measure = label_of(names, unit), unit = unit,
-    now = now, error = error, kept = kept, change = change,
-    change_percent = ifelse(kept == 0, NA_real_, 100 * change / abs(kept)),
-    definition = unname(definition)
-  )
-}
-
-# Returns numbers with separated thousands, and "0" if all decimals are 0. (formatC() takes as long
-# as settling.)
-fixed_decimals <- function(x, decimals) {
-  text <- sprintf("%.*f", as.integer(decimals), x)
-  text[is.finite(x) & !grepl("[1-9]", text)] <- "0"
-  long <- which(abs(x) >= 1e4)
-  text[long] <- vapply(text[long], format_thousands, "")
-  text[is.na(x)] <- ""
-  text
-}
-
-format_thousands <- function(text) {
-  parts <- strsplit(text, ".", fixed = TRUE)[[1]]
-  parts[1] <- gsub("(?<=[0-9])(?=(?:[0-9]{3})+$)", "\u202f", parts[1], perl = TRUE)
-  paste(parts, collapse = ".")
-}
-
-# Returns differences such as "+3.2", and "0" if all decimals are 0.
-signed <- function(x, decimals) {
-  text <- fixed_decimals(abs(x), decimals)
-  text <- ifelse(text == "0", "0", paste0(ifelse(x < 0, "\u2212", "+"), text))
-  text[is.na(x)] <- ""
-  text
-}
-
-# Returns the decimals that give four digits of the largest value of a row, but at most four.
-decimals_of <- function(largest) {
-  shown <- signif(largest, 4)
-  ifelse(is.na(shown) | shown == 0, 0, pmin(pmax(3 - floor(log10(pmax(shown, 1e-3))), 0), 4))
-}
-
-# Returns a list by measure of two states: name, words (translated, with unit), unit and factor (of
-# the preferred unit), definition, and `key`, TRUE for key measures. preferred: from preferred_of();
-# `say`: translator from make_translator(), here and below.
-displayed_measures <- function(now, kept, preferred = list(), say = make_translator()) {
-  table <- measure_changes(now, kept)
-  names <- union(names(now), names(kept))
-  units <- lapply(table$unit, function(unit) preferred_number(1, unit, preferred))
-  unit <- vapply(units, `[[`, "", "unit")
+# Returns a list by measure: name, words (translated), label (in English), unit, definition, and
+# `key`, TRUE for key measures. `say`: translator from make_translator(), here and below.
+measures_about <- function(measures, say = make_translator()) {
+  unit <- unname(attr(measures, "unit"))
+  label <- label_of(names(measures), unit)
   unname(Map(
-    list, name = names, words = label_with_unit(say, table$measure, unit), unit = unit,
-    factor = vapply(units, `[[`, 0, "value"), definition = table$definition,
-    key = names %in% key_names(names)
+    list, name = names(measures), words = label_of_measure(say, label), label = label, unit = unit,
+    definition = definitions_of(measures), key = names(measures) %in% key_names(names(measures))
   ))
 }
 
-# Returns the numbers of two states, in the order of `measures` from displayed_measures(): now,
-# error (of now), kept, and the strings of intervals with their level, NULL without uncertainty.
-displayed_numbers <- function(measures, now, kept, uncertainty = NULL, say = make_translator()) {
-  names <- vapply(measures, `[[`, "", "name")
-  numbers <- function(x) I(unname(as.double(x[names])))
-  list(
-    now = numbers(plain_measures(now)), error = numbers(attr(now, "error")),
-    kept = numbers(plain_measures(kept)),
-    intervals = if (!is.null(uncertainty)) {
-      factor <- vapply(measures, `[[`, 0, "factor")
-      I(interval_cells(uncertainty, names, factor, say))
-    },
-    level = if (!is.null(uncertainty)) 100 * uncertainty$level
+# Returns the numbers of measures: now, error, and with an uncertainty its level and the lower and
+# upper end of each interval, NA without one.
+measures_numbers <- function(measures, uncertainty = NULL) {
+  numbers <- list(
+    now = I(unname(plain_measures(measures))), error = I(unname(attr(measures, "error")))
   )
+  if (is.null(uncertainty)) return(numbers)
+  table <- uncertainty$measures[match(names(measures), uncertainty$measures$measure), ]
+  known <- table$error > 0
+  c(numbers, list(
+    level = 100 * uncertainty$level, spread = I(ifelse(known, table$error, NA)),
+    lower = I(ifelse(known, table$lower, NA)), upper = I(ifelse(known, table$upper, NA))
+  ))
 }
 
 # Measures that users check first, for any gear, and the number of key measures of a gear.
@@ -109,20 +52,6 @@ key_count <- 6L
 # Returns the first `key_count` names: members of `key_measures`, then other names in their order.
 key_names <- function(names) {
   utils::head(union(intersect(key_measures, names), names), key_count)
-}
-
-# Returns "90 %: 4.5 to 6.6" or "" for each measure. factor: to preferred units.
-interval_cells <- function(uncertainty, names, factor, say) {
-  table <- uncertainty$measures[match(names, uncertainty$measures$measure), ]
-  known <- which(table$error > 0)
-  text <- rep("", length(names))
-  ends <- lapply(table[known, c("lower", "upper")], function(end) {
-    interval_ends(end * factor[known], table$error[known] * factor[known])
-  })
-  text[known] <- mapply(function(low, high) {
-    say("interval", level = 100 * uncertainty$level, low = low, high = high)
-  }, ends$lower, ends$upper)
-  text
 }
 
 # Returns the largest tension of each role of ropes or netting, highest first, per rope or twine
@@ -210,11 +139,9 @@ difference_tables <- function(kept, now, say = make_translator()) {
   ))
 }
 
-# Functions of tank and translator that return the tables of a tab, by name.
+# Functions of tank, translator and a stored design that return the tables of a tab, by name.
 tank_tables <- list(
-  tensions = function(tank, say) tension_tables(tank$state, say),
-  drag = function(tank, say) drag_tables(tank$state, say),
-  differences = function(tank, say) difference_tables(tank$kept[[1L]]$gear, tank$gear, say),
-  designs = function(tank, say) designs_tables(tank$kept, tank$measures, tank$preferred, say),
-  slopes = function(tank, say) sensitivity_tables(tank$slopes, say)
+  tensions = function(tank, say, kept) tension_tables(tank$state, say),
+  drag = function(tank, say, kept) drag_tables(tank$state, say),
+  differences = function(tank, say, kept) difference_tables(gear_of_words(kept), tank$gear, say)
 )

@@ -1,6 +1,11 @@
 # Required values of measures, typed into the results of the design on screen. The slow worker finds
 # the value of a field by find_value(), within the range of the field's slider.
 
+# Units that a user may choose, by dimension. The first unit is codend's default.
+preferred_units <- list(
+  length = c("m", "fathom", "ft"), force = c("kN", "tf", "lbf"), speed = c("m/s", "knot")
+)
+
 # `said`: list(paths (fields that change together), measure (its name), target (as typed), unit (of
 # a bare number)). Returns list(paths, value, unit, low, high (in this unit), reached, measure,
 # measure_unit, target, result (both in its unit)).
@@ -52,24 +57,6 @@ typed_target <- function(said, known) {
   setNames(list(number), name)
 }
 
-# Returns the found value as a message of the page. found: from found_target().
-target_sentence <- function(found, preferred, say) {
-  in_words <- function(value) {
-    told <- preferred_number(value, found$measure_unit, preferred)
-    trimws(paste(figures(told$value), label_of_unit(say, told$unit)))
-  }
-  of_field <- function(value) trimws(paste(shortest_decimal(value), found$unit))
-  field <- label_of_path(say, found$paths[1L])
-  value <- of_field(found$value)
-  measure <- label_of_measure(say, label_of(found$measure, found$measure_unit))
-  result <- in_words(found$result)
-  if (found$reached) {
-    return(say("target_reached", field = field, value = value, measure = measure, result = result))
-  }
-  say("target_nearest", field = field, value = value, measure = measure, result = result,
-    low = of_field(found$low), high = of_field(found$high), target = in_words(found$target))
-}
-
 # Handles requests for required values, as in found_target().
 flume_targets <- function(page) {
   tank <- page$tank
@@ -78,8 +65,10 @@ flume_targets <- function(page) {
     serial <- tank$serial
     page$request_slow_worker("target", as.list(given), function(found) {
       if (tank$serial != serial) return()
-      page$said("flume_target", paths = I(found$paths), value = found$value, unit = found$unit,
-        reached = found$reached, message = target_sentence(found, tank$preferred, page$say))
+      found$words <- label_of_path(page$say, found$paths[1L])
+      found$measure <- label_of_measure(page$say, label_of(found$measure, found$measure_unit))
+      found$paths <- I(found$paths)
+      do.call(page$said, c("flume_target", found))
     })
   })
 }

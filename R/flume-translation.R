@@ -102,10 +102,6 @@ label_of_unit <- function(say, unit) {
 # Returns a translator of findings for fill_template().
 translated_finding <- function(say) function(text) say(paste0("finding.", text), otherwise = text)
 
-label_with_unit <- function(say, words, unit) {
-  paste0(label_of_measure(say, words), " (", label_of_unit(say, unit), ")")
-}
-
 # ---- data for the page ---------------------------------------------------------------------------
 
 # Returns list(words, sought): the strings of the language by key, and all names of each field in

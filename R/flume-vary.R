@@ -78,8 +78,8 @@ varied_table <- function(varied) {
   )
 }
 
-# Returns the results for the page, in preferred units and with key measures first.
-varied_message <- function(varied, preferred, say = make_translator()) {
+# Returns the results for the page, with key measures first.
+varied_message <- function(varied, say = make_translator()) {
   table <- varied_table(varied)
   settled <- varied$found[table$settled]
   units <- unlist(lapply(settled, attr, "unit"))
@@ -90,13 +90,12 @@ varied_message <- function(varied, preferred, say = make_translator()) {
     range = I(range(varied$values)),
     values = I(varied$values[seq_along(varied$found)]), problems = I(table$problem),
     measures = lapply(names, function(name) {
-      told <- preferred_number(1, units[[name]], preferred)
       error <- vapply(varied$found, function(one) {
         if (is.numeric(one)) first_of(attr(one, "error")[name], NA_real_) else NA_real_
       }, 0)
       list(
-        words = label_with_unit(say, label_of(name, units[[name]]), told$unit),
-        values = I(table[[name]] * told$value), errors = I(unname(error) * told$value)
+        words = label_of_measure(say, label_of(name, units[[name]])), unit = units[[name]],
+        values = I(table[[name]]), errors = I(unname(error))
       )
     })
   )
@@ -146,5 +145,5 @@ show_varied <- function(
 ) {
   tank <- page$tank
   page$said("flume_varied", running = running,
-    varied = varied_message(tank$varied, tank$preferred, page$say))
+    varied = varied_message(tank$varied, page$say))
 }

@@ -55,8 +55,8 @@ look_share <- 0.15
 
 # While requests of a group wait, a later request of the group replaces them.
 replaced_requests <- list(
-  c("design", "plan_text", "plan_file", "shipped", "new", "words"), "drawing", "slopes",
-  "uncertainty", "tow", "vary", "target"
+  c("design", "plan_file", "shipped", "new", "words"), "drawing", "slopes", "uncertainty", "tow",
+  "vary", "target"
 )
 
 # Returns the kinds of requests that a new request replaces. A new design replaces the rest of an

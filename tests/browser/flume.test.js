@@ -137,7 +137,7 @@ test('tank rejects wrong, unreadable and 50 MB files and keeps the gear', async 
   await refuses('code.yaml', 'codend: 1\nname: !expr stop("ran")\n', /cannot contain code/);
   await refuses('large.yaml', Buffer.alloc(50 * 1024 * 1024, 65), /50\.0 MB.*at most 2 MB/);
   // the server disconnects a page that sends them, which then connects again
-  await page.evaluate(() => window.codendTank.send('plan_text', { number: 0, asked: 'x'.repeat(5e7) }));
+  await page.evaluate(() => window.codendTank.send('own', { number: 0, rows: ['x'.repeat(5e7)] }));
   await page.waitForFunction(() => /cannot be reached/.test(document.getElementById('refused').textContent), null, patience);
   await page.waitForSelector('#refused', { state: 'hidden', ...patience });
   clean(page);
@@ -321,7 +321,6 @@ test('tank starts at a gallery with shipped gears and new ones', async (t) => {
     patience);
   // a running solve is displayed and can be cancelled
   const before = await page.evaluate(() => window.codendTank.Tank.point(0));
-  await page.evaluate(() => { window.codendTank.Talk.ask('plan_text', document.getElementById('plan_area').value); });
   await page.evaluate(() => { window.codendTank.Talk.ask('shipped', 'cage'); });
   await page.waitForSelector('#cancel', { state: 'visible', ...patience });
   // the solve may end before a pointer reaches the button
@@ -804,14 +803,22 @@ test('page continues with its design on another server after its server was lost
   await answered(page);
   first.stop();
   await page.waitForSelector('#refused', { state: 'visible', ...patience });
+  // changes without a server are kept
+  await control(page, 'towing.speed').locator('.number').fill('5.5');
+  await control(page, 'towing.speed').locator('.number').press('Tab');
   const again = await serve('towed_cable', '--nodes', '300', '--port', new URL(first.url).port);
   t.after(again.stop);
   await page.waitForSelector('#refused', { state: 'hidden', ...patience });
   await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
-  await shows('5 knot');
+  await shows('5.5 knot');
   await answered(page);
   await control(page, 'towing.speed').locator('.number').fill('6');
   await shows('6 knot');
+  // so is the history
+  for (const speed of ['5.5', '5', '4']) {
+    await page.click('#undo');
+    await shows(speed + ' knot');
+  }
   await page.close();
 });
 

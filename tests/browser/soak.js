@@ -49,9 +49,9 @@ async function use(url, name, end) {
     if (!sent) { wrong.push(`${name}: no plan`); tank.close(); continue; }
     const plan = sent.text.replace(/^name: .*$/m, `name: ${name} ${visit}`);
     const named = tank.wait(['flume_picture', 'flume_refused']);
-    tank.send({ 'plan_text': { number: 0, asked: plan } });
+    tank.send({ design: { number: 0, design: { plan } } });
     const own = await named;
-    if (!own || own.name !== `${name} ${visit}`) wrong.push(`${name}: ${JSON.stringify(own && own.message)}`);
+    if (!own || own.scene?.name !== `${name} ${visit}`) wrong.push(`${name}: ${JSON.stringify(own && own.message)}`);
     const leaves = Date.now() + 60e3 + 60e3 * Math.random();
     while (Date.now() < Math.min(end, leaves)) {
       number += 1;
@@ -59,13 +59,13 @@ async function use(url, name, end) {
       const speed = (3 + 2 * Math.random()).toFixed(2);
       const answer = tank.wait(['flume_picture', 'flume_refused'], (m) => m.answers === mine);
       const asked = performance.now();
-      tank.send({ design: { number: mine, gesture: mine, edits: { 'towing.speed': { value: Number(speed), unit: 'knot' } } } });
+      tank.send({ design: { number: mine, edits: { 'towing.speed': { value: Number(speed), unit: 'knot' } } } });
       const came = await answer;
       if (!came || came.type === 'flume_refused') {
         wrong.push(`${name}: ${came ? came.message : 'no answer in a minute'}`);
       } else {
         times.push(performance.now() - asked);
-        if (came.name !== `${name} ${visit}`) wrong.push(`${name} got the picture of ${came.name}`);
+        if (came.scene.name !== `${name} ${visit}`) wrong.push(`${name} got the picture of ${came.scene.name}`);
         const told = Number((came.conditions.match(/([0-9.]+) knot/) || [])[1]);
         if (Math.abs(told - speed) > 0.006) wrong.push(`${name} asked ${speed}, got "${came.conditions}"`);
       }
@@ -85,8 +85,8 @@ async function trouble(url, end) {
     const text = tank.wait(['flume_plan']);
     tank.send({ plan_wanted: 1 });
     const sent = await text;
-    if (sent) tank.send({ 'plan_text': { number: 0, asked: sent.text + '\nresolution: {nodes: 20000}\n' } });
-    tank.send({ 'plan_text': { number: 0, asked: 'x'.repeat(3e6) } });
+    if (sent) tank.send({ design: { number: 0, design: { plan: sent.text + '\nresolution: {nodes: 20000}\n' } } });
+    tank.send({ design: { number: 0, design: { plan: 'x'.repeat(3e6) } } });
     await sleep(5e3);
     tank.close();
     await sleep(15e3);

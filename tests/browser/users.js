@@ -82,7 +82,7 @@ async function come(url) {
   await tank.open();
   if (!await opened) wrong.push('no picture');
   const answer = tank.wait(['flume_picture'], (m) => m.answers === 1, 300);
-  tank.send({ design: { number: 1, gesture: 0, edits: {} } });
+  tank.send({ design: { number: 1, edits: {} } });
   if (!await answer) wrong.push('no answer');
   return tank;
 }
@@ -91,9 +91,8 @@ async function come(url) {
 async function speak(tank, name, seconds) {
   const times = [];
   const end = Date.now() + 1000 * seconds;
-  let number = 1, gesture = 0, speed = 4;
+  let number = 1, speed = 4;
   while (Date.now() < end) {
-    gesture += 1;
     const from = speed, to = 3.5 + Math.random(), begun = performance.now();
     for (let share = 0; share < 1;) {
       share = Math.min(1, (1 + Math.floor((performance.now() - begun) / 50)) / 5);
@@ -102,7 +101,7 @@ async function speak(tank, name, seconds) {
       const mine = number, asked = performance.now();
       const answer = tank.wait(['flume_moved', 'flume_picture', 'flume_refused'],
         (m) => m.answers === mine);
-      tank.send({ design: { number: mine, gesture, edits: { 'towing.speed': { value: speed, unit: 'knot' } } } });
+      tank.send({ design: { number: mine, edits: { 'towing.speed': { value: speed, unit: 'knot' } } } });
       const came = await answer;
       if (!came || came.type === 'flume_refused') {
         wrong.push(`${name}: ${came ? came.message : 'no answer in a minute'}`);
@@ -129,7 +128,7 @@ async function pour(url, rate, seconds) {
       for (let k = 0; k < (rate > 40 ? 600 : 1); k++) {
         sent += 1;
         const edits = { 'towing.speed': { value: 3.5 + sent % 10 / 10, unit: 'knot' } };
-        tank.send({ design: { number: sent, gesture: sent, edits } });
+        tank.send({ design: { number: sent, edits } });
       }
       await sleep(rate > 40 ? 600000 / rate : 1000 / rate);
     } while (Date.now() < Math.min(end, leaves));

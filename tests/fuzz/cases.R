@@ -166,7 +166,7 @@ try_messages <- function() {
   }
   ask <- function(kind, said) {
     answer <- codend:::flume_answer(tank$request(kind, said), memory)
-    if (is.null(answer$problem)) tank$take(kind, answer$found)
+    if (is.null(answer$problem)) tank$take(kind, answer$found, 0)
     went_well(answer$problem)
   }
   paths <- c(codend:::given_paths(tank$gear$plan), "towing.speed.speed", "", odd_texts)
@@ -184,28 +184,27 @@ try_messages <- function() {
   edits <- function() {
     stats::setNames(lapply(1:2, function(k) edit()), vapply(1:2, function(k) one_of(paths), ""))
   }
-  number <- function() if (chance(0.5)) sample.int(4L, 1L) else any_value()
+  sent <- function() {
+    if (chance(0.3)) return(any_value())
+    base <- one_of(c("towed_cable", "flat_panel", odd_texts))
+    c(if (chance(0.5)) list(base = base) else list(plan = typed_plan()),
+      list(edits = if (chance(0.5)) edits() else list(edits(), edits())))
+  }
   good <- vapply(1:3, function(k) {
-    switch(sample.int(6L, 1L),
-      ask("design", edits()),
-      ask("plan_text", typed_plan()),
+    switch(sample.int(5L, 1L),
+      went_well(codend:::flume_problem(tank$edit(edits(), k))),
       ask("plan_file", list(name = any_value(), text = typed_plan())),
-      ask("words", if (chance(0.3)) any_value() else list(
-        base = one_of(c("towed_cable", "flat_panel", odd_texts)), edits = edits()
-      )),
-      ask(one_of(c("shipped", "new")), any_value()),
-      went_well(codend:::flume_problem(
-        switch(sample.int(4L, 1L),
-          tank$keep(any_value()), tank$rename(number(), any_value()), tank$compare(number()),
-          tank$remove(number())
-        )
-      ))
+      ask("words", sent()),
+      went_well(codend:::flume_problem({
+        tank$change(codend:::sent_design(sent()), k)
+        ask("design", tank$draft)
+      })),
+      ask(one_of(c("shipped", "new")), any_value())
     )
   }, NA)
   judged({
-    kept <- tank$kept[[1]]$measures
-    listed <- codend:::displayed_measures(tank$measures, kept)
-    codend:::displayed_numbers(listed, tank$measures, kept)
+    codend:::measures_about(tank$measures)
+    codend:::measures_numbers(tank$measures)
   })
   if (all(good)) "taken" else "refused"
 }

@@ -104,13 +104,13 @@ saved_file <- function(session, name) {
 # Returns the first table of a tab.
 table_of <- function(session, name) {
   session$sent("flume_table")
-  session$hear(table_wanted = name)
+  session$hear(table_wanted = list(name = name))
   session$sent("flume_table")[[1L]]$tables[[1L]]
 }
 
 # Sends the latest values of all moved controls, by path.
-ask <- function(session, ..., number = 1, gesture = number) {
-  session$hear(design = list(number = number, gesture = gesture, edits = list(...)))
+ask <- function(session, ..., number = 1) {
+  session$hear(design = list(number = number, edits = list(...)))
 }
 
 # Checks that the server rejects each invalid input once, with a message at the input.

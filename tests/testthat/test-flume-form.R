@@ -159,20 +159,11 @@ test_that("own_rows() checks user-defined rows and stores them with designs", {
   many <- lapply(1:101, function(k) utils::modifyList(given[[1]], list(title = paste(k))))
   expect_error(own_rows(many), "at most")
 
-  words <- NULL
   in_flume("towed_cable", function(session, sent, tank) {
     session$hear(own = list(number = 1, rows = given))
     expect_identical(sent("flume_own")[[1]]$rows, rows)
-    words <<- tank$words()
-    expect_identical(words$own, rows)
     session$hear(own = list(number = 2, rows = list(list(class = "boat"))))
     expect_identical(sent("flume_refused")[[1]]$where, "own")
-    expect_identical(tank$own, rows)
-  })
-  # restored from the address, on another page
-  in_flume(NULL, function(session, sent, tank) {
-    session$hear(words = list(number = 3, asked = words))
-    expect_identical(tank$own, rows)
   })
 })
 

@@ -85,18 +85,20 @@ test_that("new_shared() neither reads nor writes through a symbolic link", {
 test_that("pages share designs as copies and receive changes", {
   folder <- new_folder()
   in_flume("towed_cable", folder = folder, function(session, sent, tank) {
-    rows <- list(list(class = "rope", title = "Mine", values = list(diameter = "16,5")))
-    session$hear(own = list(number = 1, rows = rows))
-    ask(session, towing.speed = list(value = 5, unit = "knot"))
-    session$hear(shared = list(act = "put", author = "Anna", key = key_of("a"), name = "Net"))
+    edits <- list(towing.speed = list(value = 4.1, unit = "knot"))
+    words <- list(now = list(base = "towed_cable", edits = list(edits)), owner = "me")
+    session$hear(shared = list(act = "put", author = "Anna", key = key_of("a"), name = "Net",
+      words = words))
     told <- sent("flume_shared")
     expect_identical(told[[length(told)]]$designs[[1]]$name, "Net")
   })
   in_flume(NULL, folder = folder, function(session, sent, tank) {
     expect_identical(sent("flume_shared")[[1]]$designs[[1]]$author, "Anna")
     session$hear(shared_open = list(number = 3, asked = list(author = "Anna", name = "Net")))
-    expect_identical(tank$gear$plan$towing$speed, "5 knot")
-    expect_identical(tank$own[[1]]$values, list(diameter = "16.5 mm"))
+    told <- sent("flume_words")[[1]]
+    expect_identical(told$answers, 3)
+    expect_identical(sent_design(told$words$now)$plan$towing$speed, "4.1 knot")
+    expect_null(told$words$owner)
     sent("flume_refused")
     session$hear(shared_open = list(number = 4, asked = list(author = "..", name = "/etc")))
     told <- sent("flume_refused")[[1]]$message

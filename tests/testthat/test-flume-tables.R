@@ -1,28 +1,3 @@
-test_that("measure_changes() matches measures by name", {
-  kinds <- user_measure_kinds()
-  none <- rep(NA_real_, 3)
-  table <- measure_changes(
-    new_measures(c(a_m = 3, b_kN = 2000, c_m = 0), kinds[c("length", "tension", "length")],
-      none, FALSE),
-    new_measures(c(a_m = 2, c_m = 0, d_m = 5), kinds[rep("length", 3)], none, FALSE)
-  )
-  expect_identical(table$unit, c("m", "kN", "m", "m"))
-  expect_identical(table$definition[c(1, 4)], rep("Straight distance between two locations.", 2))
-  expect_identical(table$measure, c("a", "b", "c", "d"))
-  expect_identical(table$change, c(1, NA, 0, NA))
-  expect_identical(table$change_percent, c(50, NA, NA, NA))
-})
-
-test_that("signed() shows a sign and the decimals of the values", {
-  expect_identical(signed(c(1.26, -0.04, 0.04, NA, -12345.6), c(1, 1, 2, 1, 0)),
-    c("+1.3", "0", "+0.04", "", "\u221212\u202f346"))
-})
-
-test_that("fixed_decimals() shows zero without a sign", {
-  expect_identical(fixed_decimals(c(-2e-8, 4e-5, 0, -6e-5, NA, Inf), 4L),
-    c("0", "0", "0", "-0.0001", "", "Inf"))
-})
-
 test_that("tables have a string for each column of each row", {
   state <- settled("midwater_trawl", nodes = 500)
   say <- make_translator()
@@ -67,14 +42,13 @@ test_that("key_names() returns six measures with the main ones first", {
   expect_identical(key_names(names), first)
 })
 
-test_that("displayed_numbers() gives numbers in the order of displayed_measures()", {
+test_that("measures_numbers() gives numbers in the order of measures_about()", {
   now <- measures(settled("towed_cable", nodes = 300))
-  kept <- measures(settled("towed_cable", nodes = 300))
-  listed <- displayed_measures(now, kept)
-  told <- displayed_numbers(listed, now, kept)
+  about <- measures_about(now)
+  told <- measures_numbers(now)
+  expect_identical(vapply(about, `[[`, "", "name"), names(now))
   expect_identical(as.double(told$now), unname(plain_measures(now)))
   expect_identical(as.double(told$error), unname(attr(now, "error")))
-  expect_identical(told[c("intervals", "level")], list(intervals = NULL, level = NULL))
-  keys <- vapply(listed, `[[`, NA, "key")
+  keys <- vapply(about, `[[`, NA, "key")
   expect_identical(names(now)[keys], intersect(names(now), key_names(names(now))))
 })

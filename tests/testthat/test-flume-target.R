@@ -13,7 +13,9 @@ test_that("page finds the field value of find_value() for a required measure", {
       target = list(body_depth = "450 m"), nodes = 300)
     expect_equal(found$value, same$fields$value, tolerance = 1e-5)
     expect_identical(found$unit, "m")
-    expect_match(found$message, "gives body depth = 450.0 m", fixed = TRUE)
+    expect_identical(found[c("measure", "measure_unit", "target")],
+      list(measure = "body depth", measure_unit = "m", target = 450))
+    expect_equal(found$result, 450, tolerance = 1e-4)
     # bare numbers are in the displayed unit
     session$hear(target_wanted = wanted(target = "246,06", unit = "fathom"))
     expect_equal(sent("flume_target")[[1]]$value, found$value, tolerance = 1e-4)
@@ -27,7 +29,8 @@ test_that("page reports the nearest value if a target is out of reach", {
     session$hear(target_wanted = wanted(target = "5000"))
     found <- sent("flume_target")[[1]]
     expect_false(found$reached)
-    expect_match(found$message, "from 500 m to 1500 m was found for body depth = 5000 m.*= 1500 m")
+    expect_identical(found[c("low", "high", "value", "unit", "target")],
+      list(low = 500, high = 1500, value = 1500, unit = "m", target = 5000))
   })
 })
 

@@ -192,7 +192,7 @@ test_that("page and tables use its language and mark machine translations", {
   expect_false(norwegian$checked)
   expect_true(begin("en")$checked)
   now <- measures(settled("towed_cable"))
-  words <- vapply(displayed_measures(now, now, say = make_translator("fr")), `[[`, "", "words")
+  words <- vapply(measures_about(now, make_translator("fr")), `[[`, "", "words")
   expect_match(words, "^profondeur", all = FALSE)
 })
 

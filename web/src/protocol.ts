@@ -4,6 +4,7 @@
 import type { Measured, Scene } from './view';
 
 // A change of a plan field; R/flume-edits.R describes them.
+// A value without other items has no unit.
 export interface Edit {
   value?: string | number | boolean; unit?: string; gone?: true; like?: string; after?: string; rename?: string;
   move?: number;
@@ -39,25 +40,34 @@ export interface CatalogueRow {
 export type OwnRow = Pick<CatalogueRow, 'class' | 'title' | 'values'>;
 export interface Catalogue { things: CatalogueRow[]; fields: Record<string, Record<string, string>> }
 
-// The designs of an address or a file; R/flume-tank.R describes them.
-export interface Words { now?: object; kept?: object[]; draft?: object | null; own?: OwnRow[]; units?: Units }
+// A design: a shipped plan or the text of a plan, with changes in their order; R/flume-designs.R reads it.
+export interface Design { base?: string; plan?: string; edits?: Edits[] }
+export interface KeptDesign extends Design { name: string }
+// The designs of an address or a file. `draft` is a design that differs from `now` and has not settled.
+export interface Words { now?: Design; kept?: KeptDesign[]; draft?: Design | null; own?: OwnRow[]; units?: Units }
 export type Units = Record<string, string>;
-export interface KeptDesign { id: number; name: string; seen: boolean }
 export interface SharedDesign { author: string; name: string; changed: string }
 
 // The effect of a field on the measures; R/flume-sensitivities.R describes it.
 export interface Sensitivity {
   paths: string[]; words: string; value: number; unit: string; more: number; measures: string[]; units: string[];
   slope: number[]; below: (number | null)[]; above: (number | null)[]; smooth: boolean[];
+  elasticity: (number | null)[];
 }
-// A measure of the tables; `factor` converts its numbers to `unit`, `key` is true for key measures.
+// A measure: its translated name, its English name, and true for key measures.
 export interface MeasureAbout {
-  name: string; words: string; unit: string; factor: number; definition: string; key: boolean;
+  name: string; words: string; label: string; unit: string; definition: string; key: boolean;
 }
+type Maybe = number | null;
+// Numbers in the order of the measures. Intervals have a level, and `spread` is half their width or more.
+export interface MeasureNumbers {
+  now: Maybe[]; error: Maybe[]; level?: number; spread?: Maybe[]; lower?: Maybe[]; upper?: Maybe[];
+}
+export interface Measures extends MeasureNumbers { about: MeasureAbout[] }
 // Measures over a field; R/flume-vary.R describes them.
 export interface Varied {
   words: string; unit: string; now: number | null; of: number; range: number[]; values: number[]; problems: string[];
-  measures: Measured[];
+  measures: (Measured & { unit: string })[];
 }
 
 // A change of speed, course or warp, as typed.
@@ -77,7 +87,7 @@ export interface FromR {
     words: Record<string, string>;
     sought: Record<string, string>;
     catalogue: Catalogue;
-    units: Record<string, string[]>;
+    units: Record<string, Record<string, number>>;
     gears: { name: string; title: string; kind: string; panels: number; ropes: number; speed: number }[];
     kinds: { name: string; values: Record<string, string> }[];
     formats: { name: string; title: string; extension: string; opens: string }[];
@@ -87,15 +97,17 @@ export interface FromR {
     can_share: boolean;
     guide: boolean;
   };
+  flume_opened: {
+    answers: number;
+    design: Design;
+  };
   flume_picture: {
     answers: number;
+    edited: number;
     said: string;
     notes: string[];
     towed: boolean;
-    now: Partial<Scene>;
-    kept: { id: number; name: string; scene: Partial<Scene> | null }[];
-    of_all: Partial<Scene>;
-    name: string;
+    scene: Partial<Scene>;
     conditions: string;
   };
   flume_idle: {
@@ -113,18 +125,15 @@ export interface FromR {
     understood: Record<string, Understood | null>;
     problems: Problem[];
     settling: boolean;
-    undo: number;
-    redo: number;
-  };
-  flume_measures_about: {
-    measures: MeasureAbout[];
   };
   flume_measures: {
-    now: (number | null)[];
-    error: (number | null)[];
-    kept: (number | null)[];
-    intervals: string[] | null;
-    level: number | null;
+    about?: MeasureAbout[];
+    now: Maybe[];
+    error: Maybe[];
+    level?: number;
+    spread?: Maybe[];
+    lower?: Maybe[];
+    upper?: Maybe[];
   };
   flume_clerk: {
     busy: boolean;
@@ -136,11 +145,12 @@ export interface FromR {
     offers: Field[];
   };
   flume_kept: {
-    kept: KeptDesign[];
+    number: number;
+    design: { scene: Scene; about: MeasureAbout[]; numbers: MeasureNumbers } | null;
   };
   flume_words: {
-    words: Words | null;
-    number: number;
+    answers: number;
+    words: Words;
   };
   flume_own: {
     rows: CatalogueRow[];
@@ -174,10 +184,16 @@ export interface FromR {
   };
   flume_target: {
     paths: string[];
+    words: string;
     value: number;
     unit: string;
+    low: number;
+    high: number;
     reached: boolean;
-    message: string;
+    measure: string;
+    measure_unit: string;
+    target: number;
+    result: number;
   };
   flume_tow: {
     scene: Scene;
@@ -196,29 +212,23 @@ export interface Asked {
   shipped: string;
   new: { kind: string; values: Record<string, string> };
   plan_file: { name: string; text: string };
-  plan_text: string;
-  words: Required<Omit<Words, 'units'>>;
-  undo: 1;
-  redo: 1;
+  words: Design;
   shared_open: { author: string; name: string };
 }
 
 // Other messages to R. `number` makes equal messages distinct.
 export interface Told {
-  design: { number: number; turn: number; gesture: number; edits: Edits; anew: boolean };
-  kept: { number: number; id: number; act: string; name?: string };
-  keep: { number: number };
+  design: { number: number; turn: number; edits?: Edits; design?: Design; anew: boolean };
+  kept: { number: number; design: Design };
   own: { number: number; rows: OwnRow[] };
   offers: { path: string; title: string };
-  shared: { number: number; act: string; name: string; author: string; key: string };
-  preferred: Units;
+  shared: { number: number; act: string; name: string; author: string; key: string; words: Words | null };
   cancel: number;
   plan_wanted: number;
-  code_wanted: number;
-  table_wanted: 'tensions' | 'drag' | 'slopes' | 'designs' | 'differences';
+  code_wanted: { opened: Design; kept: Design };
+  table_wanted: { name: 'tensions' | 'drag' | 'differences'; kept?: Design };
   save_wanted: string;
   intervals_wanted: boolean;
-  words_wanted: number;
   drawing_wanted: number;
   part_wanted: { number: number; name: string };
   slopes_wanted: { number: number; paths: string[] | null };

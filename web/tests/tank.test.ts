@@ -33,3 +33,15 @@ test('ticks() returns round numbers', async () => {
   assert.deepEqual(ticks(0.3, 2.2, 4), [0.5, 1, 1.5, 2]);
   assert.deepEqual(ticks(-1, 1, 2), [-1, 0, 1]);
 });
+
+test('with_edits() replaces earlier values of a field and keeps the order of other changes', async () => {
+  const { with_edits } = await import('../src/tank/history');
+  const value = (x: number) => ({ value: x, unit: 'm' });
+  const one = with_edits({ base: 'cage' }, { a: value(1), b: value(2) });
+  const two = with_edits(one, { a: value(3) });
+  assert.deepEqual(two, { base: 'cage', edits: [{ b: value(2), a: value(3) }] });
+  assert.deepEqual(Object.keys(two.edits?.[0] ?? {}), ['b', 'a']);
+  const three = with_edits(with_edits(two, { c: { like: 'a' } }), { a: value(4) });
+  assert.deepEqual(three.edits, [{ b: value(2), a: value(3) }, { c: { like: 'a' } }, { a: value(4) }]);
+  assert.deepEqual(one.edits, [{ a: value(1), b: value(2) }]);
+});

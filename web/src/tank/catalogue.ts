@@ -17,6 +17,8 @@ export function take_own(rows: CatalogueRow[]): void {
   listed?.narrow();
   Designs.moved();
 }
+export function own_rows(): CatalogueRow[] { return own; }
+export function add_own(rows: OwnRow[]): void { tell_own([...own, ...rows]); }
 function tell_own(rows: OwnRow[]) {
   tell('own_error', '');
   send('own', { number: Date.now(), rows });

@@ -1,8 +1,12 @@
-// Stored designs, undo and redo, the page address, which encodes all designs, and the shared folder.
+// The page address, which encodes all designs, and the shared folder.
 
-import type { FromR, KeptDesign, SharedDesign, Words } from '../protocol';
-import { element, find, kept_colour } from '../view';
+import type { Design, FromR, SharedDesign, Words } from '../protocol';
+import { element, file_name, find, save_as } from '../view';
+import * as Catalogue from './catalogue';
 import { on } from './events';
+import * as Form from './form';
+import * as History from './history';
+import * as Kept from './kept';
 import { gallery, tell } from './notices';
 import { send } from './server';
 import * as Talk from './talk';
@@ -10,8 +14,9 @@ import { prefer, preferred } from './units';
 import { say } from './words';
 
 const largest = 2 * 1024 * 1024;
-let timer: number | undefined, mine: string | null = null, wanted: number | null = null;
-let last: Words | null = null;  // the designs of the page, as in its address
+let timer: number | undefined, mine: string | null = null, packing = false;
+// the request that opens an address or, after a lost connection, the design of the page again
+let opening: { number: number; words: Words | null; done?: boolean } | null = null;
 
 // ---- the address --------------------------------------------------------------------------------
 
@@ -56,20 +61,50 @@ export function read(): boolean {
   return true;
 }
 
-// Opens the designs of the page again, after the connection was lost.
+// Opens the design of the page again, after the connection was lost. Changes that R has not settled
+// follow as soon as it is open.
 export function open_again(): void {
   tell('refused', '');
   tell('gallery_refused', '');
-  if (last) open(last);
+  if (!History.has_design()) return;
+  Form.flush();
+  opening = { number: Talk.ask('words', History.on_screen()), words: null };
+  History.again(opening.number);
 }
 
 // Opens the designs that an address or a file encodes; missing parts become empty.
 export function open(words: Words | null): void {
   if (words?.units) prefer(words.units);
-  Talk.ask('words', {
-    now: words?.now || {}, kept: Array.isArray(words?.kept) ? words.kept : [], draft: words?.draft || {},
-    own: Array.isArray(words?.own) ? words.own : []
-  });
+  if (Array.isArray(words?.own) && words.own.length) Catalogue.add_own(words.own);
+  opening = { number: Talk.ask('words', words?.now ?? {}), words };
+}
+
+// R has opened a gear, and its picture follows.
+export function opened({ answers, design }: FromR['flume_opened']): void {
+  const mine = opening?.number === answers ? opening : null;
+  if (mine) mine.done = true;
+  if (mine && !mine.words) return;
+  History.start(mine?.words?.now ?? design, answers);
+  Kept.start();
+}
+// Sends changes that the opened design lacks, as soon as its form is on the page.
+export function complete(): void {
+  if (!opening?.done) return;
+  const { words } = opening;
+  opening = null;
+  if (Array.isArray(words?.kept)) Kept.settle(words.kept);
+  if (words?.draft?.plan || words?.draft?.base) History.replace(words.draft);
+  else if (!words && History.current() !== History.on_screen()) History.settle();
+}
+
+// Returns the designs of the page.
+function all(): Words {
+  const now = History.on_screen(), own = Catalogue.own_rows();
+  const draft: Design | null = History.current() === now ? null : History.current();
+  return {
+    now, kept: Kept.all().map(({ name, design }) => ({ name, ...design })), draft, units: preferred(),
+    ...own.length ? { own } : {}
+  };
 }
 
 // Schedules an update of the address.
@@ -78,80 +113,19 @@ export function moved(): void {
   timer = window.setTimeout(() => {
     if (Talk.waits()) { moved(); return; }
     timer = undefined;
-    wanted = Date.now();
-    send('words_wanted', wanted);
+    write();
   }, 600);
 }
-
-// Writes R's description of the designs to the address.
-export async function write({ words, number }: FromR['flume_words']): Promise<void> {
-  if (words) {
-    last = { ...words, units: preferred() };
-    mine = await pack(last);
-    window.history.replaceState(null, '', '#d=' + mine);
-  }
-  if (number === wanted) wanted = null;
+async function write() {
+  if (!History.has_design()) return;
+  packing = true;
+  mine = await pack(all());
+  packing = false;
+  window.history.replaceState(null, '', '#d=' + mine);
 }
 
 // Returns true while the address is out of date.
-export function waits(): boolean { return timer !== undefined || wanted !== null; }
-
-// ---- steps --------------------------------------------------------------------------------------
-
-function step(name: 'undo' | 'redo') {
-  if (!find<HTMLButtonElement>(name).disabled) Talk.ask(name, 1);
-}
-on('click', ({ id }) => {
-  if (id === 'undo' || id === 'redo') step(id);
-  else if (id === 'keep') send('keep', { number: Date.now() });
-  else if (id === 'back') act(first, 'open');
-});
-on('keydown', (target, event) => {
-  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-  // Text fields have their own undo.
-  if (/^(text|search)$/.test(target.type) || target.tagName === 'TEXTAREA') return;
-  const key = event.key.toLowerCase();
-  const name = key === 'z' ? (event.shiftKey ? 'redo' : 'undo') : key === 'y' ? 'redo' : null;
-  if (!name) return;
-  event.preventDefault();
-  step(name);
-});
-
-// ---- stored designs -----------------------------------------------------------------------------
-
-let first: number | null = null;
-function act(id: number | null, what: string, name?: string) {
-  if (id !== null) send('kept', { number: what === 'open' ? Talk.next() : Date.now(), id, act: what, name });
-}
-
-// Lists the stored designs.
-export function show(kept: KeptDesign[]): void {
-  first = kept.length ? kept[0].id : null;
-  let seen = 0;
-  find('kept_designs').replaceChildren(...kept.map((one, k) => {
-    const row = element('div', 'kept-row'), tick = element('input', '', undefined,
-      { type: 'checkbox', 'aria-label': say('in_picture_of', { name: one.name }), title: say('in_picture') });
-    tick.checked = one.seen;
-    tick.addEventListener('change', () => act(one.id, tick.checked ? 'show' : 'hide'));
-    const colour = element('span', 'kept-colour');
-    if (one.seen) colour.style.background = kept_colour(seen++);
-    const name = element('input', '', undefined,
-      { type: 'text', 'aria-label': say('kept_name'), maxlength: 60 });
-    name.value = one.name;
-    name.addEventListener('change', () => act(one.id, 'rename', name.value));
-    row.append(tick, colour, name);
-    [['open', say('put_on_screen')], ['compare', k ? say('compare_with') : say('compared_with')],
-      ['remove', say('remove')]].forEach(([what, words]) => {
-      const button = element('button', '', words,
-        { type: 'button', 'aria-label': say('of_design', { act: words, name: one.name }) });
-      button.disabled = what === 'compare' && k === 0 || what === 'remove' && kept.length === 1;
-      button.addEventListener('click', () => act(one.id, what));
-      row.appendChild(button);
-    });
-    return row;
-  }));
-  moved();
-}
+export function waits(): boolean { return timer !== undefined || packing; }
 
 // ---- the shared folder --------------------------------------------------------------------------
 
@@ -168,7 +142,10 @@ function share(act: string, name: string, author: string) {
   tell('shared_error', '');
   // Names that look the same are the same.
   const plain = (text: string) => text.normalize('NFKC').trim();
-  send('shared', { number: Date.now(), act, name: plain(name), author: plain(author), key: own_key() });
+  send('shared', {
+    number: Date.now(), act, name: plain(name), author: plain(author), key: own_key(),
+    words: act === 'put' ? all() : null
+  });
 }
 
 // Lists the designs of the shared folder.
@@ -193,6 +170,10 @@ export function shared(designs: SharedDesign[]): void {
   });
 }
 on('click', ({ id }) => {
+  if (id === 'save_all') {
+    save_as(new Blob([JSON.stringify({ codend_designs: 1, ...all() }) + '\n']),
+      file_name(find('gear_name').textContent ?? '') + '-designs.json');
+  }
   const text = (id: string) => find<HTMLInputElement>(id).value;
   if (id === 'shared_put') share('put', text('shared_name'), text('shared_author'));
 });

@@ -1,13 +1,16 @@
 // Opens plans from a file dialog, by drag and drop, or from the text area.
 
+import type { Problem } from '../protocol';
 import { find } from '../view';
 import * as Designs from './designs';
 import { on } from './events';
+import * as History from './history';
 import { gallery, tell } from './notices';
 import * as Talk from './talk';
 import { say } from './words';
 
 const largest = 2 * 1024 * 1024;
+let typed: number | null = null;  // the request that settles the typed plan
 const area = () => find<HTMLTextAreaElement>('plan_area');
 
 function refuse(why: string) {
@@ -53,8 +56,21 @@ on('drop', (_, event) => {
 on('click', ({ id }) => {
   if (id !== 'plan_text_settle') return;
   tell('plan_text_error', '');
-  Talk.ask('plan_text', area().value);
+  typed = History.replace({ plan: area().value });
 });
+// Reports a problem of the typed plan below its text. Returns false if the plan was not typed.
+export function refused(problem?: Pick<Problem, 'message'> & { path?: string | null }): boolean {
+  if (typed === null || !problem) return false;
+  tell('plan_text_error', problem.message);
+  if (problem.path) show_line(problem.path);
+  return true;
+}
+// Returns true if the request settled the typed plan.
+export function answered(number: number): boolean {
+  if (number !== typed) return false;
+  typed = null;
+  return true;
+}
 
 // Returns the start of the line of a plan that a path refers to, or of its deepest known parent.
 export function line_of(text: string, path: string): number {

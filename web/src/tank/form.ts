@@ -7,6 +7,7 @@ import { pick_from } from './catalogue';
 import { liked, new_control, set_known, set_preferred, tidy } from './control';
 import * as Drawing from './drawing';
 import { on } from './events';
+import * as History from './history';
 import { new_group, open_later, tool_row, unfold } from './parts';
 import { send as send_to_r } from './server';
 import * as Talk from './talk';
@@ -156,9 +157,15 @@ function send() {
   if (sent || !form || !Object.keys(unsent).length) return;
   sent = Talk.next();
   const edits = unsent;
-  unsent = {};
-  send_to_r('design', { number: sent, turn: form.turn, gesture, edits, anew });
+  flush(sent);
+  send_to_r('design', { number: sent, turn: form.turn, edits, anew });
   anew = false;
+}
+
+// Moves edits into the history of the page. number: of the request that sends them.
+export function flush(number?: number): void {
+  if (Object.keys(unsent).length) History.change(unsent, gesture, number);
+  unsent = {};
 }
 
 // The latest change of a path is the last one that R applies.

@@ -8,9 +8,11 @@ import * as Catalogue from './catalogue';
 import * as Designs from './designs';
 import * as Drawing from './drawing';
 import { on } from './events';
-import { show_line } from './files';
+import * as Files from './files';
 import * as Form from './form';
 import './gallery';
+import * as History from './history';
+import * as Kept from './kept';
 import { Page } from './layout';
 import * as Measures from './measures';
 import { gallery, is_open, set_open, tell } from './notices';
@@ -43,6 +45,9 @@ on('change', (target) => {
   window.location.assign(address.href);
 });
 Units.on_change(() => {
+  Measures.write();
+  Slopes.write();
+  Vary.write();
   Designs.moved();
   Tabs.changed();
 });
@@ -59,9 +64,11 @@ function want_texts() {
 
 // ---- replies ------------------------------------------------------------------------------------
 
-function answer(number: number) {
+// Returns true for the answer to a typed plan.
+function answer(number: number): boolean {
   Talk.free(number);
   Form.answered(number);
+  return Files.answered(number);
 }
 
 function picture(message: FromR['flume_picture']) {
@@ -73,8 +80,9 @@ function picture(message: FromR['flume_picture']) {
     ['gallery_refused', 'plan_file_error', 'new_error', 'plan_text_error'].forEach((id) => tell(id, ''));
     gallery(false);
   }
-  Tank.picture(message);
-  find('gear_name').textContent = message.name;
+  History.settled(message.edited);
+  Tank.picture(message.scene);
+  find('gear_name').textContent = message.scene.name ?? '';
   find('gear_conditions').textContent = message.conditions;
   find('noted').replaceChildren(...message.notes.map((one) => element('li', '', one)));
   find('worth').hidden = !message.notes.length;
@@ -114,12 +122,12 @@ const in_panels: Record<string, string> = {
   save_tow: 'save_error'
 };
 function refused(message: FromR['flume_refused']) {
-  const { where, path, cancelled } = message;
+  const { where, cancelled } = message;
+  if (where === 'design') History.refused(message.answers);
   if (in_panels[where]) {
     tell(in_panels[where], message.message);
-  } else if (where === 'plan_text') {
-    tell('plan_text_error', message.message);
-    if (!cancelled && path) show_line(path);
+  } else if (where === 'design' && Files.refused(message)) {
+    tell('refused', '');
   } else if (in_gallery[where]) {
     if (!is_open() || where !== 'shipped') gallery(true);
     tell(in_gallery[where], message.message + (is_open() ? ' ' + say('gear_stays') : ''));
@@ -132,8 +140,7 @@ function refused(message: FromR['flume_refused']) {
 }
 
 function draft(message: FromR['flume_draft']) {
-  find<HTMLButtonElement>('undo').disabled = !message.undo;
-  find<HTMLButtonElement>('redo').disabled = !message.redo;
+  if (!message.settling) Files.refused(message.problems[0]);
   if (message.form) {
     if (Form.turn() !== message.form.turn) Drawing.opened();
     Form.show(message.form);
@@ -142,6 +149,7 @@ function draft(message: FromR['flume_draft']) {
     Target.form();
   }
   Form.draft(message);
+  if (!message.settling) Designs.complete();
   if (message.settling || message.form) Drawing.want(true);
   Designs.moved();
 }
@@ -164,6 +172,7 @@ function begin(message: FromR['flume_begin']) {
   set_words(message);
   document.title = say('page_title');
   Catalogue.set_catalogue(message.catalogue);
+  Units.set_units(message.units);
   document.body.textContent = '';
   render(h(Page, message), document.body);
   Tank.listen();
@@ -174,25 +183,25 @@ function begin(message: FromR['flume_begin']) {
 
 hear({
   flume_begin: begin,
+  flume_opened: Designs.opened,
   flume_picture: picture,
   flume_refused: refused,
   flume_idle(message) {
-    answer(message.answers);
-    want_texts();
+    // The text of a typed plan that does not settle stays.
+    if (!answer(message.answers)) want_texts();
   },
   flume_draft: draft,
-  flume_measures_about: Measures.set_about,
   flume_measures: Measures.show,
   flume_sensitivities: Slopes.show,
   flume_varied: Vary.show,
   flume_target: Target.show,
   flume_tow: Tow.show,
   flume_offers: Form.offers,
-  flume_kept(message) {
-    Designs.show(message.kept);
-    Tabs.changed();
+  flume_kept: Kept.settled,
+  flume_words({ answers, words }) {
+    answer(answers);
+    Designs.open(words);
   },
-  flume_words: Designs.write,
   flume_own(message) { Catalogue.take_own(message.rows); },
   flume_shared(message) { Designs.shared(message.designs); },
   flume_shared_done() { tell('shared_error', ''); },
@@ -211,9 +220,13 @@ hear({
 });
 hear_bytes(take_bytes);
 
+// files of other modules
+const made_here = ['save_all', 'save_measures', 'save_designs'];
 on('click', ({ id, classList }) => {
-  if (id === 'save_picture') save_as(Tank.save_picture(), file_name(find('gear_name').textContent ?? '') + '.png');
-  else if (classList.contains('save')) {
+  const name = file_name(find('gear_name').textContent ?? '');
+  if (id === 'save_picture') save_as(Tank.save_picture(), name + '.png');
+  else if (id === 'save_code') save_as(new Blob([find('code').textContent + '\n']), name + '.R');
+  else if (classList.contains('save') && !made_here.includes(id)) {
     tell('save_error', '');
     send('save_wanted', id.replace('save_', ''));
   }
@@ -226,4 +239,4 @@ connect(() => {
   Form.lost();
   tell('refused', say('process_ended'));
   tell('gallery_refused', say('process_gone'));
-});
+}, History.has_design);

@@ -30,7 +30,7 @@ function Header({ units, language, languages, checked }: Begin) {
       <Button id="redo" words={say('redo')} title={say('redo_tip')} disabled />
       {Object.entries(labels).map(([dimension, label]) =>
         <select class="preferred" data-dimension={dimension} aria-label={say(label)}>
-          {units[dimension].map((unit) => <option value={unit}>{say_unit(unit)}</option>)}
+          {Object.keys(units[dimension]).map((unit) => <option value={unit}>{say_unit(unit)}</option>)}
         </select>)}
       <select id="language" aria-label={say('language')}>
         {languages.map(({ name, words }) =>

@@ -1,34 +1,52 @@
 // The tables of measures: R sends numbers, the page writes and updates the tables.
 
 import { render, type ComponentChildren } from 'preact';
-import { error_digits, fixed_decimals, decimals_of, signed } from '../numbers';
-import type { FromR, MeasureAbout } from '../protocol';
-import { find } from '../view';
+import { decimals_of, error_digits, fixed_decimals, signed, sure_digits } from '../numbers';
+import type { FromR, MeasureAbout, Measures } from '../protocol';
+import { file_name, find, save_as } from '../view';
 import { on } from './events';
+import * as Kept from './kept';
 import { tell } from './notices';
 import { send } from './server';
-import { note, table } from './table';
-import { say } from './words';
+import { note, rows_of, table } from './table';
+import { shown_unit } from './units';
+import { say, say_unit } from './words';
 
-let about: MeasureAbout[] = [];
+const none: Measures = { about: [], now: [], error: [] };
+let shown: Measures | null = null;
 
-// Stores names, units and definitions of the measures, in the order of their numbers.
-export function set_about(message: FromR['flume_measures_about']): void { about = message.measures; }
+// Returns the measures of the design on screen.
+export function now(): Measures | null { return shown; }
 
-function row(one: MeasureAbout, k: number, { now, error, kept, intervals }: FromR['flume_measures']) {
-  const scaled = (values: (number | null)[]) => {
-    const value = values[k];
-    return value === null ? NaN : value * one.factor;
-  };
-  const value = scaled(now), before = scaled(kept), change = value - before;
-  const decimals = decimals_of(...[value, before].filter(isFinite));
-  const digits = error_digits(scaled(error)), moved = signed(change, decimals);
-  const lines = [fixed_decimals(value, decimals), digits && say('computed_to') + ' ' + digits, intervals?.[k] ?? ''];
+const place_of = ({ about }: Measures, name: string) => about.findIndex((one) => one.name === name);
+function number_of(measures: Measures, name: string, of: 'now' | 'error' = 'now') {
+  return measures[of][place_of(measures, name)] ?? NaN;
+}
+// Returns the measures of all designs by name, in their order.
+function union(...all: Measures[]): MeasureAbout[] {
+  return [...new Map(all.flatMap(({ about }) => about).map((one) => [one.name, one])).values()];
+}
+function label({ words, unit }: MeasureAbout) { return words + ' (' + say_unit(shown_unit(unit).unit) + ')'; }
+
+function interval({ level, spread, lower, upper }: Measures, k: number, factor: number): string {
+  const error = spread?.[k];
+  if (typeof error !== 'number') return '';
+  const end = (ends?: (number | null)[]) => sure_digits((ends?.[k] ?? NaN) * factor, error * factor);
+  return say('interval', { level: level ?? '', low: end(lower), high: end(upper) });
+}
+
+function row(one: MeasureAbout, measures: Measures, kept: Measures) {
+  const { unit, factor } = shown_unit(one.unit);
+  const value = number_of(measures, one.name) * factor, before = number_of(kept, one.name) * factor;
+  const change = value - before, decimals = decimals_of(...[value, before].filter(isFinite));
+  const digits = error_digits(number_of(measures, one.name, 'error') * factor), moved = signed(change, decimals);
+  const lines = [fixed_decimals(value, decimals), digits && say('computed_to') + ' ' + digits,
+    interval(measures, place_of(measures, one.name), factor)];
   const share = moved === '0' ? '0' : before === 0 ? '' : signed(100 * change / Math.abs(before), 1);
   return <tr key={one.name}>
-    <th scope="row" title={one.definition}>{one.words}</th>
+    <th scope="row" title={one.definition}>{label(one)}</th>
     <td class="number"><button type="button" class="measure-value" title={say('target_tip')} data-measure={one.name}
-      data-unit={one.unit} data-label={one.words}>{lines.filter(Boolean).join('\n')}</button></td>
+      data-unit={unit} data-label={label(one)}>{lines.filter(Boolean).join('\n')}</button></td>
     {[fixed_decimals(before, decimals), moved, share].map((words) => <td class="number">{words}</td>)}
   </tr>;
 }
@@ -38,18 +56,79 @@ function of_measures(caption: string, rows: ComponentChildren) {
   return table({ caption, head, numbers: head.map((_, k) => k > 0), foot: null }, rows);
 }
 
-// Shows the numbers of the design on screen and of the kept design.
-export function show(message: FromR['flume_measures']): void {
-  const rows = (key: boolean) => about.map((one, k) => one.key === key && row(one, k, message)).filter(Boolean);
-  const others = rows(false), level = message.level;
+// Stores the numbers of the design on screen. R sends the names only if they changed.
+export function show({ about, ...numbers }: FromR['flume_measures']): void {
+  shown = { about: about ?? shown?.about ?? [], ...numbers };
+  Kept.complete();
+  write();
+}
+
+// Writes the numbers of the design on screen and of the reference.
+export function write(): void {
+  const measures = shown;
+  if (!measures) return;
+  const kept = Kept.all()[0]?.measures ?? none, about = union(measures, kept), { level } = measures;
+  const rows = (key: boolean) => about.filter((one) => one.key === key).map((one) => row(one, measures, kept));
+  const others = rows(false);
   render([of_measures(say('key_measures'), rows(true)), note(say('error_note') +
-    (level === null ? '' : ' ' + say('interval_note', { level })))], find('measures'));
+    (level === undefined ? '' : ' ' + say('interval_note', { level })))], find('measures'));
   render(others.length ? of_measures(say('other_measures'), others) : null, find('other_measures'));
   find('measures_more').hidden = !others.length;
+}
+
+// ---- comparisons --------------------------------------------------------------------------------
+
+function designs() {
+  return [...Kept.all().map(({ name, measures }) => ({ name, measures })),
+    { name: say('on_screen'), measures: shown ?? none }];
+}
+
+// Writes the table of the stored designs and of the design on screen.
+export function write_designs(): void {
+  const all = designs(), head = [say('measure'), ...all.map(({ name }) => name)];
+  const rows = union(...all.map(({ measures }) => measures)).map((one) => {
+    const { factor } = shown_unit(one.unit), values = all.map(({ measures }) => number_of(measures, one.name) * factor);
+    const decimals = decimals_of(...values.filter(isFinite));
+    return [label(one), ...values.map((value, k) => {
+      const moved = k ? signed(value - values[0], decimals) : '';
+      return fixed_decimals(value, decimals) + (moved && moved !== '0' ? '\n' + moved : '');
+    })];
+  });
+  const about = {
+    caption: say('designs_caption'), head, numbers: head.map((_, k) => k > 0), foot: null, note: null, rows
+  };
+  render(table(about, rows_of(about)), find('designs'));
+}
+
+// Saves a table. Spreadsheets must not run a string as a formula.
+function save_csv(name: string, head: string[], rows: (string | number)[][]) {
+  const cell = (value: string | number) => typeof value === 'number' ? isFinite(value) ? String(value) : '' :
+    '"' + value.replace(/^[=+@\t\r-]/, '\'$&').replace(/"/g, '""') + '"';
+  const text = [head, ...rows].map((row) => row.map(cell).join(',') + '\n').join('');
+  save_as(new Blob([text], { type: 'text/csv' }), file_name(find('gear_name').textContent ?? '') + name + '.csv');
+}
+function save_measures() {
+  const measures = shown ?? none, kept = Kept.all()[0]?.measures ?? none;
+  save_csv('-measures', ['measure', 'unit', 'now', 'error', 'kept', 'change', 'change_percent', 'definition'],
+    union(measures, kept).map(({ name, label, unit, definition }) => {
+      const now = number_of(measures, name), before = number_of(kept, name);
+      return [label, unit, now, number_of(measures, name, 'error'), before, now - before,
+        before ? 100 * (now - before) / Math.abs(before) : NaN, definition];
+    }));
+}
+function save_designs() {
+  const all = designs();
+  save_csv('-designs', ['measure', 'unit', ...all.map(({ name }) => name)],
+    union(...all.map(({ measures }) => measures)).map(({ name, label, unit }) =>
+      [label, unit, ...all.map(({ measures }) => number_of(measures, name))]));
 }
 
 on('change', (target) => {
   if (target.id !== 'with_intervals') return;
   tell('uncertainty_error', '');
   send('intervals_wanted', target.checked);
+});
+on('click', ({ id }) => {
+  if (id === 'save_measures') save_measures();
+  else if (id === 'save_designs') save_designs();
 });

@@ -25,10 +25,12 @@ export function hear_bytes<Header>(act: (header: Header, bytes: ArrayBuffer, at:
 }
 
 // Connects to the server of the page. After a lost connection, calls lost() and connects again.
-export function connect(lost: () => void): void {
+// continues: returns true if the page will open its design again.
+export function connect(lost: () => void, continues: () => boolean): void {
   const address = new URL(window.location.href);
   address.protocol = address.protocol.replace('http', 'ws');
   address.hash = '';
+  if (continues()) address.searchParams.set('continues', '1');
   socket = new WebSocket(address);
   socket.binaryType = 'arraybuffer';
   socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
@@ -45,6 +47,6 @@ export function connect(lost: () => void): void {
     // The server refused the page, with a message.
     if (code === 4000) return;
     lost();
-    window.setTimeout(() => connect(lost), 2000);
+    window.setTimeout(() => connect(lost, continues), 2000);
   };
 }

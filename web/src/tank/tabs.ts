@@ -4,13 +4,17 @@ import { render } from 'preact';
 import type { FromR, Told } from '../protocol';
 import { find } from '../view';
 import { on } from './events';
+import * as History from './history';
+import * as Kept from './kept';
+import * as Measures from './measures';
 import { send } from './server';
+import * as Slopes from './slopes';
 import { note, rows_of, table } from './table';
 import * as Talk from './talk';
 
 let timer: number | undefined, stale = false, awaited = 0;
-const tables: Record<string, Told['table_wanted']> = {
-  Tensions: 'tensions', Drag: 'drag', Slopes: 'slopes', Designs: 'designs', Changes: 'differences'
+const tables: Record<string, Told['table_wanted']['name']> = {
+  Tensions: 'tensions', Drag: 'drag', Changes: 'differences'
 };
 const all = () => Array.from(find('shown').children) as HTMLElement[];
 const selected = () => all().find((tab) => tab.ariaSelected === 'true') as HTMLElement;
@@ -42,9 +46,12 @@ function want() {
     if (!stale) return;
     stale = false;
     const name = selected().dataset.value ?? '';
+    const kept = Kept.all()[0]?.design;
+    if (name === 'Designs') Measures.write_designs();
+    if (name === 'Slopes') Slopes.write_all();
     if (name === 'Plan') send('plan_wanted', Date.now());
-    else if (name === 'R code') send('code_wanted', Date.now());
-    else if (tables[name]) send('table_wanted', tables[name]);
+    else if (name === 'R code' && kept) send('code_wanted', { opened: History.as_opened(), kept });
+    else if (tables[name]) send('table_wanted', { name: tables[name], kept });
     else return;
     awaited += 1;
   }, 50);

@@ -1,14 +1,16 @@
 // The gear in the flume tank: the viewer and three projections with axes. The axes are x aft, y to
 // starboard, z up (m).
 
-import type { FromR } from '../protocol';
-import { find, new_viewer, ticks, type Scene, type Viewer } from '../view';
+import { find, new_viewer, ticks, type Mode, type Scales, type Scene, type Viewer } from '../view';
 import * as Form from './form';
+import * as Kept from './kept';
 import { send } from './server';
 import { say } from './words';
 
 interface Plane { turn: number; rise: number; axes: [number, number]; names: [string, string] }
 let viewer: Viewer | null = null, about: Scene | null = null, timer: number | undefined;
+// the last complete scene, its colour scales without stored designs, and the stored designs that the viewer has
+let complete: Scene | null = null, own_scales: Scene['scales'] = {}, known: number[] = [];
 const ink = '#202428', soft = '#4D555C', sea = '#2C6E9B';
 const planes: Record<string, Plane> = {
   xy: {
@@ -135,14 +137,36 @@ export function listen(): void {
   const watch = new ResizeObserver(repaint_planes);
   document.querySelectorAll('canvas.plane').forEach((each) => { watch.observe(each); });
 }
-// Shows the scenes of R/flume-picture.R.
-export function picture({ now, kept, of_all }: FromR['flume_picture']): void {
+// Returns a colour scale for each quantity that covers all designs.
+function common_scales(all: Partial<Scene>[]): Scene['scales'] {
+  const found: Scene['scales'] = {};
+  all.forEach(({ scales = {} }) => (Object.keys(scales) as Mode[]).forEach((mode) => {
+    const known: Scales = found[mode] ??= {};
+    Object.entries(scales[mode] ?? {}).forEach(([kind, scale]) => {
+      const name = kind as keyof Scales, other = known[name];
+      if (scale && !(other && other.limits[1] >= scale.limits[1])) known[name] = scale;
+    });
+  }));
+  return found;
+}
+
+// Shows a scene of R/flume-picture.R and the stored designs.
+export function picture(part: Partial<Scene>): void {
   if (!viewer) return;
-  viewer.show({ ...now, ...of_all },
-    kept.map(({ id, name, scene }) => ({ key: id, name, scene: { ...scene, ...of_all } })));
+  own_scales = part.scales ?? own_scales;
+  const seen = Kept.all().filter((one) => one.seen);
+  const scales = common_scales([{ scales: own_scales }, ...seen.map((one) => one.scene)]);
+  viewer.show({ ...part, scales }, seen.map(({ id, name, scene }) =>
+    ({ key: id, name, scene: known.includes(id) ? { scales } : { ...scene, scales } })));
+  known = seen.map((one) => one.id);
   about = viewer.gear().told;
+  complete = { ...about, scales: own_scales };
   repaint_planes();
 }
+// Updates the stored designs in the picture.
+export function compare(): void { if (about) picture({ name: about.name }); }
+// Returns the last complete scene, or null.
+export function scene(): Partial<Scene> | null { return complete; }
 // Shows an intermediate shape.
 export function moved(part: Partial<Scene>): void {
   if (!viewer) return;

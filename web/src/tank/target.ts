@@ -1,13 +1,15 @@
 // Required values of measures. The user clicks the value of a measure, types a required value and
 // chooses a field; R finds the value of the field.
 
+import { figures } from '../numbers';
 import type { Edits, FromR } from '../protocol';
 import { find } from '../view';
 import { on } from './events';
 import * as Form from './form';
 import { tell } from './notices';
 import { send } from './server';
-import { say } from './words';
+import { shown_unit } from './units';
+import { say, say_unit } from './words';
 
 let measure: DOMStringMap = {};
 const field = () => find<HTMLSelectElement>('target_field'), value = () => find<HTMLInputElement>('target_value');
@@ -44,11 +46,17 @@ on('click', (target) => {
 on('keydown', (target, event) => { if (target.id === 'target_value' && event.key === 'Enter') ask(); });
 
 // Sets the field to R's result, or reports the nearest value.
-export function show(message: FromR['flume_target']): void {
-  answer('', message.message);
-  if (!message.reached) return;
+export function show(found: FromR['flume_target']): void {
+  const { unit, factor } = shown_unit(found.measure_unit);
+  const in_words = (value: number) => (figures(value * factor) + ' ' + say_unit(unit)).trim();
+  const of_field = (value: number) => (value + ' ' + found.unit).trim();
+  answer('', say(found.reached ? 'target_reached' : 'target_nearest', {
+    field: found.words, value: of_field(found.value), measure: found.measure, result: in_words(found.result),
+    low: of_field(found.low), high: of_field(found.high), target: in_words(found.target)
+  }));
+  if (!found.reached) return;
   const all: Edits = {};
-  message.paths.forEach((path) => { all[path] = { value: message.value, unit: message.unit }; });
+  found.paths.forEach((path) => { all[path] = { value: found.value, unit: found.unit }; });
   Form.edits(all);
 }
 // Updates the list of fields.

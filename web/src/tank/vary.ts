@@ -1,15 +1,16 @@
 // Measures against a field of the design. The user chooses the range; R settles the gears.
 
 import type { FromR } from '../protocol';
-import { find } from '../view';
+import { find, type Measured } from '../view';
 import { on } from './events';
 import * as Form from './form';
 import { new_graphs } from './graphs';
 import { tell } from './notices';
 import { send } from './server';
-import { say } from './words';
+import { shown_unit } from './units';
+import { say, say_unit } from './words';
 
-let graphs: ReturnType<typeof new_graphs> | null = null, field = '';
+let graphs: ReturnType<typeof new_graphs> | null = null, field = '', last: FromR['flume_varied'] | null = null;
 const input = (id: string) => find<HTMLInputElement>(id);
 
 // Sets the range to the limits of the field's slider.
@@ -30,8 +31,13 @@ export function form(): void {
 }
 
 // Draws the results so far.
-export function show({ varied, running }: FromR['flume_varied']): void {
-  const done = varied.values.length;
+export function show(message: FromR['flume_varied']): void {
+  last = message;
+  write();
+}
+export function write(): void {
+  if (!last) return;
+  const { varied, running } = last, done = varied.values.length;
   const drawn = graphs = graphs || new_graphs(find('vary_graphs'), find('vary_more'), (words) => words.slice(0, 4));
   find('varied').hidden = false;
   find('vary_stop').hidden = !running;
@@ -40,8 +46,13 @@ export function show({ varied, running }: FromR['flume_varied']): void {
   find('vary_said').textContent = say('values_done', { done, of: varied.of }) + (running ? ' \u2026' : '') +
     (wrong.length ? '. ' + wrong.join(' ') : '');
   if (!varied.measures.length) return;
-  const { now } = varied;
-  drawn.show(varied.measures, {
+  const { now } = varied, measures = varied.measures.map((one) => {
+    const { unit, factor } = shown_unit(one.unit);
+    const scaled = (values: Measured['values'] = []) =>
+      values.map((value) => typeof value === 'number' ? value * factor : value);
+    return { words: one.words + ' (' + say_unit(unit) + ')', values: scaled(one.values), errors: scaled(one.errors) };
+  });
+  drawn.show(measures, {
     times: varied.values, range: varied.range, unit: varied.unit,
     axis: varied.words + (varied.unit ? ' (' + varied.unit + ')' : ''),
     drawn: () => drawn.each((graph) => { if (now !== null) graph.mark(now); })

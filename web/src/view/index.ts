@@ -5,5 +5,5 @@ export { kept_colour } from './materials';
 export { new_viewer } from './viewer';
 export type { Values } from './element';
 export type { About, Graph } from './graph';
-export type { Measured, Scene } from './scene';
+export type { Measured, Mode, Scales, Scene } from './scene';
 export type { KeptScene, Viewer } from './viewer';

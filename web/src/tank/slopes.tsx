@@ -1,15 +1,19 @@
 // Effects of a small change of a field, next to the measures. The user chooses field and change; R
 // computes the derivatives.
 
+import { render } from 'preact';
+import { signed } from '../numbers';
 import type { FromR, Sensitivity } from '../protocol';
-import { element, find } from '../view';
+import { find } from '../view';
 import { on } from './events';
 import * as Form from './form';
 import { tell } from './notices';
 import { send } from './server';
+import { note, rows_of, table } from './table';
 import * as Tabs from './tabs';
 import * as Talk from './talk';
-import { say } from './words';
+import { shown_unit } from './units';
+import { say, say_unit } from './words';
 
 const amounts: Record<string, number> = {};
 let found: Record<string, Sensitivity> = {}, timer: number | undefined;
@@ -46,40 +50,52 @@ function figures(x: number, like: number) {
   return (x < 0 ? '\u2212' : '+') + text;
 }
 
-function write() {
+// Returns the row of a measure, null if the field does not affect it.
+function row(one: Sensitivity, k: number, more: number) {
+  const { unit, factor } = shown_unit(one.units[k]), change = one.slope[k] * more * factor;
+  if (Math.abs(change) < 1e-9) return null;
+  const of_kink = (slope: number | null, sign: number) =>
+    slope === null ? '' : figures(sign * slope * more * factor, change);
+  const tip = () => say('kink_tip', { below: of_kink(one.below[k], -1), above: of_kink(one.above[k], 1) });
+  return <tr>
+    <th scope="row">{one.measures[k] + ' (' + say_unit(unit) + ')'}</th>
+    <td class="number">{figures(change, change)}
+      {!one.smooth[k] && <abbr class="kink" title={tip()}>{' ' + say('kink')}</abbr>}</td>
+  </tr>;
+}
+
+export function write(): void {
   const place = find('more_does'), one = found[key()], input = amount();
-  place.textContent = '';
   input.disabled = !one;
   find('more_unit').textContent = one ? one.unit : '';
-  if (!one) return;
-  if (document.activeElement !== input) input.value = String(amounts[key()] ?? one.more);
+  if (one && document.activeElement !== input) input.value = String(amounts[key()] ?? one.more);
   const more = input.valueAsNumber;
-  if (!isFinite(more)) return;
-  const scroll = element('div', 'table-scroll', undefined, { tabindex: 0, role: 'region',
-    'aria-label': say('would_do') });
-  const table = element('table'), body = element('tbody');
-  let kinks = false;
-  one.measures.forEach((words, k) => {
-    const change = one.slope[k] * more, below = one.below[k], above = one.above[k];
-    const of_kink = (slope: number | null, sign: number) => slope === null ? '' : figures(sign * slope * more, change);
-    // Measures that the field does not affect are omitted.
-    if (Math.abs(change) < 1e-9) return;
-    const row = element('tr'), cell = element('td', 'number', figures(change, change));
-    row.appendChild(element('th', '', words + ' (' + one.units[k] + ')', { scope: 'row' }));
-    if (!one.smooth[k]) {
-      kinks = true;
-      cell.appendChild(element('abbr', 'kink', ' ' + say('kink'), {
-        title: say('kink_tip', { below: of_kink(below, -1), above: of_kink(above, 1) })
-      }));
-    }
-    row.appendChild(cell);
-    body.appendChild(row);
-  });
-  table.appendChild(body);
-  scroll.appendChild(table);
-  place.append(scroll, element('p', 'note', say('slope_at', {
-    value: (Number(one.value.toPrecision(6)) + ' ' + one.unit).trim()
-  }) + (kinks ? ' ' + say('kink_note') : '')));
+  if (!one || !isFinite(more)) {
+    render(null, place);
+    return;
+  }
+  const head = [say('measure'), say('change')], rows = one.measures.map((_, k) => row(one, k, more));
+  const kinks = rows.some((cells, k) => cells && !one.smooth[k]);
+  render([
+    table({ caption: say('would_do'), head, numbers: [false, true], foot: null }, rows),
+    note(say('slope_at', { value: (Number(one.value.toPrecision(6)) + ' ' + one.unit).trim() }) +
+      (kinks ? ' ' + say('kink_note') : ''))
+  ], place);
+}
+
+// Writes the table of all known fields: changes in percent of the measure for 10 % more of the field.
+export function write_all(): void {
+  const fields = Object.values(found), head = [say('measure'), ...fields.map(({ words }) => words)];
+  const measures = [...new Set(fields.flatMap((one) => one.measures))];
+  const rows = measures.map((words) => [words, ...fields.map(({ measures, elasticity, smooth }) => {
+    const k = measures.indexOf(words), share = elasticity[k] ?? NaN;
+    const text = signed(10 * share, Math.abs(share) < 0.1 ? 2 : 1);
+    return text && text !== '0' && !smooth[k] ? text + ' *' : text;
+  })]).filter((cells) => cells.slice(1).some((text) => text && text !== '0'));
+  const about = {
+    caption: say('slopes_caption'), head, numbers: head.map((_, k) => k > 0), foot: null, note: null, rows
+  };
+  render(fields.length ? [table(about, rows_of(about)), note(say('slopes_star'))] : null, find('slopes'));
 }
 
 // Adds R's results to the known ones.
