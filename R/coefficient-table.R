@@ -65,7 +65,7 @@ force_coefficients <- function(reynolds = 1000, solidity = 0.2) {
       attack <- sort(unique(c(degree, polar$attack)))
       found <- board_specimens(name, radian(attack), 2)
       coefficient_rows(polar$force[1L], name, "angle", attack, NA, NA, found)
-    }, published_polars(), names(published_polars())),
+    }, published_polars, names(published_polars)),
     list(coefficient_rows("sphere", "knot", "reynolds", NA, reynolds_range(-1, 5), NA,
       sphere_specimens(reynolds_range(-1, 5))["drag"]),
     coefficient_rows("sphere", "smooth_sphere", "reynolds", NA, reynolds_range(-1, 6), NA,
@@ -124,7 +124,7 @@ coefficient_rows <- function(force, law, by, angle, reynolds, solidity, found) {
 
 # Returns the published values, for netting only at the given solidities.
 published_coefficients <- function(solidity) {
-  printed <- published_values()
+  printed <- published_values
   printed <- printed[printed$force != "netting" | printed$solidity %in% solidity, ]
   by_reynolds <- printed$force == "sphere" | printed$law %in% c("takagi", "choo_casarella")
   printed$by <- ifelse(by_reynolds, "reynolds", "angle")

@@ -22,38 +22,32 @@ numbers_of_parts <- function(parts, kind, of) {
   setNames(found, paste(kind, names(parts), recycle0 = TRUE))
 }
 
-known_ranges <- remembered(function() {
-  utils::read.csv(system.file("extdata", "ranges.csv", package = "codend"))
-})
+number_ranges <- package_table("ranges.csv")
 
 # `usual_least` and `usual_greatest` are published values, which starters must meet.
-known_bands <- remembered(function() {
-  utils::read.csv(system.file("extdata", "bands.csv", package = "codend"))
-})
+number_bands <- package_table("bands.csv")
 
 # si: SI numbers of one net (`si_by_net()`).
 band_of <- function(quantity, si) {
-  bands <- known_bands()
   kind <- if (length(si$nets) == 1L) si$nets[[1L]]$kind else "assembly"
   # Pair trawls off the seabed have the proportions of midwater trawls.
   if (kind == "pair_trawl" && is.null(si$ground)) kind <- "midwater_trawl"
-  row <- which(bands$quantity == quantity & bands$kind == kind)
-  if (length(row)) bands[row, ]
+  row <- which(number_bands$quantity == quantity & number_bands$kind == kind)
+  if (length(row)) number_bands[row, ]
 }
 
-# Returns the checks of the table of ranges, as in define_finding().
-number_checks <- remembered(function() {
-  ranges <- known_ranges()
-  lapply(split(ranges, ranges$check), function(range) {
-    list(name = range$check, message = range$message, of = range$of, rank = range$rank,
-      test = function(gear, state) unusual_numbers(range, gear, state))
-  })
+for (k in seq_len(nrow(number_ranges))) local({
+  limits <- number_ranges[k, ]
+  define_finding(limits$check, limits$of, limits$message, function(gear, state) {
+    unusual_numbers(limits, gear, state)
+  }, limits$rank)
 })
+rm(k)
 
 # Returns findings. range: a row of the table of ranges.
 unusual_numbers <- function(range, gear, state) {
   si <- if (range$of == "state") state$si else gear_si(gear)
-  by_kind <- range$check %in% known_bands()$quantity
+  by_kind <- range$check %in% number_bands$quantity
   nets <- if (by_kind) si_by_net(si) else list(si)
   found <- Map(function(si, net) {
     limits <- if (by_kind) band_of(range$check, si) else range

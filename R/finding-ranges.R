@@ -20,15 +20,12 @@ define_part_number("body diameter", "rope", function(rope) {
   if (is_thick(rope)) in_unit(rope$diameter, "mm") else NA_real_
 })
 
-# Returns the usual ranges of parts by role and quantity.
-known_role_ranges <- remembered(function() {
-  utils::read.csv(system.file("extdata", "role_ranges.csv", package = "codend"))
-})
+# Usual ranges of parts by role and quantity.
+role_ranges <- package_table("role_ranges.csv")
 
 # Returns the numbers of parts that have a range for their role.
 numbers_by_role <- function(parts, kind, quantity, unit) {
-  ranges <- known_role_ranges()
-  ranges <- ranges[ranges$quantity == quantity, ]
+  ranges <- role_ranges[role_ranges$quantity == quantity, ]
   row <- match(vapply(parts, function(part) first_of(part$role, ""), ""), ranges$role)
   found <- numbers_of_parts(parts[!is.na(row)], kind, function(part) {
     as.double(in_unit(part[[quantity]], unit))

@@ -89,8 +89,7 @@ finding_rows <- function(found, translate = identity) {
 }
 
 sorted_checks <- function() {
-  checks <- c(as.list(finding_checks), number_checks())
-  checks <- checks[sort(names(checks), method = "radix")]
+  checks <- mget(sort(ls(finding_checks), method = "radix"), finding_checks)
   # Problems of the plan come first because they cause problems of the shape.
   checks[order(vapply(checks, `[[`, 0L, "rank"), vapply(checks, `[[`, "", "of"))]
 }

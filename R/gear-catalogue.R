@@ -41,8 +41,7 @@ catalogue <- function(class = NULL) {
 }
 
 known_catalogue <- remembered(function() {
-  file <- system.file("extdata", "catalogue.csv", package = "codend")
-  table <- utils::read.csv(file, comment.char = "#", na.strings = "", encoding = "UTF-8")
+  table <- package_table("catalogue.csv", na.strings = "")
   words <- c("class", "maker", "item", "material", "note", "source")
   numbers <- setdiff(names(table), words)
   table[numbers] <- lapply(table[numbers], as.double)

@@ -176,17 +176,11 @@ NULL
 #' @name catch
 NULL
 
-# Returns the assumed bending stiffness (N m2) of one twine of 4 mm, by fibre, with its sources.
-read_twine_bending <- function() {
-  utils::read.csv(system.file("extdata", "twine_bending.csv", package = "codend"),
-    comment.char = "#", row.names = "material")
-}
-
-known_twine_bending <- remembered(read_twine_bending)
+# Assumed bending stiffness (N m2) of one twine of 4 mm, by fibre, with its sources.
+twine_bending <- package_table("twine_bending.csv", row.names = "material")
 
 twine_bending_rows <- function() {
-  known <- read_twine_bending()
-  sprintf("| %s | %s |", rownames(known), format(known$bending_stiffness_N_m2))
+  sprintf("| %s | %s |", rownames(twine_bending), format(twine_bending$bending_stiffness_N_m2))
 }
 
 # Minimum diameter of stiff twine, m.
@@ -197,16 +191,15 @@ thinnest_stiff_twine <- 2e-3
 usual_opening_stiffness <- function(panel) {
   fibre <- panel$material
   if (fibre %in% names(material_abbreviations)) fibre <- material_abbreviations[[fibre]]
-  known <- known_twine_bending()
   thin <- panel$twine_diameter < thinnest_stiff_twine * (1 - 1e-9)
-  if (thin || !fibre %in% rownames(known) || panel$knot_diameter == 0 || panel$netting != "cells" ||
-    panel$orientation != "turned") {
+  if (thin || !fibre %in% rownames(twine_bending) || panel$knot_diameter == 0 ||
+    panel$netting != "cells" || panel$orientation != "turned") {
     return(NULL)
   }
   bar <- panel$mesh_size / 2
   # Very large knots would leave no free twine: limit them to 2/3 of a bar.
   knot <- min(panel$knot_diameter * sqrt(panel$twine_count), 2 / 3 * bar)
-  stiffness <- known[fibre, "bending_stiffness_N_m2"] * (panel$twine_diameter / 4e-3)^3
+  stiffness <- twine_bending[fibre, "bending_stiffness_N_m2"] * (panel$twine_diameter / 4e-3)^3
   list(
     couple = 6 * panel$twine_count * stiffness / (bar - knot), angle = 2 * asin(knot / bar),
     assumed = TRUE

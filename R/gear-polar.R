@@ -1,15 +1,12 @@
 # Lift and drag of otter boards, kites and depressors by angle of attack: published tests,
 # interpolation and extrapolation.
 
-published_values <- remembered(function() {
-  utils::read.csv(system.file("extdata", "published-coefficients.csv", package = "codend"))
-})
+published_values <- package_table("published-coefficients.csv")
 
-# Returns the polars of tested boards and kites by name: data frames of force, attack (deg), and
-# lift and drag on the area. Boards without published drag are omitted.
-published_polars <- remembered(function() {
-  rows <- published_values()
-  rows <- rows[rows$force %in% c("otter_board", "kite"), ]
+# Polars of tested boards and kites by name: data frames of force, attack (deg), and lift and drag
+# on the area. Boards without published drag are omitted.
+published_polars <- local({
+  rows <- published_values[published_values$force %in% c("otter_board", "kite"), ]
   polars <- lapply(split(rows, factor(rows$law, unique(rows$law))), function(own) {
     lift <- own[own$coefficient == "lift", ]
     drag <- own[own$coefficient == "drag", ]
@@ -67,14 +64,14 @@ published_polars <- remembered(function() {
 board_polar <- function(polar, aspect_ratio = 2) {
   check_given("polar")
   aspect_ratio <- quantity_number(aspect_ratio, "number", "aspect_ratio", positive = TRUE)
-  if (is.character(polar) && length(polar) == 1L && polar %in% names(published_polars())) {
-    given <- published_polars()[[polar]]
+  if (is.character(polar) && length(polar) == 1L && polar %in% names(published_polars)) {
+    given <- published_polars[[polar]]
   } else if (is.data.frame(polar) && all(c("attack", "lift", "drag") %in% names(polar))) {
     given <- polar
   } else {
     abort_argument(
       "{.arg polar} must be a data frame with columns {.val attack}, {.val lift} and {.val drag},
-      or one of {.val {names(published_polars())}}."
+      or one of {.val {names(published_polars)}}."
     )
   }
   given <- given[order(given$attack), ]

@@ -1,48 +1,18 @@
-# Materials of ropes and twines. A rope is not a solid circle. Mass, stiffness and breaking load
-# therefore refer to the square of its nominal diameter d:
-# `density`: of the solid (kg/m3), which gives the displaced volume from the mass.
-# `mass`: mass per length / d^2 (kg/m3).
-# `stiffness`: EA / d^2 (Pa).
-# `strength`: breaking load / d^2 (Pa).
-#
-# Sources:
-# MoorPy: NREL MoorPy, library/MoorProps_default.yaml (leading terms in d^2).
-# Wilson: twine law T = d^2 C1 e^C2 of Wilson (1967), nearly linear for polyethylene.
-# EN 12385-4: 6x36 wire rope with steel core, grade 1770 (0.356 x 1770 MPa).
-# Assumed: typical for the trade, without a publication.
-gear_materials <- rbind(
-  # 4.1 kg/m and EA = 48 MN at 32 mm, a typical trawl warp (assumed); strength EN 12385-4
-  steel_wire = c(density = 7850, mass = 4004, stiffness = 46.9e9, strength = 630e6),
-  # MoorPy, studless chain; d is the diameter of the bar
-  steel_chain = c(7850, 20000, 85.6e9, 1.21e9),
-  # mass and strength assumed from laid rope; stiffness Wilson
-  polyethylene = c(950, 480, 345e6, 87e6),
-  # MoorPy
-  polyamide = c(1140, 585, 5 * 207e6, 207e6),
-  # MoorPy
-  polyester = c(1380, 679, 14 * 308e6, 308e6),
-  # assumed
-  polypropylene = c(910, 450, 1.06e9, 133e6),
-  # MoorPy
-  hmpe = c(975, 496, 56 * 580e6, 580e6),
-  # steel core under fibre, assumed
-  combination_rope = c(2250, 1100, 11.8e9, 216e6)
-)
-
-# ISO 1346 and trade abbreviations.
-material_abbreviations <- c(
-  PE = "polyethylene", PA = "polyamide", PES = "polyester", PP = "polypropylene", HMPE = "hmpe"
-)
-
-# Trade names for hints in errors. Plans use the names above.
-material_trade_names <- c(
-  nylon = "PA", perlon = "PA", kapron = "PA", courlene = "PE", polythene = "PE",
-  polyethene = "PE", nymplex = "PE", hdpe = "PE", terylene = "PES",
-  dacron = "PES", trevira = "PES", tergal = "PES", polysteel = "PP",
-  dyneema = "HMPE", spectra = "HMPE", uhmwpe = "HMPE", steel = "steel_wire", wire = "steel_wire",
-  wire_rope = "steel_wire", chain = "steel_chain", iron = "steel_chain",
-  combination = "combination_rope", compound = "combination_rope", taifun = "combination_rope"
-)
+# Materials of ropes and twines (inst/extdata/materials.csv) and their abbreviations of ISO 1346 and
+# the trade. Trade names are for hints in errors; plans use the other names.
+material_table <- package_table("materials.csv")
+gear_materials <- as.matrix(material_table[c("density", "mass", "stiffness", "strength")])
+rownames(gear_materials) <- material_table$name
+material_abbreviations <- local({
+  short <- material_table[nzchar(material_table$abbreviation), ]
+  setNames(short$name, short$abbreviation)
+})
+material_trade_names <- local({
+  names <- strsplit(material_table$trade_names, " ", fixed = TRUE)
+  plain <- ifelse(nzchar(material_table$abbreviation), material_table$abbreviation,
+    material_table$name)
+  setNames(rep(plain, lengths(names)), unlist(names))
+})
 
 # Returns the known material with a similar name or this trade name, or NULL.
 material_meant <- function(name, known) {

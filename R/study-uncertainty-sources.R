@@ -1,13 +1,7 @@
 # Sources of uncertainty of a gear. Uncertainties in the plan come first, then a table by kind of
 # number (inst/extdata/uncertainty.csv).
 
-package_table <- function(name) {
-  file <- system.file("extdata", name, package = "codend")
-  if (!nzchar(file)) return(NULL)
-  utils::read.csv(file, comment.char = "#")
-}
-
-uncertainty_table <- function() package_table("uncertainty.csv")
+uncertainty_table <- package_table("uncertainty.csv")
 
 # Returns a standard uncertainty of the table as a fraction of a value (SI).
 table_share <- function(text, value = 1) {
@@ -29,7 +23,7 @@ uncertainty_sources <- function(gear) {
 }
 
 multiplier_sources <- function(gear) {
-  table <- uncertainty_table()
+  table <- uncertainty_table
   own <- uncertain_numbers(gear$plan)
   lapply(names(force_multipliers), function(name) {
     path <- paste0("multipliers.", name)
@@ -51,7 +45,7 @@ field_sources <- function(gear) {
   plan <- gear$plan
   own <- uncertain_numbers(plan)
   own <- own[!startsWith(rownames(own), "multipliers."), , drop = FALSE]
-  table <- uncertainty_table()
+  table <- uncertainty_table
   table <- table[table$group %in% c("conditions", "plan"), ]
   paths <- setdiff(given_paths(plan), rownames(own))
   numbers <- lapply(setNames(paths, paths), function(path) field_number(plan, path))

@@ -370,7 +370,7 @@ measure_residuals <- function(base) {
 
 # Returns the standard uncertainty of a sensor per measure, in its unit; NA without a sensor.
 sensor_uncertainty <- function(base) {
-  table <- uncertainty_table()
+  table <- uncertainty_table
   table <- table[table$group == "sensor", ]
   value <- abs(plain_measures(base))
   kind <- uncertainty_kind(base)

@@ -27,9 +27,7 @@ test_that("twines have the published drag and lift by angle", {
 
 test_that("twines across the flow follow the published Reynolds dependence", {
   for (law in c("takagi", "choo_casarella")) {
-    file <- system.file("extdata", "published-coefficients.csv", package = "codend")
-    rows <- utils::read.csv(file)
-    rows <- rows[rows$force == "twine" & rows$law == law, ]
+    rows <- published_values[published_values$force == "twine" & published_values$law == law, ]
     found <- twine_specimens(law, rep(pi / 2, nrow(rows)), rows$reynolds, 0.2)$drag
     # codend blends printed branches that do not meet: choo_casarella within 10 % of Re = 1 and 30.
     # The branches of takagi meet at 117, where codend switches, not at 200.
@@ -88,8 +86,7 @@ test_that("boards and kites have their published values", {
 })
 
 test_that("knot drag follows White's formula and measured spheres", {
-  file <- system.file("extdata", "published-coefficients.csv", package = "codend")
-  rows <- subset(utils::read.csv(file), force == "sphere")
+  rows <- subset(published_values, force == "sphere")
   rows$found <- sphere_specimens(rows$reynolds)$drag
   formula <- rows[rows$law == "knot", ]
   expect_lt(max(abs(formula$found - formula$value)), 6e-5)

@@ -277,11 +277,10 @@ test_that("findings() reports unusual proportions for the kind of gear", {
 })
 
 test_that("every range has a number, limits, a kind and a source", {
-  bands <- known_bands()
-  ranges <- known_ranges()
-  expect_setequal(ranges$check, names(checked_numbers))
-  limited <- !is.na(ranges$least) | !is.na(ranges$greatest)
-  expect_setequal(ranges$check[!limited],
+  bands <- number_bands
+  expect_setequal(number_ranges$check, names(checked_numbers))
+  limited <- !is.na(number_ranges$least) | !is.na(number_ranges$greatest)
+  expect_setequal(number_ranges$check[!limited],
     c(unique(bands$quantity), paste(c("length", "diameter", "mass"), "for its role")))
   expect_true(all(bands$kind %in% c(names(new_plan_kinds()), "assembly")))
   expect_true(all(nzchar(bands$source)))

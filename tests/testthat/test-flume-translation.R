@@ -43,8 +43,7 @@ finding_words <- function() {
   ns <- asNamespace("codend")
   for (name in ls(ns)) if (is.function(ns[[name]])) walk(body(ns[[name]]), FALSE)
   for (check in as.list(finding_checks)) walk(body(check$test), TRUE)
-  ranges <- known_ranges()
-  said <- c(said, ranges$quantity, ranges$low, ranges$high)
+  said <- c(said, unlist(number_ranges[c("quantity", "low", "high")]))
   unique(c(one_line(said[nzchar(said)]), "rope", "panel", "seam", "piece", "stalled", "back-winded",
     "fallen over", "{n} knot"))
 }

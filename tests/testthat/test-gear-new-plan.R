@@ -13,7 +13,7 @@ test_that("new_plan() returns a commented plan for every kind", {
 
 # Usual range of published values for a kind (inst/extdata/bands.csv).
 usual_band <- function(quantity, kind) {
-  bands <- read.csv(system.file("extdata", "bands.csv", package = "codend"))
+  bands <- number_bands
   unlist(bands[bands$quantity == quantity & bands$kind == kind, c("usual_least", "usual_greatest")])
 }
 

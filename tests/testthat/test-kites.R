@@ -173,8 +173,7 @@ test_that("piece at a fixed attack has its polar's coefficients", {
 })
 
 test_that("smooth spheres have the measured drag through the drag crisis", {
-  file <- system.file("extdata", "published-coefficients.csv", package = "codend")
-  rows <- subset(utils::read.csv(file), law == "measured" & reynolds > 0.1 & reynolds < 1e6)
+  rows <- subset(published_values, law == "measured" & reynolds > 0.1 & reynolds < 1e6)
   rows$found <- sphere_specimens(rows$reynolds, smooth = TRUE)$drag
   away <- rows$reynolds < 2e5 | rows$reynolds > 3.9e5
   # Difference between Morrison's curve and these data; both are drawn through scattered

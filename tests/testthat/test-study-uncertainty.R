@@ -198,7 +198,7 @@ test_that("all twine of a net has the same relative diameter error", {
   expect_equal(vapply(now, quantity_si, 0, "length") / vapply(values, quantity_si, 0, "length"),
     rep(1.1, length(values)), ignore_attr = TRUE)
   # every row of the table is readable and has a source
-  table <- uncertainty_table()
+  table <- uncertainty_table
   expect_true(all(is.finite(vapply(table$uncertainty, table_share, 0))))
   expect_true(all(nzchar(table$source)))
   expect_identical(table$field[table$group == "coefficients"], names(force_multipliers))
