@@ -28,6 +28,13 @@ plan_file <- function(text) {
 
 read_text <- function(text) read_gear(plan_file(text))
 
+# Returns a plan of the package's folder of examples, or of another folder.
+example_gear <- function(name, folder = "examples") {
+  read_gear(system.file(folder, paste0(name, ".yaml"), package = "codend", mustWork = TRUE))
+}
+
+two_seam <- function(...) update(example_gear("two_seam_trawl", "extdata"), ...)
+
 spoil <- function(old, new, plan = small_plan) {
   stopifnot(grepl(old, plan, fixed = TRUE))
   sub(old, new, plan, fixed = TRUE)

@@ -1,7 +1,3 @@
-plan_of_net <- function(name) {
-  read_gear(system.file("extdata", paste0(name, ".yaml"), package = "codend", mustWork = TRUE))
-}
-
 layout_of <- function(plan) {
   flat_layout(gear_si(if (is.character(plan)) read_gear(plan) else as_gear(plan)))
 }
@@ -118,12 +114,8 @@ test_that("rigging shows one side from the towing points to the netting", {
   expect_equal(nodes$layer[nodes$letters == letter("otter board")], 1)
 })
 
-example_rig <- function(name) {
-  read_gear(system.file("examples", paste0(name, ".yaml"), package = "codend", mustWork = TRUE))
-}
-
 test_that("rigging of a rig shows each net with its joints, and one net of each kind", {
-  figure <- plan_figure(example_rig("quad_rig"))
+  figure <- plan_figure(example_gear("quad_rig"))
   between <- figure$riggings[[1L]]
   nodes <- between$nodes
   joints <- between$ropes[between$ropes$joint, ]
@@ -139,11 +131,11 @@ test_that("rigging of a rig shows each net with its joints, and one net of each 
   # All four nets have equal netting, so it is drawn once.
   expect_identical(unique(figure$layout$columns$alike), "4 off")
   # The net in the middle differs from the others only by its name.
-  expect_identical(unique(plan_figure(example_rig("triple_rig"))$layout$columns$count), 3L)
+  expect_identical(unique(plan_figure(example_gear("triple_rig"))$layout$columns$count), 3L)
 })
 
 test_that("rigging of a farm merges equal cages", {
-  farm <- plan_figure(example_rig("cage_farm"))$riggings
+  farm <- plan_figure(example_gear("cage_farm"))$riggings
   expect_identical(setdiff(farm[[1L]]$nodes$net, ""), "net, 4 off")
   expect_identical(farm[[2L]]$of, paste0("cage_", 1:4))
 })
@@ -176,7 +168,7 @@ test_that("rigging orders ropes between layers with the fewest crossings", {
 })
 
 test_that("drawing labels an inner liner once when both panels use it", {
-  columns <- net_columns(plan_figure(plan_of_net("eastern_trawl")))
+  columns <- net_columns(plan_figure(example_gear("eastern_trawl", "extdata")))
   expect_identical(vapply(columns, `[[`, "", "heading"),
     c("upper panel", "lower panel", "codend liner"))
   expect_identical(columns[[3]]$remark, "2 off: upper, lower")
@@ -215,7 +207,7 @@ test_that("drawings of shipped gears have no overlap and ISO 3098 letters", {
   nets <- c("eastern_trawl", "four_seam_trawl", "myctophid_trawl", "penaeid_trawl", "survey_trawl",
     "two_seam_trawl")
   random <- lapply(c(80009, 80016, 80020), random_net)
-  gears <- c(lapply(gears()$name, read_gear), lapply(nets, plan_of_net), random)
+  gears <- c(lapply(gears()$name, read_gear), lapply(nets, example_gear, "extdata"), random)
   for (k in seq_along(gears)) {
     gear <- gears[[k]]
     # the smallest page, and for every third gear a larger one
@@ -312,7 +304,7 @@ test_that("straight rope shows wing, bosom, wing and its floats", {
 })
 
 test_that("straight rope joins the sections of a line and their pieces", {
-  gear <- plan_of_net("two_seam_trawl")
+  gear <- example_gear("two_seam_trawl", "extdata")
   figure <- plan_figure(gear)
   headline <- straight_rope(figure, "headline")
   expect_equal(headline$parts$length, c(8, 4, 6, 4, 8))
@@ -334,7 +326,7 @@ test_that("straight rope joins the sections of a line and their pieces", {
 })
 
 test_that("drawing shows discs of the ground gear in proportion", {
-  gear <- plan_of_net("four_seam_trawl")
+  gear <- example_gear("four_seam_trawl", "extdata")
   figure <- plan_figure(gear)
   rope <- straight_rope(figure, "ground gear")
   expect_equal(rope$pieces$high, c(0.406, 0.356, 0.356))

@@ -1,9 +1,8 @@
 # Returns the two-seam trawl with some of the fields of its second upper wing replaced.
 wing_2 <- function(...) {
-  trawl <- read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
   given <- list(...)
   names(given) <- sprintf("net.upper.wing_2.%s", names(given))
-  do.call(update, c(list(trawl), given))
+  do.call(two_seam, given)
 }
 
 test_that("a wing's third count follows from its two counts and both edges", {

@@ -1,5 +1,3 @@
-two_seam <- function() read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
-
 test_that("a net is unchanged after writing and reading its table", {
   file <- withr::local_tempfile(fileext = ".csv")
   trawl <- two_seam()

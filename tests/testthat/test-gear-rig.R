@@ -242,8 +242,7 @@ test_that("rigs in the folder of examples settle with symmetric results", {
 })
 
 test_that("a warp that ends in further warps needs no door", {
-  file <- system.file("examples", "two_warp_twin_trawl.yaml", package = "codend")
-  state <- settle(read_gear(file), nodes = 300)
+  state <- settle(example_gear("two_warp_twin_trawl"), nodes = 300)
   expect_false("warp end" %in% findings(state)$check)
   # The clump is beside the doors: within 4 m of 280 m behind the vessel.
   pieces <- as.data.frame(state, what = "pieces")

@@ -90,13 +90,6 @@ test_that("update() changes, adds and removes fields by path and checks them", {
   expect_refused(update(gear, water.current.1.speed = 1))
 })
 
-test_that("print() of a gear takes few lines with counts of parts", {
-  lines <- capture.output(print(read_text(small_plan)))
-  expect_lte(length(lines), 10)
-  expect_match(lines[1], "A net on a warp.*assembly")
-  expect_match(lines[2], "panels 1, seams 1, ropes 1, pieces 0, points 2")
-})
-
 test_that("assembly() returns an assembly unchanged", {
   gear <- read_gear("towed_cable")
   expect_identical(assembly(gear), gear)

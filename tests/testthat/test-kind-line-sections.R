@@ -1,7 +1,3 @@
-two_seam <- function(...) {
-  update(read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend")), ...)
-}
-
 # Returns the ropes of a line in sections.
 ropes_of <- function(gear, name) {
   ropes <- gear_si(gear)$ropes

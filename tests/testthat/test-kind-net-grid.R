@@ -1,17 +1,17 @@
-two_seam <- function() {
-  update(read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend")),
+one_line_trawl <- function() {
+  two_seam(
     headline = list(length = "30 m", bosom = "5 m", diameter = "22 mm", material = "PE"),
     floats = list(number = 60L, buoyancy = "2.7 kgf", diameter = "200 mm"))
 }
 
 test_that("wings in pieces hang headline and footrope edge by edge", {
-  ropes <- gear_si(two_seam())$ropes
+  ropes <- gear_si(one_line_trawl())$ropes
   edges <- vapply(ropes$headline$along, function(edge) paste0(edge$panel, ".", edge$edge), "")
   expect_identical(edges, c("back_wing_1_left.right", "back_wing_2_left.right", "back_square.upper",
     "back_wing_2_right.left", "back_wing_1_right.left"))
   # 12.5 m of headline along 6.4 m and 7 m of netting; 5 m along the bosom
   expect_equal(ropes$headline$shares * 30, c(12.5 * c(6.4, 7) / 13.4, 5, 12.5 * c(7, 6.4) / 13.4))
-  expect_equal(range(covered_edges(two_seam())), c(1, 1))
+  expect_equal(range(covered_edges(one_line_trawl())), c(1, 1))
 })
 
 test_that("random nets join or hang each edge once and settle", {
@@ -30,7 +30,7 @@ test_that("random nets join or hang each edge once and settle", {
 })
 
 test_that("a topless net hangs the free edges of the lower panel on the side lines", {
-  trawl <- two_seam()
+  trawl <- one_line_trawl()
   topless <- update(trawl, net.upper.wing_1 = NULL, net.upper.wing_2 = NULL,
     net.upper.square = NULL, headline.length = "9 m", headline.bosom = NULL,
     side_lines.hanging_ratio = 0.9)
@@ -43,7 +43,7 @@ test_that("a topless net hangs the free edges of the lower panel on the side lin
 })
 
 test_that("check names both pieces that cannot be joined", {
-  trawl <- two_seam()
+  trawl <- one_line_trawl()
   expect_refused(update(trawl, net.upper.body_2.meshes.front = 85),
     "body_1` has 130 meshes of 140 mm at the rear and.*body_2` has 85 of 100 mm in front")
   expect_refused(update(trawl, net.upper.square.meshes.front = 140), "both wings together")
@@ -56,7 +56,8 @@ test_that("check names both pieces that cannot be joined", {
 })
 
 test_that("a piece between parallel edges keeps its width and its netting", {
-  trawl <- update(two_seam(), net.upper.wing_2.meshes = list(front = 51, rear = 51, deep = 50),
+  trawl <- update(one_line_trawl(),
+    net.upper.wing_2.meshes = list(front = 51, rear = 51, deep = 50),
     net.upper.wing_2.cutting = list(inner = "1N2B", outer = "1N2B"))
   panel <- gear_si(trawl)$panels$back_wing_2_left
   expect_equal(c(panel$lost_left, panel$lost_right), c(25, -25))
@@ -67,7 +68,7 @@ test_that("a piece between parallel edges keeps its width and its netting", {
 
 test_that("middle bridle of a net of two panels leads to the side line", {
   wire <- list(length = "25 m", diameter = "12 mm", material = "steel_wire")
-  trawl <- update(two_seam(), bridles.middle = wire)
+  trawl <- update(one_line_trawl(), bridles.middle = wire)
   expect_identical(assembly(trawl)$plan$points$middle_port$at, "side_line_port.middle")
   found <- measures(settle(trawl, nodes = 300))
   expect_gt(found[["bridle_middle_tension_kN"]], 0)
@@ -141,7 +142,7 @@ test_that("errors about nets, lines and windows name fields of the plan", {
     meshes = list(front = 40, rear = 40, deep = 56))
   separator <- list(from = "body_1", to = "body_1", mesh_size = "100 mm",
     meshes = list(upper = 120, lower = 60, deep = 84), twine = window$twine)
-  trawl <- update(two_seam(), net.upper.body_2.window = window,
+  trawl <- update(one_line_trawl(), net.upper.body_2.window = window,
     separators = list(separator = separator),
     ground_gear = list(sections = list(
       list(length = "6 m", diameter = "16 mm", material = "steel_wire"),
@@ -189,8 +190,8 @@ test_that("a sheet of 13 rows reads as a net by one paste and settles", {
     "lower\textension\t\t\t\t\t\t\t\t\t",
     "lower\tcodend\t\t\t\t\t\t\t\t\t"
   ), collapse = "\n")
-  trawl <- update(two_seam(), net = read_net(sheet))
-  drawn <- gear_si(update(two_seam(), net.upper.codend.twine.double = NULL))$panels
+  trawl <- update(one_line_trawl(), net = read_net(sheet))
+  drawn <- gear_si(update(one_line_trawl(), net.upper.codend.twine.double = NULL))$panels
   expect_equal(unname(gear_si(trawl)$panels), unname(drawn))
   expect_no_error(settle(trawl, nodes = 300))
 })

@@ -1,5 +1,3 @@
-two_seam <- function() read_gear(system.file("extdata", "two_seam_trawl.yaml", package = "codend"))
-
 test_that("a window replaces its meshes and is joined along all its edges", {
   window <- list(ahead = 20, rows = 20, across = 40, mesh_size = "100 mm", orientation = "square",
     twine = list(diameter = "4 mm", material = "PE"), meshes = list(front = 40, rear = 40,

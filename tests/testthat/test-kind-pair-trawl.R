@@ -1,7 +1,7 @@
 # Pair trawls with two warps for each vessel.
 
 four_warps <- function(...) {
-  update(read_gear(system.file("examples", "midwater_pair_trawl.yaml", package = "codend")), ...)
+  update(example_gear("midwater_pair_trawl"), ...)
 }
 
 test_that("pair trawl with four warps is symmetric and its warps carry its drag", {

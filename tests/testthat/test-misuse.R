@@ -26,6 +26,22 @@ wrong_calls <- expression(
   gear("a", points = list(a = list(load = as.Date("2020-01-01") + 0:2, load = 1))),
   gear("a", towing = list(speed = NA)), gear("a", towing = list(speed = NA_character_)),
   gear("a", towing = list(speed = c(1, 2))), gear("a", towing = list(speed = 1i)),
+  # classes of values, and angles beyond a turn without a unit
+  update(g, ropes.cable = list(length = span)), vary(g, towing.speed = day + 0:1),
+  designs(data.frame(towing.speed = day + 0:1)), value_range(day, day + 1), normal_value(1, span),
+  calibrate(g, data.frame(towing.speed = day + 0:3, Drag = 1:4), cd, Drag ~ total_drag),
+  calibrate(g, data.frame(Drag = 1:3), list(ropes.cable.length = day + 0:1), Drag ~ total_drag),
+  tow(g, until = span), tow(g, until = TRUE),
+  tow(g, until = 2, schedule = tow_schedule(speed = data.frame(time = span, value = 1))),
+  tow(g, until = 2, schedule = tow_schedule(speed = function(time) day)),
+  update(g, towing.speed = factor("4 knot")), update(g, towing.speed = 4i),
+  update(g, towing.speed = list(4)), update(g, towing.speed = TRUE),
+  vary(g, towing.speed = factor("4 knot")), vary(g, towing.speed = 4i),
+  vary(g, towing.speed = list(4)), tow_schedule(speed = factor("4 knot")), tow_schedule(speed = 4i),
+  value_range(factor("4 knot"), 5), value_range(4i, 5), profile(speed = factor("4 knot")),
+  profile(speed = 4i), profile(speed = TRUE), profile(speed = 1, toward = 270),
+  current_profile(data.frame(depth = 0, speed = 1, toward = 0), course = 270),
+  update(g, water.current = list(speed = 1, toward = 270)), turn(c(0, 90)), turn(c("0", "-6.3")),
   # settling
   settle(), settle(NULL), settle(1), settle("no_such_gear"), settle(towed_cable),
   settle(list(a = 1)),
@@ -168,7 +184,15 @@ misuse_variables <- function() {
     other = settle("crossing_cables", nodes = 50), tr = tow("towed_cable", until = 2, every = 1),
     ch = list(towing.speed = c("2 knot", "4 knot")),
     cd = list(pieces.sphere.drag_coefficient = c(0.2, 1.5)),
-    hauls = data.frame(towing.speed = 1:4, Drag = c(2, 3, 6, 9))
+    hauls = data.frame(towing.speed = 1:4, Drag = c(2, 3, 6, 9)),
+    day = as.Date("2020-01-01"), span = as.difftime(10, units = "mins"),
+    profile = function(speed, toward = 0) {
+      current_profile(data.frame(depth = 0, speed = speed, toward = toward))
+    },
+    turn = function(value) {
+      tow("towed_cable", until = 2, nodes = 20,
+        schedule = tow_schedule(course = data.frame(time = c(0, 1), value = value)))
+    }
   ), parent = exported)
   there$fit <- calibrate(there$g, there$hauls, there$cd, Drag ~ total_drag_kN, nodes = 20)
   there

@@ -1,8 +1,7 @@
 # Rigid sorting grids: shape, drag by the formula of a bar rack, and angle.
 
 grid_trawl <- function(...) {
-  file <- system.file("examples", "sorting_grid.yaml", package = "codend")
-  update(read_gear(file), ...)
+  update(example_gear("sorting_grid"), ...)
 }
 
 bar_names <- paste0("nordmore_bar_", 1:5)
@@ -102,7 +101,7 @@ test_that("grid that cannot be laced throws an error that names the section", {
 })
 
 test_that("a sorting grid is listed on the drawing and has no finding of its own", {
-  gear <- read_gear(system.file("examples", "sorting_grid.yaml", package = "codend"))
+  gear <- example_gear("sorting_grid")
   figure <- plan_figure(gear)
   listed <- figure$pieces[figure$pieces$name == "sorting grid", ]
   expect_match(listed$words, "^1[.]3 m by 1 m, 48 deg, behind ahead of grid")

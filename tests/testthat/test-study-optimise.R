@@ -221,7 +221,7 @@ test_that("short prawn trawls save the published drag per swept width", {
   # Broadhurst, Sterling and Millar (2012), Fisheries Research 134-136:73: bodies cut 1N5B spread
   # 4.7 to 5.6 % wider than bodies cut 1N2B with up to 4.3 % less drag. So drag per width is 4.5 to
   # 9.4 % less. Twine and boards are not published.
-  prawn <- read_gear(system.file("extdata", "penaeid_trawl.yaml", package = "codend"))
+  prawn <- example_gear("penaeid_trawl", "extdata")
   found <- optimise_gear(prawn, ~ total_drag / wing_end_spread,
     change = list(sections.body.meshes.deep = c(112, 160)), nodes = 400)
   expect_equal(found$fields$value, 112)
