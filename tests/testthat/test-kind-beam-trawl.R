@@ -88,21 +88,3 @@ test_that("beam trawl that slows down ends as it settles there", {
   # steps are accurate to about 1 mm of position, and most of the change decays within a minute
   expect_equal(found[same], expected[same], tolerance = 0.01)
 })
-
-test_that("beam trawl plans are rejected with the wrong field", {
-  trawl <- read_gear("beam_trawl")
-  refused <- function(pattern, ...) {
-    expect_refused(update(trawl, ...), pattern)
-  }
-  refused("warp.length.*more than the depth of the sea bed, 30 m", warp.length = "25 m")
-  refused("bridles.outer.length.*half the length of the beam", bridles.outer.length = "1.5 m")
-  refused("bridles.upper", bridles.upper = "3 m")
-  refused("shoes.height.*height of the shoe centre", shoes.height = "0.1 m")
-  refused("shoes.mass` is missing", shoes.mass = NULL)
-  refused("ticklers.tickler_1.length.*length of the beam, 4 m", ticklers.tickler_1.length = "3 m")
-  refused("beam.segments.*even", beam.segments = 5)
-  refused("beam.bending_stiffness", beam.bending_stiffness = 0)
-  refused("wings.upper", wings.upper = list(mesh_size = "100 mm"))
-  refused("wings.lower.meshes.deep.*within 5 %", wings.lower.meshes.deep = 30)
-  refused("seabed` is missing", seabed = NULL)
-})

@@ -87,21 +87,3 @@ test_that("square cage keeps its frame square", {
   expect_equal(diagonal, 40 * sqrt(2), tolerance = 0.12 / 54)
   expect_gt(measures(state)[["volume_left_percent"]], 60)
 })
-
-test_that("cage plans are rejected with the wrong field", {
-  cage <- read_gear("cage")
-  wrong <- function(gear, field, ...) {
-    expect_refused(update(gear, ...), field)
-  }
-  wrong(cage, "panels", panels = 3)
-  wrong(cage, "panels", shape = "square", panels = 18)
-  wrong(cage, "collar.diameter", collar = list(held = TRUE, diameter = "1 m"))
-  wrong(cage, "moorings", collar = list(held = TRUE))
-  wrong(cage, "points", moorings = NULL)
-  wrong(cage, "collar.bending_stiffness",
-    collar = list(diameter = "300 mm", mass_per_length = 50, axial_stiffness = "50 MN"))
-  wrong(cage, "moorings.length", moorings.length = "60 m")
-  wrong(cage, "moorings.number", moorings.number = 20)
-  wrong(cage, "centre_weight", bottom = NULL)
-  wrong(cage, "wall.orientation", wall.orientation = "hexagonal")
-})

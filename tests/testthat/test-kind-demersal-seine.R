@@ -109,18 +109,3 @@ test_that("findings() reports a seine whose floats lift it off the bed", {
   expect_match(found$message, "leaves the sea bed at 60.* s; at 180")
   expect_output(print(summary(haul)), "Warnings.*leaves the sea bed")
 })
-
-test_that("demersal seine plans are rejected with the wrong field", {
-  gear <- read_gear("demersal_seine")
-  wrong <- function(path, value, says = path) {
-    expect_refused(with_fields(gear, setNames(list(value), path)), says, fixed = TRUE)
-  }
-  wrong("laying", NULL)
-  wrong("laying.net", list("100 m"))
-  wrong("hauling", list())
-  wrong("hauling", list(list(winch = "1 m/s")))
-  wrong("hauling", list(list(rope_out = "2000 m", winch = "1 m/s")), "hauling[1].rope_out")
-  wrong("hauling", list(list(rope_out = "300 m", winch = 0)), "hauling[1].winch")
-  wrong("hauling", list(list(time = "1 h", winch = "2 m/s")), "hauls 7200 m of each rope")
-  wrong("warps.length", NULL)
-})

@@ -119,13 +119,3 @@ test_that("longline with free floats swims, and drifts together when released", 
   expect_lt(moved, 1140 * 0.2)
   expect_gt(measures(after)[["hook_8_depth_m"]], measures(state)[["hook_8_depth_m"]])
 })
-
-test_that("longline plans are rejected with the missing or wrong field", {
-  line <- read_gear("longline")
-  expect_refused(update(line, floats.held = "all"), "end_lines")
-  expect_refused(update(line, floats = list(held = "ends")), "floats.buoyancy")
-  expect_refused(update(line, shortening_ratio = 1.1), "shortening_ratio")
-  expect_refused(update(line, branch_lines.number = 2.5), "branch_lines.number")
-  expect_refused(update(line, hooks = list(mass = "70 g", volume = "0.1 litre", depth = 3)),
-    "hooks.depth")
-})

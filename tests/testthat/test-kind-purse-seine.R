@@ -29,28 +29,6 @@ test_that("line without a length is hung by ratio on all panels", {
   expect_equal(codend:::seine_line_length(fields, "lead_line"), 0.8 * (90 + 80))
 })
 
-test_that("purse seine plans are rejected with the wrong field", {
-  gear <- read_gear("purse_seine")
-  wrong <- function(path, value, says = path) {
-    expect_refused(with_fields(gear, setNames(list(value), path)), says, fixed = TRUE)
-  }
-  wrong("rings", NULL)
-  wrong("rings.number", 0)
-  wrong("rings.bridles", NULL)
-  wrong("purse_wire.length", "0 m")
-  wrong("purse_wire", NULL)
-  wrong("pursing.until", "500 m", "pursing.until")
-  wrong("pursing.speed", "-1 m/s")
-  wrong("pursing.wait", "a while")
-  wrong("shooting.speed", NULL)
-  wrong("shooting.arc", "400 deg")
-  wrong("panels", list())
-  wrong("panels.bunt.mesh_size", "-3 mm")
-  wrong("selvedges.upper.deep", 0)
-  wrong("float_line.material", "silk")
-  wrong("floats.buoyancy", "50 N", "floats.buoyancy")
-})
-
 test_that("enclosed volume equals the volume of an inclined circular wall", {
   gear <- read_gear("purse_seine")
   si <- codend:::gear_si(gear)

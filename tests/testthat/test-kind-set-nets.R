@@ -98,20 +98,3 @@ test_that("netting in bars holds the point of a cone", {
     expect_equal(depth(nodes, "bars"), expected, tolerance = 0.01)
   }
 })
-
-test_that("set net plans are rejected with the wrong field", {
-  wrong <- function(plan, field, ...) {
-    expect_refused(update(read_gear(plan), ...), field)
-  }
-  wrong("gillnet", "length", length = "200 m")
-  wrong("gillnet", "anchors.apart", anchors.apart = "80 m")
-  wrong("gillnet", "seabed", seabed = NULL)
-  wrong("gillnet", "wall.meshes.across", wall.meshes.across = 0)
-  wrong("stow_net", "bridles.length", bridles.length = "3 m")
-  wrong("stow_net", "upper_beam.bending_stiffness", upper_beam.bending_stiffness = 0)
-  wrong("stow_net", "mouth.height", mouth = list(width = 8))
-  wrong("dip_net", "bridles.number", bridles.number = 3)
-  wrong("dip_net", "bridles.length", bridles.length = "1 m")
-  wrong("dip_net", "panels", shape = "square", panels = 10)
-  wrong("dip_net", "frame.bending_stiffness", frame.bending_stiffness = 0)
-})
