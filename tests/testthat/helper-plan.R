@@ -55,6 +55,13 @@ expect_plan_error <- function(old, new, path, message, plan = small_plan) {
   expect_match(error$message, message, fixed = TRUE)
 }
 
+# Returns messages without lists of available items, which change when items are added.
+without_lists <- function(text) {
+  lists <- "(Shipped|Known here|Measures|units|must be any of|must be one of):? .*?"
+  kept <- "((?: Did you mean [^?]*[?])?(?: \\(line \\d+, column \\d+\\))?)$"
+  sub(paste0(lists, kept), "\\1 ...\\2", text, perl = TRUE)
+}
+
 # Expects that a plan, or an argument, is rejected with this message.
 expect_refused <- function(code, ...) expect_error(code, ..., class = "codend_error_plan")
 expect_wrong <- function(code, ...) expect_error(code, ..., class = "codend_error_argument")

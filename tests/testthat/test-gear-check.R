@@ -1,53 +1,5 @@
-test_that("check rejects references to missing parts with a suggestion", {
-  e <- expect_plan_error
-  e("from: ship", "from: shop", "ropes.warp.from", "there is no point `shop`; did you mean `ship`?")
-  e("from: ship", "from: nett.upper_left", "ropes.warp.from", "there is no panel `nett`")
-  e("from: ship", "from: wrap.end", "ropes.warp.from",
-    "there is no rope `wrap`; did you mean `warp`?")
-  e("gathered_at: knot", "gathered_at: knit", "seams.top.gathered_at", "did you mean `knot`?")
-  e("[net.upper]", "[mat.upper]", "seams.top.edges[1]", "there is no panel `mat`")
-  e("seams:", "pieces:\n  p: {along: rope, mass: 5}\nseams:", "pieces.p.along",
-    "there is no rope `rope`")
-  e("seams:", "measures:\n  p: {tension: war.max}\nseams:", "measures.p.tension", "no rope `war`")
-  e("seams:", "measures:\n  p: {area: [warp, x]}\nseams:", "measures.p.area", "no rope `x`")
-  e("knot: {}", "knot: {at: other}", "points.knot.at", "there is no point `other`")
-})
-
-test_that("check rejects a mesh range outside its edge", {
-  for (range in c("[0:11]", "[5:5]", "[6:2]")) {
-    expect_plan_error(
-      "[net.upper]", paste0("[\"net.upper", range, "\"]"), "seams.top.edges[1]",
-        "within the 10 meshes"
-    )
-  }
-})
-
-test_that("check rejects points without support, or supported twice", {
-  e <- expect_plan_error
-  e("position: [0, 0, 0], held: fixed", "", "points", "no held point")
-  e(
-    "knot: {}", "knot: {}\n  twin: {at: ship, position: [0, 0, 0], held: fixed}", "points.twin",
-    "same position as the held point"
-  )
-  e("knot: {}", "knot: {at: again}\n  again: {at: knot}", "points.knot.at", "refers to itself")
-  towed <- spoil("points:", "towing: {speed: 3 knot}\npoints:")
-  e("codend: 1", "codend: 1", "towing.speed", "no point is moved", plan = towed)
-  e("knot: {}", "knot: {position: [9, 0, 0], held: moved}", "points", "drift apart", plan = towed)
-})
-
-test_that("check rejects a rope between two names of one position, and a ring of two segments", {
-  e <- expect_plan_error
-  e("to: knot", "to: ship\n    segments: 2", "ropes.warp.segments", "needs at least 3")
-  e("knot: {}", "knot: {at: ship}", "ropes.warp.to", "the same position as the start")
-  e("to: knot", "to: knot\n    along: net.left", "ropes.warp", "has `from` and `along` together")
-})
-
-test_that("check rejects parts that no support holds", {
-  e <- expect_plan_error
-  e("knot: {}", "knot: {}\n  lonely: {}", "points.lonely", "is not attached")
-  e(", gathered_at: knot", "", "seams.top.edges", "has one chain")
-  e("seams:\n  top: {edges: [net.upper], gathered_at: knot}\n", "", "panels.net", "is not attached")
-})
+# Plans with one wrong line. Each throws an error with the message stored in _snaps, which names the
+# field, its value and its position in the file.
 
 two_panels <- paste0(sub("seams:.*", "", small_plan), "  mat:
     mesh_size: 100 mm
@@ -58,64 +10,106 @@ seams:
   join: {edges: [net.left, mat.upper]}
 ")
 
-test_that("check rejects seams of unequal lengths or meshes joined twice", {
-  expect_s3_class(read_text(two_panels), "codend_gear")
-  e <- function(...) expect_plan_error(..., plan = two_panels)
-  e("[net.left, mat.upper]", "[net.left, mat.right]", "seams.join.edges", "a factor of at most 3")
-  e("upper: 10, lower: 10", "upper: 0, lower: 10", "seams.join.edges", "needs `gathered_at`")
-  e(
-    "  join:", "  again: {edges: [net.left, mat.lower]}\n  join:", "seams.join",
-    "but seam `again` already joins them"
-  )
-  e("[net.left, mat.upper]", "[net.upper, mat.upper]", "seams.join", "already joins")
-  parts <- spoil(
-    "{edges: [net.left, mat.upper]}",
-    paste0(
-      "{edges: [\"net.left[0:4]\", \"mat.upper[0:4]\"]}\n",
-      "  rest: {edges: [\"net.left[4:10]\", \"mat.upper[4:10]\"]}"
-    ),
-    two_panels
-  )
-  expect_s3_class(read_text(parts), "codend_gear")
-  overlap <- sub("net.left[4:10]", "net.left[3:10]", parts, fixed = TRUE)
-  expect_match(text_error(overlap)$message, "already joins", fixed = TRUE)
-})
-
-test_that("check accepts two fixed corners but not the same corner twice", {
-  plan <- spoil(
-    "knot: {}", "knot: {}\n  clamp: {at: net.upper_left, position: [1, 0, 0], held: fixed}"
-  )
-  expect_s3_class(read_text(plan), "codend_gear")
-  twice <- sub("clamp:",
-    "other: {at: net.upper_right, position: [1, 0, 0], held: fixed}\n  clamp:", plan)
-  # the whole upper edge is gathered, so its corners are one position
-  expect_match(text_error(twice)$message, "same position as the held point", fixed = TRUE)
-})
-
 framed <- paste0(sub("seams:.*", "", small_plan), "seams:
   top: {edges: [net.upper], held_between: [ship, post]}
 ")
-framed <- sub("knot: {}", "knot: {}\n  post: {position: [0, 0.6, 0], held: fixed}", framed,
-  fixed = TRUE)
 
-test_that("check rejects `held_between` points that the edge cannot reach", {
-  expect_s3_class(read_text(framed), "codend_gear")
-  e <- function(...) expect_plan_error(..., plan = framed)
-  e("[ship, post]", "[ship, pots]", "seams.top.held_between", "did you mean `post`?")
-  e("[ship, post]", "[ship]", "seams.top.held_between", "a list of 2 (each a location)")
-  e("[ship, post]", "[ship, knot]", "seams.top.held_between[2]",
-    "is \"knot\"; it must be a held point from this list: ship, post")
-  e("[ship, post]", "[net.upper_left, post]", "seams.top.held_between[1]", "a held point")
-  e("[ship, post]", "[ship, ship]", "seams.top.held_between", "two points at different positions")
-  # the upper edge: 10 meshes of 100 mm
-  e("0.6", "1.6", "seams.top.held_between", "stretched length 1 m between points 1.6 m apart")
-  e("held_between: ", "gathered_at: knot, held_between: ", "seams.top",
-    "has both `gathered_at` and `held_between`")
+right_plans <- list(
+  small = small_plan, two_panels = two_panels,
+  parts = spoil("{edges: [net.left, mat.upper]}", "{edges: [\"net.left[0:4]\", \"mat.upper[0:4]\"]}
+  rest: {edges: [\"net.left[4:10]\", \"mat.upper[4:10]\"]}", two_panels),
+  clamped = spoil("knot: {}",
+    "knot: {}\n  clamp: {at: net.upper_left, position: [1, 0, 0], held: fixed}"),
+  framed = spoil("knot: {}", "knot: {}\n  post: {position: [0, 0.6, 0], held: fixed}", framed)
+)
+
+# Adds the fields of a piece or a measure to the small plan.
+with_piece <- function(fields) c("seams:", paste0("pieces:\n  p: {", fields, "}\nseams:"))
+with_measure <- function(fields) c("seams:", paste0("measures:\n  m: {", fields, "}\nseams:"))
+
+# The replaced string and its wrong replacement, by plan.
+wrong_edits <- list(
+  small = list(
+    # missing, wrong and surplus fields
+    c("    length: 100 m\n", ""), c("    from: ship\n", ""), c("    diameter: 20 mm\n", ""),
+    c("    material: PA\n", ""), c("material: PA", "material: polyamid"),
+    c("100 m\n", "100 m\n    hanging_ratio: 1\n"), c("codend: 1", "codend: 2"),
+    c("codend: 1\n", ""), c("name: A net on a warp", "name: 5"),
+    c("name: A", "kind: trawl\nname: A"), c("twine: {", "twine: {double: maybe, "),
+    c("upper: 10", "upper: -1"),
+    c("upper: 10, lower: 5", "upper: 0, lower: 0"), c("mesh_size: 100 mm", "mesh_size: 3 mm"),
+    c("mesh_size", "rows: 2.5\n    mesh_size"), c("held: fixed", "held: fixd"),
+    c("knot: {}", "knot: {position: [0, 0, 1]}"), c("knot: {}", "knot: {load: [1, 2]}"),
+    c("knot: {}", "knot: {load: [1, 2, 3 m]}"), c("knot: {}", "k.not: {}"),
+    c("[net.upper]", "[net.uper]"), with_measure("depth: knot, length: [knot, ship]"),
+    c("points:", "coefficients: hoern\npoints:"),
+    c("twine: {", "straight_bar: 10 mm\n    twine: {"),
+    c("twine: {", "orientation: hexagonal\n    straight_bar: 50 mm\n    twine: {"),
+    # references to missing parts
+    c("from: ship", "from: shop"), c("from: ship", "from: nett.upper_left"),
+    c("from: ship", "from: wrap.end"), c("gathered_at: knot", "gathered_at: knit"),
+    c("[net.upper]", "[mat.upper]"), with_piece("along: rope, mass: 5"),
+    with_measure("tension: war.max"), with_measure("area: [warp, x]"),
+    c("knot: {}", "knot: {at: other}"),
+    # ranges outside their edge
+    c("[net.upper]", "[\"net.upper[0:11]\"]"), c("[net.upper]", "[\"net.upper[5:5]\"]"),
+    c("[net.upper]", "[\"net.upper[6:2]\"]"),
+    # points without support, or supported twice
+    c("position: [0, 0, 0], held: fixed", ""),
+    c("knot: {}", "knot: {}\n  twin: {at: ship, position: [0, 0, 0], held: fixed}"),
+    c("knot: {}", "knot: {at: again}\n  again: {at: knot}"),
+    c("points:", "towing: {speed: 3 knot}\npoints:"), c("knot: {}", "knot: {}\n  lonely: {}"),
+    c("knot: {}\n", "knot: {position: [9, 0, 0], held: moved}\ntowing: {speed: 3 knot}\n"),
+    c(", gathered_at: knot", ""),
+    c("seams:\n  top: {edges: [net.upper], gathered_at: knot}\n", ""),
+    # ropes between two names of one position
+    c("to: knot", "to: ship\n    segments: 2"), c("knot: {}", "knot: {at: ship}"),
+    c("to: knot", "to: knot\n    along: net.left"),
+    # pieces with contradicting fields
+    with_piece("at: knot, role: weight"), with_piece("at: knot, buoyancy: 5, mass: 3"),
+    with_piece("at: knot, mass: 5, density: 7850, volume: 1"),
+    with_piece("at: knot, density: 7850"),
+    with_piece("at: knot, buoyancy: 1000 N, diameter: 10 cm"),
+    with_piece("at: knot, mass: 5, drag_coefficient: 1"),
+    with_piece("at: knot, area: 5, lift_coefficient: 1"),
+    with_piece("at: knot, mass: 5, extent: [0, 1]"), with_piece("at: knot, mass: 5, along: warp"),
+    with_piece("along: warp, extent: [0.5, 0.2], mass: 1"),
+    with_piece("along: warp, mass: 5, end_to_end: yes"),
+    with_piece("at: knot, mass: 5, number: 2, end_to_end: yes"),
+    with_piece("along: warp, mass: 5, number: 2, end_to_end: 2")
+  ),
+  # seams of unequal lengths, and meshes joined twice
+  two_panels = list(
+    c("[net.left, mat.upper]", "[net.left, mat.right]"),
+    c("upper: 10, lower: 10", "upper: 0, lower: 10"),
+    c("  join:", "  again: {edges: [net.left, mat.lower]}\n  join:"),
+    c("[net.left, mat.upper]", "[net.upper, mat.upper]")
+  ),
+  parts = list(c("net.left[4:10]", "net.left[3:10]")),
+  # the whole upper edge is gathered, so its corners are one position
+  clamped = list(c("clamp:",
+    "other: {at: net.upper_right, position: [1, 0, 0], held: fixed}\n  clamp:")),
+  # points that the upper edge cannot reach: 10 meshes of 100 mm
+  framed = list(
+    c("[ship, post]", "[ship, pots]"), c("[ship, post]", "[ship]"),
+    c("[ship, post]", "[ship, knot]"), c("[ship, post]", "[net.upper_left, post]"),
+    c("[ship, post]", "[ship, ship]"), c("0.6", "1.6"),
+    c("held_between: ", "gathered_at: knot, held_between: "),
+    c("knot: {}", "knot: {}\n  nail: {at: net.upper_left, position: [1, 0, 0], held: fixed}")
+  )
+)
+
+test_that("check accepts joined, clamped and framed panels", {
+  for (plan in right_plans) expect_s3_class(read_text(plan), "codend_gear")
 })
 
-test_that("check rejects `held_between` if a point holds another corner", {
-  expect_plan_error(
-    "knot: {}", "knot: {}\n  nail: {at: net.upper_left, position: [1, 0, 0], held: fixed}",
-    "points.nail", "same position as the held point", plan = framed
-  )
+test_that("wrong plans throw an error that names the field, its value and its position", {
+  texts <- unlist(lapply(names(wrong_edits), function(plan) {
+    vapply(wrong_edits[[plan]], function(edit) {
+      message <- plan_error(edit[1], edit[2], right_plans[[plan]])$message
+      paste0(encodeString(edit[1]), " -> ", encodeString(edit[2]), "\n  ", without_lists(message))
+    }, "")
+  }))
+  expect_identical(grep("no error", texts, value = TRUE), character())
+  expect_snapshot(cat(texts, sep = "\n"), cran = TRUE)
 })

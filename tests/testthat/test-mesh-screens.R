@@ -264,13 +264,6 @@ test_that("hexagonal netting in a blended plan uses twine-by-twine drag", {
   expect_refused(plan("\n    netting_drag: blended"), "netting_drag")
 })
 
-test_that("check rejects fields of hexagons in other netting", {
-  expect_plan_error("twine: {", "straight_bar: 10 mm\n    twine: {", "panels.net.straight_bar",
-    "`panels.net.orientation` is diamond")
-  expect_plan_error("twine: {", "orientation: hexagonal\n    straight_bar: 50 mm\n    twine: {",
-    "panels.net.straight_bar", "less than half the mesh size, 50 mm")
-})
-
 test_that("sheets between bars cover their panel and match cells' drag", {
   shapes <- list(
     rectangle = list(), tapered = list(meshes = list(upper = 24, lower = 11, deep = 36)),

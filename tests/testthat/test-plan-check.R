@@ -39,33 +39,6 @@ test_that("check rejects every kind of wrong quantity", {
   }
 })
 
-test_that("check rejects missing, wrong and surplus fields", {
-  e <- expect_plan_error
-  e("    length: 100 m\n", "", "ropes.warp", "lacks `length`; or `hanging_ratio`")
-  e("    from: ship\n", "", "ropes.warp.from", "is missing")
-  e("    diameter: 20 mm\n", "", "ropes.warp.diameter", "is missing; it must be a length")
-  e("    material: PA\n", "", "ropes.warp", "`axial_stiffness`, `mass_per_length`")
-  e("material: PA", "material: polyamid", "ropes.warp.material", "Did you mean `polyamide`?")
-  e("100 m\n", "100 m\n    hanging_ratio: 1\n", "ropes.warp.along", "is missing")
-  e("codend: 1", "codend: 2", "codend", "it must be 1")
-  e("codend: 1\n", "", "codend", "is missing")
-  e("name: A net on a warp", "name: 5", "name", "is 5; it must be text")
-  e("name: A", "kind: trawl\nname: A", "kind", "it must be one of assembly, ")
-  e("twine: {", "twine: {double: maybe, ", "panels.net.twine.double", "must be yes or no")
-  e("upper: 10", "upper: -1", "panels.net.meshes.upper", "a number of at least 0")
-  e("upper: 10, lower: 5", "upper: 0, lower: 0", "panels.net.meshes", "0 meshes at both edges")
-  e("mesh_size: 100 mm", "mesh_size: 3 mm", "panels.net.twine.diameter", "half the mesh size")
-  e("mesh_size", "rows: 2.5\n    mesh_size", "panels.net.rows", "a whole number of at least 1")
-  e("held: fixed", "held: fixd", "points.ship.held", "Did you mean `fixed`?")
-  e("knot: {}", "knot: {position: [0, 0, 1]}", "points.knot.held", "is missing")
-  e("knot: {}", "knot: {load: [1, 2]}", "points.knot.load", "a list of 3 (each a force)")
-  e("knot: {}", "knot: {load: [1, 2, 3 m]}", "points.knot.load[3]", "it must be a force")
-  e("knot: {}", "k.not: {}", "points", "a name that is not allowed")
-  e("[net.upper]", "[net.uper]", "seams.top.edges[1]", "panel edge such as")
-  e("seams:", "measures:\n  m: {depth: knot, length: [knot, ship]}\nseams:", "measures.m",
-    "exactly one")
-})
-
 test_that("messages show braces of a value unchanged", {
   expect_match(plan_error("PA", "'{cli::ansi_nchar}'")$message, "{cli::ansi_nchar}", fixed = TRUE)
 })
@@ -107,16 +80,6 @@ test_that("schema choices of a field differ in shape", {
   }
   for (kind in plan_kinds) check(kind_node(kind), kind)
   expect_identical(clashes, character())
-})
-
-test_that("check rejects `end_to_end` without two pieces along a rope", {
-  e <- function(fields, ...) {
-    expect_plan_error("seams:", paste0("pieces:\n  p: {", fields, "}\nseams:"), ...)
-  }
-  e("along: warp, mass: 5, end_to_end: yes", "pieces.p.number", "at least 2 with `end_to_end`")
-  e("at: knot, mass: 5, number: 2, end_to_end: yes", "pieces.p.along",
-    "is missing; it must be given with `end_to_end`")
-  e("along: warp, mass: 5, number: 2, end_to_end: 2", "pieces.p.end_to_end", "must be yes or no")
 })
 
 # Paths of the lists that may be empty in a plan, without the number of an item.
