@@ -644,19 +644,24 @@ test('tank fits the width of a phone and labels every field', async () => {
   await page.close();
 });
 
-test('tank, gallery and drawing pass the checks of axe-core', async () => {
+test('tank, gallery and drawing pass the checks of axe-core in light and dark', async () => {
   const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
   const finds = async (page, state) => {
     await complete(page);
     await page.evaluate(axe);
-    const found = await page.evaluate(() => window.axe.run({ preload: false }));
-    assert.deepEqual(found.violations.map((one) => `${state}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`), []);
+    for (const colorScheme of ['light', 'dark']) {
+      await page.emulateMedia({ colorScheme });
+      await complete(page);
+      const found = await page.evaluate(() => window.axe.run({ preload: false }));
+      const wrong = found.violations.map((one) => `${state}, ${colorScheme}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`);
+      assert.deepEqual(wrong, []);
+    }
   };
   for (const size of [{ width: 1440, height: 900 }, { width: 390, height: 844 }]) {
     const page = await open(browser, tank.url, size);
     await finds(page, `tank at ${size.width}`);
     await page.click('#keep');
-    for (const name of ['Designs', 'Vary', 'Save']) {
+    for (const name of ['Designs', 'Vary', 'Save', 'Tensions', 'Tow', 'Plan', 'R code']) {
       await tab(page, name);
       await finds(page, `${name} at ${size.width}`);
     }

@@ -238,7 +238,7 @@ const Plan = () => <>
 
 const Code = () => <>
   <p>{say('code_settles')}</p><pre id="code" tabIndex={0} role="region" aria-label={say('tab_code')} />
-  <Save id={'save_code'} />
+  <ul class="downloads"><Save id={'save_code'} /></ul>
 </>;
 
 function Saves({ can_share, formats }: Begin) {
