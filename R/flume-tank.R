@@ -3,10 +3,9 @@
 #
 # `draft` is a design (list(plan, file, source)), which may be incomplete, and `problems` are its
 # errors. `edited` is the number of the request that changed the draft last, and `shown` the number
-# of the last change in the design on screen. The counters are `turn`
-# (opened gears) and `serial` (states). `slopes` and `uncertainty` belong to the state on screen;
-# `with_intervals` is TRUE if the page shows the uncertainty. `trajectory` is the last tow,
-# serialised.
+# of the last change in the design on screen. The counters are `turn` (opened gears) and `serial`
+# (states). `slopes` and `uncertainty` belong to the state on screen; `with_intervals` is TRUE if
+# the page shows the uncertainty. `trajectory` is the last tow, serialised.
 
 # start: list(gear, state, notes) to open with, or NULL to start at the gallery. `say`: translator
 # from make_translator().

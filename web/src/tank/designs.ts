@@ -1,13 +1,14 @@
 // The page address, which encodes all designs, and the shared folder.
 
 import type { Design, FromR, SharedDesign, Words } from '../protocol';
-import { element, file_name, find, save_as } from '../view';
+import { element, find } from '../view';
 import * as Catalogue from './catalogue';
 import { on } from './events';
 import * as Form from './form';
 import * as History from './history';
 import * as Kept from './kept';
 import { gallery, tell } from './notices';
+import * as Saves from './saves';
 import { send } from './server';
 import * as Talk from './talk';
 import { prefer, preferred } from './units';
@@ -169,11 +170,8 @@ export function shared(designs: SharedDesign[]): void {
     });
   });
 }
+Saves.add('save_all', '-designs.json', () => [JSON.stringify({ codend_designs: 1, ...all() }) + '\n']);
 on('click', ({ id }) => {
-  if (id === 'save_all') {
-    save_as(new Blob([JSON.stringify({ codend_designs: 1, ...all() }) + '\n']),
-      file_name(find('gear_name').textContent ?? '') + '-designs.json');
-  }
   const text = (id: string) => find<HTMLInputElement>(id).value;
   if (id === 'shared_put') share('put', text('shared_name'), text('shared_author'));
 });

@@ -3,7 +3,7 @@
 
 import { h, render } from 'preact';
 import type { FileHeader, FromR, MovedHeader } from '../protocol';
-import { element, file_name, find, save_as } from '../view';
+import { element, find, save_as } from '../view';
 import * as Catalogue from './catalogue';
 import * as Designs from './designs';
 import * as Drawing from './drawing';
@@ -16,6 +16,7 @@ import * as Kept from './kept';
 import { Page } from './layout';
 import * as Measures from './measures';
 import { gallery, is_open, set_open, tell } from './notices';
+import * as Saves from './saves';
 import { connect, hear, hear_bytes, send, sending } from './server';
 import * as Slopes from './slopes';
 import * as Tabs from './tabs';
@@ -220,17 +221,8 @@ hear({
 });
 hear_bytes(take_bytes);
 
-// files of other modules
-const made_here = ['save_all', 'save_measures', 'save_designs'];
-on('click', ({ id, classList }) => {
-  const name = file_name(find('gear_name').textContent ?? '');
-  if (id === 'save_picture') save_as(Tank.save_picture(), name + '.png');
-  else if (id === 'save_code') save_as(new Blob([find('code').textContent + '\n']), name + '.R');
-  else if (classList.contains('save') && !made_here.includes(id)) {
-    tell('save_error', '');
-    send('save_wanted', id.replace('save_', ''));
-  }
-});
+Saves.add('save_picture', '.png', Tank.save_picture);
+Saves.add('save_code', '.R', () => [find('code').textContent + '\n']);
 
 window.addEventListener('hashchange', () => Designs.read());
 connect(() => {

@@ -3,12 +3,13 @@
 import { render, type ComponentChildren } from 'preact';
 import { decimals_of, error_digits, fixed_decimals, signed, sure_digits } from '../numbers';
 import type { FromR, MeasureAbout, Measures } from '../protocol';
-import { file_name, find, save_as } from '../view';
+import { find } from '../view';
 import { on } from './events';
 import * as Kept from './kept';
 import { tell } from './notices';
+import * as Saves from './saves';
 import { send } from './server';
-import { note, rows_of, table } from './table';
+import { note, table, text_table } from './table';
 import { shown_unit } from './units';
 import { say, say_unit } from './words';
 
@@ -94,41 +95,33 @@ export function write_designs(): void {
       return fixed_decimals(value, decimals) + (moved && moved !== '0' ? '\n' + moved : '');
     })];
   });
-  const about = {
-    caption: say('designs_caption'), head, numbers: head.map((_, k) => k > 0), foot: null, note: null, rows
-  };
-  render(table(about, rows_of(about)), find('designs'));
+  render(text_table(say('designs_caption'), head, rows), find('designs'));
 }
 
-// Saves a table. Spreadsheets must not run a string as a formula.
-function save_csv(name: string, head: string[], rows: (string | number)[][]) {
+// Returns a table as CSV. Spreadsheets must not run a string as a formula.
+function csv(head: string[], rows: (string | number)[][]): string[] {
   const cell = (value: string | number) => typeof value === 'number' ? isFinite(value) ? String(value) : '' :
     '"' + value.replace(/^[=+@\t\r-]/, '\'$&').replace(/"/g, '""') + '"';
-  const text = [head, ...rows].map((row) => row.map(cell).join(',') + '\n').join('');
-  save_as(new Blob([text], { type: 'text/csv' }), file_name(find('gear_name').textContent ?? '') + name + '.csv');
+  return [head, ...rows].map((row) => row.map(cell).join(',') + '\n');
 }
-function save_measures() {
+Saves.add('save_measures', '-measures.csv', () => {
   const measures = shown ?? none, kept = Kept.all()[0]?.measures ?? none;
-  save_csv('-measures', ['measure', 'unit', 'now', 'error', 'kept', 'change', 'change_percent', 'definition'],
+  return csv(['measure', 'unit', 'now', 'error', 'kept', 'change', 'change_percent', 'definition'],
     union(measures, kept).map(({ name, label, unit, definition }) => {
       const now = number_of(measures, name), before = number_of(kept, name);
       return [label, unit, now, number_of(measures, name, 'error'), before, now - before,
         before ? 100 * (now - before) / Math.abs(before) : NaN, definition];
     }));
-}
-function save_designs() {
+});
+Saves.add('save_designs', '-designs.csv', () => {
   const all = designs();
-  save_csv('-designs', ['measure', 'unit', ...all.map(({ name }) => name)],
+  return csv(['measure', 'unit', ...all.map(({ name }) => name)],
     union(...all.map(({ measures }) => measures)).map(({ name, label, unit }) =>
       [label, unit, ...all.map(({ measures }) => number_of(measures, name))]));
-}
+});
 
 on('change', (target) => {
   if (target.id !== 'with_intervals') return;
   tell('uncertainty_error', '');
   send('intervals_wanted', target.checked);
-});
-on('click', ({ id }) => {
-  if (id === 'save_measures') save_measures();
-  else if (id === 'save_designs') save_designs();
 });

@@ -9,7 +9,7 @@ import { on } from './events';
 import * as Form from './form';
 import { tell } from './notices';
 import { send } from './server';
-import { note, rows_of, table } from './table';
+import { note, table, text_table } from './table';
 import * as Tabs from './tabs';
 import * as Talk from './talk';
 import { shown_unit } from './units';
@@ -92,10 +92,8 @@ export function write_all(): void {
     const text = signed(10 * share, Math.abs(share) < 0.1 ? 2 : 1);
     return text && text !== '0' && !smooth[k] ? text + ' *' : text;
   })]).filter((cells) => cells.slice(1).some((text) => text && text !== '0'));
-  const about = {
-    caption: say('slopes_caption'), head, numbers: head.map((_, k) => k > 0), foot: null, note: null, rows
-  };
-  render(fields.length ? [table(about, rows_of(about)), note(say('slopes_star'))] : null, find('slopes'));
+  render(fields.length ? [text_table(say('slopes_caption'), head, rows), note(say('slopes_star'))] : null,
+    find('slopes'));
 }
 
 // Adds R's results to the known ones.

@@ -20,4 +20,11 @@ function row_of(cells: string[], numbers: boolean[]) {
   return <tr>{cells.map((words, k) =>
     k ? <td class={numbers[k] ? 'number' : ''}>{words}</td> : <th scope="row">{words}</th>)}</tr>;
 }
-export function rows_of({ rows, numbers }: Table) { return rows.map((cells) => row_of(cells, numbers)); }
+export function rows_of({ rows, numbers }: Pick<Table, 'rows' | 'numbers'>) {
+  return rows.map((cells) => row_of(cells, numbers));
+}
+// Returns a table of strings. All columns except the first one are aligned as numbers.
+export function text_table(caption: string, head: string[], rows: string[][]) {
+  const numbers = head.map((_, k) => k > 0);
+  return table({ caption, head, numbers, foot: null }, rows_of({ rows, numbers }));
+}
