@@ -53,11 +53,12 @@ unusual_numbers <- function(range, gear, state) {
     limits <- if (by_kind) band_of(range$check, si) else range
     if (is.null(limits)) return(NULL)
     values <- checked_numbers[[range$check]](si, state)
-    limits <- first_of(attr(values, "limits"), limits[rep(1L, length(values)), ])
+    limits <- first_of(attr(values, "limits"), limits)
     below <- !is.na(limits$least) & values < limits$least
     lapply(which(is.finite(values) & (below | values > limits$greatest)), function(k) {
       location <- first_of(names(values)[k], range$location)
-      unusual_number(range, values[[k]], limits[k, ], location_in_net(location, net, gear$plan),
+      own <- limits[if (nrow(limits) > 1L) k else 1L, ]
+      unusual_number(range, values[[k]], own, location_in_net(location, net, gear$plan),
         below[[k]])
     })
   }, nets, first_of(names(nets), ""))

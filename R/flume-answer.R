@@ -20,6 +20,8 @@ flume_answer <- function(request, memory) {
       settled_design(request, memory)
     } else if (request$kind == "rest") {
       rest_of_design(memory)
+    } else if (request$kind == "prediction") {
+      prediction_message(request$said, memory)
     } else {
       displayed_design(request, memory)
     }

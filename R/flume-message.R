@@ -18,3 +18,8 @@ with_header <- function(header, bytes) {
   text <- c(text, rep(charToRaw(" "), -length(text) %% 4L))
   c(writeBin(length(text), raw(), size = 4L, endian = "little"), text, bytes)
 }
+
+# Returns the numbers of arrays in single precision, little-endian.
+single_bytes <- function(arrays) {
+  writeBin(unlist(arrays, use.names = FALSE), raw(), size = 4L, endian = "little")
+}

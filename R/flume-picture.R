@@ -53,6 +53,6 @@ moved_message <- function(state, shape, fixed, number) {
       now_fixed[changed]
     )
   )
-  floats <- writeBin(unlist(arrays, use.names = FALSE), raw(), size = 4L, endian = "little")
-  list(moved = with_header(header, floats), fixed = now_fixed, anew = length(changed) > 0)
+  list(moved = with_header(header, single_bytes(arrays)), fixed = now_fixed,
+    anew = length(changed) > 0)
 }

@@ -99,6 +99,7 @@ flume_server <- function(
     # Requests the rest of the shape that the page has (NULL if the page has all data); and the time
     # since which data are missing [s].
     owed <- NULL
+    passed <- 0L  # number of shapes that arrived alone
     since <- 0
     seconds <- function() proc.time()[["elapsed"]]
 
@@ -193,6 +194,7 @@ flume_server <- function(
       ask(kind, function(found) {
         if (is.null(found$moved)) return(complete(found))
         send_bytes(found$moved)
+        passed <<- passed + 1L
         if (found$anew) tank$forget_picture()
         # the worker continues from this shape, complete or not
         worker$holds <- tank$serial
@@ -238,7 +240,8 @@ flume_server <- function(
         if (!is.null(tank$gear)) page$show_measures()
       }
     ), flume_keeping(page), flume_display(page), flume_draws(page), flume_sensitivities(page),
-    flume_varies(page), flume_targets(page), flume_tows(page), flume_saves(page))
+    flume_varies(page), flume_targets(page), flume_tows(page), flume_saves(page),
+    flume_predicts(page, worker, function() passed))
     if (!is.null(shared)) {
       id <- shared$listen(function(designs) said("flume_shared", designs = designs))
       handlers <- c(handlers, flume_shares(page, shared, visitor))

@@ -56,14 +56,14 @@ look_share <- 0.15
 # While requests of a group wait, a later request of the group replaces them.
 replaced_requests <- list(
   c("design", "plan_file", "shipped", "new", "words"), "drawing", "slopes", "uncertainty", "tow",
-  "vary", "target"
+  "vary", "target", "prediction"
 )
 
-# Returns the kinds of requests that a new request replaces. A new design replaces the rest of an
+# Returns the kinds of requests that a new request replaces. A new design replaces requests about an
 # earlier shape.
 replaced_by <- function(kind) {
   alike <- unlist(Filter(function(kinds) kind %in% kinds, replaced_requests))
-  if (kind == "design") c(alike, "rest") else alike
+  if (kind == "design") c(alike, "rest", "prediction") else alike
 }
 
 cancelled_answer <- list(problem = list(message = "Cancelled.", cancelled = TRUE))

@@ -12,6 +12,8 @@
 #' - **Tank**: the gear in three dimensions. Drag or the arrow keys turn it; the wheel, two fingers
 #'   or `+` and `-` zoom. Buttons select the net or the whole gear and the direction of view. A
 #'   click on a part opens its fields. Colours show tension as in [plot.codend_state()].
+#'   While a slider moves, the tank first shows a marked prediction, the settled shape plus its
+#'   derivative by the field times the change.
 #' - **Measures** and warnings ([findings()]), with changes from a stored design. They are updated
 #'   when a slider pauses, and twice a second while it moves.
 #' - **Designs**: the gear as opened and designs that you store with *Keep this design*. A table

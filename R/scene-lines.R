@@ -132,6 +132,15 @@ seams_of_bars <- function(state, of_bars) {
 # it.
 seam_groups <- function(state, part, seams, k) {
   mesh <- state$mesh
+  model <- mesh$model
+  mesh <- list(nodes = mesh$nodes, bar_part = mesh$bar_part,
+    model = list(bars = model$bars["node"], ties = model$ties))
+  seam_lines(mesh, part, seams, k)
+}
+
+seam_lines <- remembered(new_seam_lines)
+
+new_seam_lines <- function(mesh, part, seams, k) {
   nodes <- lapply(seams$nodes, function(node) node[block_ends(length(node), k)])
   first <- unlist(lapply(nodes, function(node) node[-length(node)]))
   second <- unlist(lapply(nodes, `[`, -1L))

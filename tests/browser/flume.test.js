@@ -5,7 +5,8 @@ const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const { serve, launch, visit, open, control, measure, answered, save, tab, complete } = require('./tank');
+const { serve, launch, visit, open, control, measure, answered, save, tab, complete } =
+  require('./tank');
 
 let tank, browser, folder;
 before(async () => {
@@ -96,6 +97,53 @@ test('tank slider moves the net by mouse and keyboard and announces results', as
   await page.close();
 });
 
+test('tank predicts the shape until the settled shape arrives', async () => {
+  const page = await open(browser, tank.url);
+  // settled shapes wait until they are released
+  let wait = false, predictions = 0;
+  const waiting = [];
+  await page.routeWebSocket(/./, (socket) => {
+    const server = socket.connectToServer();
+    server.onMessage((message) => {
+      const size = typeof message === 'string' ? 0 : message.readUInt32LE();
+      if (size && /"predicts"/.test(message.toString('utf8', 4, 4 + size))) predictions += 1;
+      else if (wait) return waiting.push(() => socket.send(message));
+      socket.send(message);
+    });
+  });
+  await page.reload();
+  await page.waitForSelector('.measures td', patience);
+  await answered(page);
+  const points = () =>
+    page.evaluate(() => Array.from(window.codendTank.Tank.shown().gear().points));
+  const slider = control(page, 'towing.speed').locator('[type=range]');
+  const start = await points();
+  await slider.focus();
+  while (!predictions) await page.waitForTimeout(50);
+  wait = true;
+  await page.keyboard.press('ArrowRight');
+  await page.waitForSelector('#predicted', { state: 'visible', ...patience });
+  const predicted = await points();
+  wait = false;
+  waiting.forEach((release) => release());
+  await page.waitForSelector('#predicted', { state: 'hidden', ...patience });
+  await answered(page);
+  const settled = await points();
+  const difference = (a, b) => Math.hypot(...a.map((v, k) => v - b[k]));
+  assert.ok(difference(settled, start) > 1);
+  assert.ok(difference(predicted, settled) < 0.05 * difference(settled, start));
+  // a number of meshes changes the nodes, so it is not predicted
+  const before = predictions;
+  await page.fill('#find_field', 'section 1 deep');
+  const deep = control(page, 'sections.section_1.meshes.deep');
+  await deep.locator('[type=range]').focus();
+  await page.keyboard.press('ArrowRight');
+  await answered(page);
+  assert.equal(predictions, before);
+  clean(page);
+  await page.close();
+});
+
 test('tank converts units and reports a wrong value at its field', async () => {
   const page = await open(browser, tank.url);
   const warp = control(page, 'warps.length');
@@ -133,12 +181,14 @@ test('tank rejects wrong, unreadable and 50 MB files and keeps the gear', async 
   };
   await refuses('wrong.yaml', 'codend: 1\nname: Wrong\ntowing: {sped: 4 knot}\n',
     /towing\.sped.*did you mean `speed`/);
-  await refuses('garbage.yaml', Buffer.from([0, 255, 1, 254, 0, 7]), /garbage\.yaml.*not UTF-8 text/);
+  await refuses('garbage.yaml', Buffer.from([0, 255, 1, 254, 0, 7]),
+    /garbage\.yaml.*not UTF-8 text/);
   await refuses('code.yaml', 'codend: 1\nname: !expr stop("ran")\n', /cannot contain code/);
   await refuses('large.yaml', Buffer.alloc(50 * 1024 * 1024, 65), /50\.0 MB.*at most 2 MB/);
   // the server disconnects a page that sends them, which then connects again
   await page.evaluate(() => window.codendTank.send('own', { number: 0, rows: ['x'.repeat(5e7)] }));
-  await page.waitForFunction(() => /cannot be reached/.test(document.getElementById('refused').textContent), null, patience);
+  await page.waitForFunction(() =>
+    /cannot be reached/.test(document.getElementById('refused').textContent), null, patience);
   await page.waitForSelector('#refused', { state: 'hidden', ...patience });
   clean(page);
   await page.close();
@@ -157,8 +207,8 @@ test('tank replaces the gear and its controls by a dropped plan', async () => {
   await page.dispatchEvent('#design', 'drop', { dataTransfer: data });
   await page.waitForFunction(() => /Towed cable/.test(document.querySelector('h1').textContent),
     null, patience);
-  await page.waitForFunction(() => document.querySelectorAll('#quick [data-control]').length === 1, null,
-    patience);
+  await page.waitForFunction(() => document.querySelectorAll('#quick [data-control]').length === 1,
+    null, patience);
   assert.equal(await page.evaluate(() => window.ran), undefined);
   // any field of the plan can be searched by its label
   await page.fill('#find_field', 'cable length');
@@ -211,7 +261,8 @@ test('tank saves the design, its tables and pictures on screen', async () => {
   assert.equal(name, 'midwater-trawl-2048-m-around-the-mouth.yaml');
   assert.match(plan, /(^|\n)codend: 1\n[^]*speed: 5 knot/);
   const [, measures] = await save(page, 'save_measures');
-  assert.match(measures, /^"measure","unit","now","error","kept","change","change_percent","definition"\n"door s/);
+  assert.match(measures,
+    /^"measure","unit","now","error","kept","change","change_percent","definition"\n"door s/);
   assert.match((await save(page, 'save_tensions'))[1], /^"part","kind","role","element"/);
   assert.match((await save(page, 'save_drag'))[1], /^"part","kind","role","drag_kN"/);
   await tab(page, 'R code');
@@ -237,17 +288,20 @@ test('tank compares a stored design over, next to and in a table', async () => {
   await page.click('#keep');
   // each of three designs has its position; nets are aligned at the bosom or the towing points
   const names = () => page.locator('.view-label-name').allTextContents();
-  await page.waitForFunction(() => document.querySelectorAll('.view-label-name').length === 3, null, patience);
+  await page.waitForFunction(() => document.querySelectorAll('.view-label-name').length === 3,
+    null, patience);
   assert.deepEqual(await names(), ['As opened', 'Design 2', 'Now']);
   const apart = await picture(page);
   await page.selectOption('[aria-label="Designs are aligned at"]', 'towing');
   assert.notEqual(await picture(page), apart);
   await tab(page, 'Designs');
-  await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
-  await page.waitForFunction(() => document.querySelectorAll('#designs thead th').length === 4, null,
+  await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null,
     patience);
+  await page.waitForFunction(() => document.querySelectorAll('#designs thead th').length === 4,
+    null, patience);
   await page.click('[aria-label="In the picture: Design 2"]');
-  await page.waitForFunction(() => document.querySelectorAll('.view-label-name').length === 2, null, patience);
+  await page.waitForFunction(() => document.querySelectorAll('.view-label-name').length === 2,
+    null, patience);
   await page.click('.kept-row:nth-child(2) button:has-text("Compare with it")');
   await tab(page, 'Changes');
   await page.waitForFunction(() => /is the reference design/.test(
@@ -276,12 +330,14 @@ test('tank undoes and redoes steps and stores all designs in the address', async
   await shown('5');
   await answered(page);
   await page.click('#keep');
-  await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
+  await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null,
+    patience);
   await answered(page);
   const address = page.url();
   assert.ok(address.length < 600, `${address.length} characters`);
   const other = await visit(browser, tank.url + address.slice(address.indexOf('/#')));
-  await other.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
+  await other.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null,
+    patience);
   assert.equal(await other.inputValue('#quick [data-paths="towing.speed"] .number'), '5');
   clean(page);
   clean(other);
@@ -303,12 +359,14 @@ test('tank starts at a gallery with shipped gears and new ones', async (t) => {
   await page.waitForSelector('.gear-card', { state: 'visible', ...patience });
   assert.ok(await page.locator('.gear-card').count() >= 15);
   const broken = await page.$$eval('.gear-card img', async (all) => {
-    await Promise.all(all.map((one) => { one.loading = 'eager'; return one.decode().catch(() => 0); }));
+    await Promise.all(all.map(
+      (one) => { one.loading = 'eager'; return one.decode().catch(() => 0); }));
     return all.filter((one) => !one.naturalWidth).map((one) => one.src);
   });
   assert.deepEqual(broken, []);
   await page.click('[data-gear="gillnet"]');
-  await page.waitForFunction(() => /gillnet/.test(document.querySelector('h1').textContent), null, patience);
+  await page.waitForFunction(() => /gillnet/.test(document.querySelector('h1').textContent), null,
+    patience);
   await page.waitForSelector('.measures td', patience);
   await page.click('#gears');
   await page.fill('.new-numbers[data-kind="bottom_trawl"] [data-ask="headline"]', 'wide');
@@ -317,8 +375,8 @@ test('tank starts at a gallery with shipped gears and new ones', async (t) => {
   assert.match(await page.textContent('#new_error'), /headline.*is "wide"/);
   await page.fill('.new-numbers[data-kind="bottom_trawl"] [data-ask="headline"]', '22 m');
   await page.click('#make_gear');
-  await page.waitForFunction(() => /headline 22 m/.test(document.querySelector('h1').textContent), null,
-    patience);
+  await page.waitForFunction(() => /headline 22 m/.test(document.querySelector('h1').textContent),
+    null, patience);
   // a running solve is displayed and can be cancelled
   const before = await page.evaluate(() => window.codendTank.Tank.point(0));
   await page.evaluate(() => { window.codendTank.Talk.ask('shipped', 'cage'); });
@@ -336,7 +394,8 @@ test('tank starts at a gallery with shipped gears and new ones', async (t) => {
 test('drawing edits the net and marks an unfinished net until it fits', async () => {
   const page = await open(browser, tank.url);
   await page.click('#see_drawing');
-  const figure = (path) => page.locator(`#drawing [data-path="${path}"]`).filter({ has: page.locator('text') }).first();
+  const figure = (path) => page.locator(`#drawing [data-path="${path}"]`)
+    .filter({ has: page.locator('text') }).first();
   const type = async (path, text) => {
     await figure(path).waitFor({ state: 'attached', ...patience });
     await figure(path).dispatchEvent('click');
@@ -356,19 +415,23 @@ test('drawing edits the net and marks an unfinished net until it fits', async ()
   await page.waitForSelector('#unfinished', { state: 'hidden', ...patience });
   await changed(page, 'total drag', before);
   // a copied panel scrolls into view, shows the typed numbers at once, and can be undone
-  await page.locator('#drawing [data-component="panel"][data-path="sections.section_1"]').first().dispatchEvent('click');
+  await page.locator('#drawing [data-component="panel"][data-path="sections.section_1"]').first()
+    .dispatchEvent('click');
   await page.click('[data-act="copy"][data-path="sections.section_1"]', patience);
   await page.keyboard.type('another');
   await page.keyboard.press('Enter');
-  await page.waitForSelector('#drawing .chosen[data-path="sections.another"]', { state: 'attached', ...patience });
+  await page.waitForSelector('#drawing .chosen[data-path="sections.another"]',
+    { state: 'attached', ...patience });
   const place = await page.locator('#drawing').boundingBox();
   const panel = await page.locator('#drawing .chosen').boundingBox();
-  assert.ok(panel.y + panel.height / 2 > place.y && panel.y + panel.height / 2 < place.y + place.height);
+  assert.ok(panel.y + panel.height / 2 > place.y &&
+    panel.y + panel.height / 2 < place.y + place.height);
   await type('sections.another.mesh_size', '29,5');
   assert.equal(await figure('sections.another.mesh_size').locator('text').textContent(), '29,5');
   await page.click('#undo');
   await page.click('#undo');
-  await page.waitForSelector('#drawing [data-path="sections.another"]', { state: 'detached', ...patience });
+  await page.waitForSelector('#drawing [data-path="sections.another"]',
+    { state: 'detached', ...patience });
   // keys zoom the drawing
   const view = await page.getAttribute('#drawing svg', 'viewBox');
   await page.focus('#drawing');
@@ -379,7 +442,8 @@ test('drawing edits the net and marks an unfinished net until it fits', async ()
   const sheet = await page.evaluate(() => {
     const paper = document.querySelector('#drawing svg'), all = paper.getBBox();
     const [left, top, wide, tall] = paper.getAttribute('viewBox').split(' ').map(Number);
-    return [left - all.x, top - all.y, all.x + all.width - left - wide, all.y + all.height - top - tall];
+    return [left - all.x, top - all.y, all.x + all.width - left - wide,
+      all.y + all.height - top - tall];
   });
   assert.ok(Math.max(...sheet) < 0.5, `${sheet} mm beyond the picture`);
   clean(page);
@@ -433,8 +497,10 @@ test('tank restores the design after a reload and from links', async (t) => {
     if (!plans.length) await page.locator('[data-gear="towed_cable"]').click(patience);
     const speed = control(page, 'towing.speed').locator('.number');
     const shows = async (one) => {
-      await one.waitForFunction(() => /5 knot/.test(document.getElementById('gear_conditions')?.textContent) &&
-        document.getElementById('tank')?.offsetParent && document.getElementById('gallery').hidden, null, patience);
+      await one.waitForFunction(() =>
+        /5 knot/.test(document.getElementById('gear_conditions')?.textContent) &&
+        document.getElementById('tank')?.offsetParent && document.getElementById('gallery').hidden,
+          null, patience);
     };
     await speed.fill('5');
     await shows(page);
@@ -474,7 +540,8 @@ test('form finds, adds and removes every field of the plan', async () => {
   assert.ok(number((await measure(page, 'door depth'))[0]) < number(depth));
   await part.locator('[data-paths="otter_boards.vertical_lift_coefficient"] .take-out').click();
   await page.waitForFunction((depth) => [...document.querySelectorAll('.measures tbody tr')]
-    .some((r) => /^door depth/.test(r.cells[0].textContent) && r.cells[1].textContent === depth), depth, patience);
+    .some((r) => /^door depth/.test(r.cells[0].textContent) && r.cells[1].textContent === depth),
+      depth, patience);
   clean(page);
   await page.close();
 });
@@ -486,7 +553,8 @@ test('tank lists the effect of more of a field next to measures', async () => {
   assert.equal(await page.inputValue('#more_field'), 'floats.number');
   assert.equal(await page.inputValue('#more_amount'), '10');
   const told = async (name) => number(await page.locator('#more_does tr', {
-    has: page.locator('th', { hasText: new RegExp(`^${name} \\(`) }) }).locator('td').textContent());
+    has: page.locator('th', { hasText: new RegExp(`^${name} \\(`) }) }).locator(
+      'td').textContent());
   const ten = await told('net mouth height');
   // more floats lift the headline; twice the number has twice the effect
   assert.ok(ten > 0);
@@ -497,8 +565,8 @@ test('tank lists the effect of more of a field next to measures', async () => {
   await page.waitForFunction(() => !document.querySelector('#more_does td'), null, patience);
   await page.waitForSelector('#more_does td', patience);
   await page.selectOption('#more_field', 'towing.speed');
-  await page.waitForFunction(() => document.getElementById('more_unit').textContent === 'knot', null,
-    patience);
+  await page.waitForFunction(() => document.getElementById('more_unit').textContent === 'knot',
+    null, patience);
   assert.ok(await told('net mouth height') < 0);
   await page.click('#slopes_all');
   await page.waitForFunction(() => document.querySelectorAll('#slopes thead th').length > 5, null,
@@ -515,7 +583,8 @@ test('tank plots measures against a field with values under the pointer', async 
   await page.fill('#vary_to', '4.5');
   await page.fill('#vary_number', '3');
   await page.click('#vary_start');
-  await page.waitForFunction(() => /^3 of 3 values$/.test(document.getElementById('vary_said').textContent),
+  await page.waitForFunction(() =>
+    /^3 of 3 values$/.test(document.getElementById('vary_said').textContent),
     null, patience);
   const graph = page.locator('#varied svg').first();
   assert.equal(await graph.locator('circle').count(), 3);
@@ -527,8 +596,10 @@ test('tank plots measures against a field with values under the pointer', async 
   const [download] = await Promise.all([
     page.waitForEvent('download', patience), page.click('#vary_graphs .save-graph')
   ]);
-  assert.deepEqual([...fs.readFileSync(await download.path()).subarray(1, 4)], [...Buffer.from('PNG')]);
-  assert.match((await save(page, 'save_vary'))[1], /^"towing.speed_knot","settled","problem","door_spread_m"/);
+  assert.deepEqual([...fs.readFileSync(await download.path()).subarray(1, 4)],
+    [...Buffer.from('PNG')]);
+  assert.match((await save(page, 'save_vary'))[1],
+    /^"towing.speed_knot","settled","problem","door_spread_m"/);
   clean(page);
   await page.close();
 });
@@ -599,11 +670,13 @@ test('tank tows, plays and saves the design and rejects wrong input', async () =
   await page.waitForFunction((before) => document.querySelector('.graph .now').textContent !==
     before, spread, patience);
   assert.notEqual(await shown(), start);
-  assert.match((await save(page, 'save_tow_measures'))[1], /^"time_s","measure","value","error","unit"/);
+  assert.match((await save(page, 'save_tow_measures'))[1],
+    /^"time_s","measure","value","error","unit"/);
   // another tow replaces it
   await page.fill('#tow_until', '30 s');
   await page.click('#tow_start');
-  await page.waitForFunction(() => document.querySelector('.tow-view [aria-label="Time"]').max === '30',
+  await page.waitForFunction(() =>
+    document.querySelector('.tow-view [aria-label="Time"]').max === '30',
     null, patience);
   assert.equal(await page.locator('.tow-view .view-time').count(), 1);
   clean(page);
@@ -653,7 +726,8 @@ test('tank, gallery and drawing pass the checks of axe-core in light and dark', 
       await page.emulateMedia({ colorScheme });
       await complete(page);
       const found = await page.evaluate(() => window.axe.run({ preload: false }));
-      const wrong = found.violations.map((one) => `${state}, ${colorScheme}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`);
+      const wrong = found.violations.map((one) =>
+        `${state}, ${colorScheme}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`);
       assert.deepEqual(wrong, []);
     }
   };
@@ -694,9 +768,11 @@ test('tank uses the language of the address or browser throughout', async () => 
   await context.close();
 
   const page = await open(browser, `${tank.url}/?lang=fr`);
-  assert.match((await page.textContent('.measures tbody th')), /\u00e9cartement des panneaux \(m\)/);
+  assert.match((await page.textContent('.measures tbody th')),
+    /\u00e9cartement des panneaux \(m\)/);
   // also buttons, the legend of the picture, and warnings
-  const around = await page.locator('#tank .view-bar, #tank .view-legend, #tank .view-scale').allTextContents();
+  const around = await page.locator('#tank .view-bar, #tank .view-legend, #tank .view-scale')
+    .allTextContents();
   assert.match(around.join(' '), /Tout l'engin.*Enregistrer.*Tension des cordages.*courant/);
   assert.doesNotMatch(around.join(' '), /Whole gear|Astern|Save|Tension of|slack|flow|squares/);
   await control(page, 'towing.speed').locator('.number').fill('9');
@@ -711,24 +787,28 @@ test('tank uses the language of the address or browser throughout', async () => 
     await tab(page, name);
     await page.evaluate(axe);
     const wrong = await page.evaluate(() => window.axe.run({ preload: false }));
-    assert.deepEqual(wrong.violations.map((one) => `${name}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`), []);
+    assert.deepEqual(wrong.violations.map((one) =>
+      `${name}: ${one.id}: ${one.nodes[0].html.slice(0, 200)}`), []);
   }
   // another language, same design
   await control(page, 'towing.speed').locator('.number').fill('3,5');
-  await page.waitForFunction(() => /3.5 knot/.test(document.getElementById('gear_conditions').textContent),
+  await page.waitForFunction(() =>
+    /3.5 knot/.test(document.getElementById('gear_conditions').textContent),
     null, patience);
   await answered(page);
   await page.selectOption('#language', 'es');
   await page.waitForFunction(() => document.documentElement.lang === 'es', null, patience);
   await page.waitForSelector('.measures td', patience);
-  await page.waitForFunction(() => /3.5 knot/.test(document.getElementById('gear_conditions').textContent),
+  await page.waitForFunction(() =>
+    /3.5 knot/.test(document.getElementById('gear_conditions').textContent),
     null, patience);
   assert.equal(await page.textContent('#undo'), 'Deshacer');
   clean(page);
   await page.close();
 });
 
-test('tank stores user-defined rows and shares designs that other browsers cannot change', async () => {
+test('tank stores user-defined rows and shares designs that other browsers cannot change',
+  async () => {
   const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
   const page = await open(browser, tank.url);
   const pick = async (at) => {
@@ -753,9 +833,11 @@ test('tank stores user-defined rows and shares designs that other browsers canno
     assert.deepEqual(found.violations.map((one) => one.id), [], where);
   };
   await finds(page, 'own row');
-  if (process.env.PICTURES) await page.screenshot({ path: path.join(process.env.PICTURES, 'own.png') });
+  if (process.env.PICTURES) await page.screenshot(
+    { path: path.join(process.env.PICTURES, 'own.png') });
   await row.locator('.link').click();
-  await page.waitForFunction(() => document.querySelector('[data-paths~="otter_boards.mass"] .number').value === '1234.5',
+  await page.waitForFunction(() =>
+    document.querySelector('[data-paths~="otter_boards.mass"] .number').value === '1234.5',
     null, patience);
   await tab(page, 'Designs');
   const share = async (at, author, name) => {
@@ -767,13 +849,16 @@ test('tank stores user-defined rows and shares designs that other browsers canno
   await share(page, 'Anna', '../../Heavy boards');
   await page.waitForSelector('#shared .shared-list li >> text=../../Heavy boards', patience);
   await finds(page, 'shared');
-  if (process.env.PICTURES) await page.locator('#shared').screenshot({ path: path.join(process.env.PICTURES, 'shared.png') });
+  if (process.env.PICTURES) await page.locator('#shared')
+    .screenshot({ path: path.join(process.env.PICTURES, 'shared.png') });
 
   // another user opens a copy and cannot change the original
   const phone = await open(browser, tank.url, { width: 390, height: 844 });
   await phone.click('#gears');
-  await phone.locator('#gallery .shared-list').getByRole('button', { name: /Heavy boards/ }).click();
-  await phone.waitForFunction(() => String(window.codendTank.Form.field('otter_boards.mass')?.value) === '1234.5' &&
+  await phone.locator('#gallery .shared-list').getByRole('button', { name: /Heavy boards/ })
+    .click();
+  await phone.waitForFunction(() =>
+    String(window.codendTank.Form.field('otter_boards.mass')?.value) === '1234.5' &&
     !window.codendTank.Talk.waits() && document.getElementById('gallery').hidden, null, patience);
   await tab(phone, 'Designs');
   await share(phone, 'Anna', '../../Heavy boards');
@@ -785,11 +870,13 @@ test('tank stores user-defined rows and shares designs that other browsers canno
   // the row came with the copy, and a reload keeps it
   await answered(phone);
   await phone.reload();
-  await phone.waitForFunction(() => String(window.codendTank.Form.field('otter_boards.mass')?.value) === '1234.5',
+  await phone.waitForFunction(() =>
+    String(window.codendTank.Form.field('otter_boards.mass')?.value) === '1234.5',
     null, patience);
   await pick(phone);
   await phone.locator('.pick-list li', { hasText: 'Loft 7' }).waitFor(patience);
-  if (process.env.PICTURES) await phone.screenshot({ path: path.join(process.env.PICTURES, 'phone.png') });
+  if (process.env.PICTURES) await phone.screenshot(
+    { path: path.join(process.env.PICTURES, 'phone.png') });
   clean(page);
   clean(phone);
   await page.close();
@@ -801,7 +888,8 @@ test('page continues with its design on another server after its server was lost
   t.after(first.stop);
   const page = await open(browser, first.url);
   await control(page, 'towing.speed').locator('.number').fill('5');
-  const shows = (speed) => page.waitForFunction((speed) => document.getElementById('gear_conditions')
+  const shows = (speed) =>
+    page.waitForFunction((speed) => document.getElementById('gear_conditions')
     ?.textContent.includes(speed), speed, patience);
   await shows('5 knot');
   await page.click('#keep');
@@ -814,7 +902,8 @@ test('page continues with its design on another server after its server was lost
   const again = await serve('towed_cable', '--nodes', '300', '--port', new URL(first.url).port);
   t.after(again.stop);
   await page.waitForSelector('#refused', { state: 'hidden', ...patience });
-  await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null, patience);
+  await page.waitForFunction(() => document.querySelectorAll('.kept-row').length === 2, null,
+    patience);
   await shows('5.5 knot');
   await answered(page);
   await control(page, 'towing.speed').locator('.number').fill('6');

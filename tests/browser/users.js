@@ -7,7 +7,8 @@
 // page has.
 //
 // Prints response times: from the slider position to the message with the shape, and, in Chromium,
-// to the finished picture. Prints the CPU time of the R processes. Ends with status 1 on failure.
+// to the next picture of another shape (usually a prediction) and to the picture of the settled
+// shape. Prints the CPU time of the R processes. Ends with status 1 on failure.
 'use strict';
 const fs = require('node:fs');
 const { serve, launch, open } = require('./tank');
@@ -22,19 +23,22 @@ const wrong = [];
 // CPU seconds of a process (Linux), or NaN, and of its present and past children.
 function cpu(pid) {
   try {
-    const fields = fs.readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ')[1].split(' ').map(Number);
+    const fields = fs.readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ')[1].split(' ')
+      .map(Number);
     const below = fs.readFileSync(`/proc/${pid}/task/${pid}/children`, 'utf8').split(' ')
       .filter(Boolean).map(cpu).reduce((sum, one) => sum + one.own + one.others, 0);
-    return { own: (fields[11] + fields[12]) / 100, others: (fields[13] + fields[14]) / 100 + below };
+    return { own: (fields[11] + fields[12]) / 100,
+      others: (fields[13] + fields[14]) / 100 + below };
   } catch (error) {
     return { own: NaN, others: NaN };
   }
 }
 
-// Runs in the page: drags sliders for some seconds. Returns [ms to the message, ms to the picture]
-// of each answer.
+// Runs in the page: drags sliders for some seconds. Returns {times, reactions}: [ms to the
+// message, ms to the picture] of each answer, and ms from the start of each movement to the first
+// picture of another shape.
 async function draw(seconds) {
-  const times = [], asked = {};
+  const times = [], reactions = [], asked = {};
   const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
   const canvas = document.querySelector('#tank canvas'), gl = canvas.getContext('webgl2');
   let moved = 0;
@@ -52,6 +56,16 @@ async function draw(seconds) {
       }, 0));
     });
   }, 1);
+  const react = (since, points) => {
+    if (window.codendTank.Tank.shown().gear().points === points) {
+      setTimeout(() => react(since, points), 1);
+      return;
+    }
+    requestAnimationFrame(() => setTimeout(() => {
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+      reactions.push(performance.now() - since);
+    }, 0));
+  };
   const refused = () => [...document.querySelectorAll('.alert, .field-error')]
     .some((e) => !e.hidden);
   const end = performance.now() + 1000 * seconds;
@@ -60,20 +74,24 @@ async function draw(seconds) {
     const slider = sliders[Math.floor(Math.random() * sliders.length)];
     const low = Number(slider.min), size = slider.max - low;
     const from = (slider.value - low) / size, to = 0.3 + 0.4 * Math.random();
+    // the pointer reaches the slider
+    slider.dispatchEvent(new Event('pointerover', { bubbles: true }));
+    await pause(300);
     for (let k = 1; k <= 5; k++) {
       slider.value = low + size * (from + (to - from) * k / 5);
       moved = performance.now();
+      if (k === 1) react(moved, window.codendTank.Tank.shown().gear().points);
       slider.dispatchEvent(new Event('input', { bubbles: true }));
       await pause(50);
     }
     slider.dispatchEvent(new Event('change', { bubbles: true }));
     await pause(500 + 1000 * Math.random());
-    if (refused()) return { times, error: document.body.innerText.slice(0, 400) };
+    if (refused()) return { times, reactions, error: document.body.innerText.slice(0, 400) };
   }
   await pause(2000);
   clearInterval(watch);
-  if (Object.keys(asked).length) return { times, error: 'an answer is missing' };
-  return { times };
+  return { times, reactions,
+    error: Object.keys(asked).length ? 'an answer is missing' : undefined };
 }
 
 // Opens a page without a browser and settles a first design, which starts its process.
@@ -101,7 +119,8 @@ async function speak(tank, name, seconds) {
       const mine = number, asked = performance.now();
       const answer = tank.wait(['flume_moved', 'flume_picture', 'flume_refused'],
         (m) => m.answers === mine);
-      tank.send({ design: { number: mine, edits: { 'towing.speed': { value: speed, unit: 'knot' } } } });
+      tank.send({ design: { number: mine,
+        edits: { 'towing.speed': { value: speed, unit: 'knot' } } } });
       const came = await answer;
       if (!came || came.type === 'flume_refused') {
         wrong.push(`${name}: ${came ? came.message : 'no answer in a minute'}`);
@@ -157,11 +176,13 @@ function say(name, all) {
   const spoken = (await Promise.all(others)).flat();
   const after = cpu(tank.pid), answers = found.times.length + spoken.length;
   if (flood) console.log(`one more sent ${await poured} messages`);
+  say('slider to first reaction', found.reactions);
   say('slider to message, in Chromium', found.times.map((t) => t[0]));
   say('slider to picture', found.times.map((t) => t[1]));
   if (spoken.length) say('slider to message, the others', spoken);
   const spent = (whose) => (1000 * (after[whose] - before[whose]) / answers).toFixed(0);
-  console.log(`CPU an answer: process that serves ${spent('own')} ms, all others ${spent('others')} ms`);
+  console.log(`CPU an answer: process that serves ${spent('own')} ms, ` +
+    `all others ${spent('others')} ms`);
   wrong.push(...[found.error].concat(page.problems, page.strange).filter(Boolean));
   if (/[Ee]rror/.test(tank.log)) wrong.push(tank.log);
   console.log(wrong.length ? `wrong: ${wrong.join('\n')}` : 'no error');

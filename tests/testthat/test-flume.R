@@ -77,6 +77,31 @@ test_that("page receives a moved shape before the rest of the picture", {
   })
 })
 
+test_that("derivative of the shape is the difference of two settled shapes over the field", {
+  in_flume("midwater_trawl", function(session, sent, tank) {
+    knot <- 1852 / 3600
+    drawn <- function(speed) {
+      gear <- update(tank$gear, towing.speed = paste(speed, "knot"))
+      scene_shape(settle(gear, nodes = 300, from = tank$state), flume_lines)$points
+    }
+    sent("flume_moved")
+    session$hear(prediction_wanted = list(number = 1, paths = list("towing.speed")))
+    message <- passed_shape(sent("flume_moved")[[1]]$bytes)
+    expect_identical(message$header$predicts, list("towing.speed"))
+    expect_equal(message$header$value, 4 * knot, tolerance = 1e-6)
+    expected <- (drawn(4.01) - drawn(3.99)) / (0.02 * knot)
+    expect_lt(max(abs(message$numbers$points - expected)), 0.01 * max(abs(expected)))
+    # the next shape arrives without the rest
+    ask(session, towing.speed = list(value = 4.1, unit = "knot"), number = 2)
+    expect_equal(passed_shape(sent("flume_moved")[[1]]$bytes)$header$answers, 2)
+    # fields that change the mesh, and fields without a number, have no derivative
+    for (path in c("sections.section_1.meshes.deep", "name", "towing.none")) {
+      session$hear(prediction_wanted = list(number = 3, paths = list(path)))
+    }
+    expect_length(sent("flume_moved"), 0L)
+  })
+})
+
 test_that("page receives the whole shape when a wrong design interrupts it", {
   waiting <- list()
   # a worker that delays the rest of shapes until released

@@ -200,9 +200,11 @@ export interface FromR {
   };
 }
 
-// The headers of binary messages (R/flume-message.R): a file, whose bytes follow, or a shape while a slider
-// moves. Floats follow the latter, `counts` by name, in the order of R/flume-picture.R.
+// The headers of binary messages (R/flume-message.R): a file, whose bytes follow; a shape while a slider
+// moves (R/flume-picture.R); the derivative of the shape by the fields `predicts` with their `value` in SI
+// (R/flume-prediction.R). Floats follow the last two, `counts` by name.
 export interface FileHeader { file: string }
+export interface PredictionHeader { predicts: string[]; value: number; counts: Record<string, number> }
 export interface MovedHeader {
   answers: number; counts: Record<string, number>; conditions: string; part: Partial<Scene>;
 }
@@ -231,6 +233,7 @@ export interface Told {
   intervals_wanted: boolean;
   drawing_wanted: number;
   part_wanted: { number: number; name: string };
+  prediction_wanted: { number: number; paths: string[] };
   slopes_wanted: { number: number; paths: string[] | null };
   vary_wanted: { asked: number; paths: string[]; unit: string; from: string; to: string; number: number };
   vary_stop: number;

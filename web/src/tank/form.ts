@@ -9,6 +9,7 @@ import * as Drawing from './drawing';
 import { on } from './events';
 import * as History from './history';
 import { new_group, open_later, tool_row, unfold } from './parts';
+import * as Predict from './predict';
 import { send as send_to_r } from './server';
 import * as Talk from './talk';
 import { bare, say, say_field, say_path, sought } from './words';
@@ -157,6 +158,7 @@ function send() {
   if (sent || !form || !Object.keys(unsent).length) return;
   sent = Talk.next();
   const edits = unsent;
+  Predict.sent(sent, edits);
   flush(sent);
   send_to_r('design', { number: sent, turn: form.turn, edits, anew });
   anew = false;
@@ -229,6 +231,7 @@ function move(box: HTMLElement, source: Element) {
     if (!typed) return;
     if (source === field && plain) reach(slider, Number(typed));
     edit = { value: slid ? Number(typed) : typed, unit: unit_of(box)?.value ?? '' };
+    if (plain) Predict.move(box.dataset.paths ?? '', Number(typed) * Number(unit_of(box)?.dataset.factor ?? 1));
     slider?.setAttribute('aria-valuetext', typed + ' ' + edit.unit);
   } else if (box.dataset.kind === 'truth') {
     edit = { value: truth_of(box).checked };
@@ -267,6 +270,14 @@ on('input', (target) => {
       move(box, target);
     }, 400);
   }
+});
+// The arrow keys step a number as its slider does.
+on('keydown', (target, event) => {
+  const box = target.closest<HTMLElement>('.control'), slider = box && slider_of(box);
+  if (!slider || !target.classList.contains('number') || !/^Arrow(Up|Down)$/.test(event.key)) return;
+  event.preventDefault();
+  if (event.key === 'ArrowUp') slider.stepUp(); else slider.stepDown();
+  move(box, slider);
 });
 on('change', (target) => {
   const box = target.closest<HTMLElement>('.control');

@@ -2,7 +2,7 @@
 // `codendTank` for tests.
 
 import { h, render } from 'preact';
-import type { FileHeader, FromR, MovedHeader } from '../protocol';
+import type { FileHeader, FromR, MovedHeader, PredictionHeader } from '../protocol';
 import { element, find, save_as } from '../view';
 import * as Catalogue from './catalogue';
 import * as Designs from './designs';
@@ -16,6 +16,7 @@ import * as Kept from './kept';
 import { Page } from './layout';
 import * as Measures from './measures';
 import { gallery, is_open, set_open, tell } from './notices';
+import * as Predict from './predict';
 import * as Saves from './saves';
 import { connect, hear, hear_bytes, send, sending } from './server';
 import * as Slopes from './slopes';
@@ -82,7 +83,7 @@ function picture(message: FromR['flume_picture']) {
     gallery(false);
   }
   History.settled(message.edited);
-  Tank.picture(message.scene);
+  Tank.picture(message.scene, message.answers);
   find('gear_name').textContent = message.scene.name ?? '';
   find('gear_conditions').textContent = message.conditions;
   find('noted').replaceChildren(...message.notes.map((one) => element('li', '', one)));
@@ -96,18 +97,25 @@ function picture(message: FromR['flume_picture']) {
   want_texts();
 }
 
-// A file, or an intermediate shape while a slider moves; other outputs follow.
-function take_bytes(header: MovedHeader | FileHeader, bytes: ArrayBuffer, from: number) {
+// A file, a derivative of the shape, or an intermediate shape while a slider moves; other outputs follow.
+function take_bytes(header: MovedHeader | PredictionHeader | FileHeader, bytes: ArrayBuffer, from: number) {
   if ('file' in header) {
     save_as(new Blob([new Uint8Array(bytes, from)]), header.file);
     return;
   }
   let at = from;
+  const arrays: Record<string, Float32Array> = {};
   Object.entries(header.counts).forEach(([name, count]) => {
-    Object.assign(header.part, { [name]: { floats: new Float32Array(bytes, at, count) } });
+    arrays[name] = new Float32Array(bytes, at, count);
     at += 4 * count;
   });
-  Tank.moved(header.part);
+  const { points, places, boards } = arrays, shape = { points, places, boards };
+  if ('predicts' in header) {
+    Predict.take(header, shape);
+    return;
+  }
+  Object.entries(arrays).forEach(([name, floats]) => Object.assign(header.part, { [name]: { floats } }));
+  Tank.moved({ ...header.part, ...Predict.settle(header.answers, shape, !header.part.ropes) });
   find('gear_conditions').textContent = header.conditions;
   Form.answered(header.answers);
 }
@@ -138,13 +146,16 @@ function refused(message: FromR['flume_refused']) {
       say('last_shape_stays'));
   }
   answer(message.answers);
+  Predict.stop();
 }
 
 function draft(message: FromR['flume_draft']) {
   if (!message.settling) Files.refused(message.problems[0]);
   if (message.form) {
-    if (Form.turn() !== message.form.turn) Drawing.opened();
+    const opened = Form.turn() !== message.form.turn;
+    if (opened) Drawing.opened();
     Form.show(message.form);
+    if (opened) Predict.start();
     Slopes.form();
     Vary.form();
     Target.form();
@@ -190,6 +201,7 @@ hear({
   flume_idle(message) {
     // The text of a typed plan that does not settle stays.
     if (!answer(message.answers)) want_texts();
+    Predict.stop();
   },
   flume_draft: draft,
   flume_measures: Measures.show,

@@ -101,6 +101,7 @@ const Tank = () => <section class="tank" aria-label={say('tank_region')}>
     </span>
   </div>
   <div id="tank" />
+  <p id="predicted" class="note" hidden>{say('predicted')}</p>
   <div id="drawing" role="group" aria-label={say('net_drawing')} tabIndex={0} />
 </section>;
 

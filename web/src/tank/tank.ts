@@ -4,6 +4,7 @@
 import { find, new_viewer, ticks, type Mode, type Scales, type Scene, type Viewer } from '../view';
 import * as Form from './form';
 import * as Kept from './kept';
+import * as Predict from './predict';
 import { send } from './server';
 import { say } from './words';
 
@@ -150,8 +151,8 @@ function common_scales(all: Partial<Scene>[]): Scene['scales'] {
   return found;
 }
 
-// Shows a scene of R/flume-picture.R and the stored designs.
-export function picture(part: Partial<Scene>): void {
+// Shows a scene of R/flume-picture.R and the stored designs. number: of the request.
+export function picture(part: Partial<Scene>, number = 0): void {
   if (!viewer) return;
   own_scales = part.scales ?? own_scales;
   const seen = Kept.all().filter((one) => one.seen);
@@ -159,15 +160,19 @@ export function picture(part: Partial<Scene>): void {
   viewer.show({ ...part, scales }, seen.map(({ id, name, scene }) =>
     ({ key: id, name, scene: known.includes(id) ? { scales } : { ...scene, scales } })));
   known = seen.map((one) => one.id);
-  about = viewer.gear().told;
-  complete = { ...about, scales: own_scales };
+  const { told, points, at, corners } = viewer.gear();
+  about = told;
+  const ahead = part.points &&
+    Predict.settle(number, { points: points.slice(), places: at.slice(), boards: corners.slice() }, !part.ropes);
+  complete = { ...told, scales: own_scales, ...Predict.last() };
+  if (ahead?.points) moved(ahead);
   repaint_planes();
 }
 // Updates the stored designs in the picture.
 export function compare(): void { if (about) picture({ name: about.name }); }
 // Returns the last complete scene, or null.
 export function scene(): Partial<Scene> | null { return complete; }
-// Shows an intermediate shape.
+// Shows an intermediate or predicted shape.
 export function moved(part: Partial<Scene>): void {
   if (!viewer) return;
   viewer.pass(part);
