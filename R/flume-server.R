@@ -310,6 +310,15 @@ clicked_field <- function(gear, name) {
   finding_field(gear$plan, names(ends_there)[1L], NULL)
 }
 
+# Returns the names of the parts that a plan field describes, or whose description contains it.
+parts_of_field <- function(gear, path) {
+  kinds <- gear_si(gear)[c("ropes", "panels", "pieces")]
+  parts <- as.character(unlist(lapply(unname(kinds), names)))
+  field <- vapply(parts, function(part) finding_field(gear$plan, part, NULL), "")
+  of <- function(inner, outer) startsWith(paste0(inner, "."), paste0(outer, "."))
+  unique(parts[of(path, field) | of(field, path)])
+}
+
 # Returns the handlers of tables, texts and parts. The page requests them once nothing moves.
 flume_display <- function(page) {
   tank <- page$tank
@@ -334,12 +343,15 @@ flume_display <- function(page) {
       ))
       if (good) said("flume_code", text = text)
     },
-    # the user clicked a part in the picture
+    # the user chose a part by its name in the picture, or by its path in the form or the drawing
     part_wanted = function(given) {
-      name <- as.list(given)$name
-      if (!is_text(name) || nchar(name) > most_name) return()
-      path <- clicked_field(tank$gear, name)
-      if (!is.na(path)) said("flume_part", path = path)
+      given <- as.list(given)
+      clicked <- is.null(given$path)
+      wanted <- if (clicked) given$name else given$path
+      if (!is_text(wanted) || nchar(wanted) > if (clicked) most_name else most_characters) return()
+      path <- if (clicked) clicked_field(tank$gear, wanted) else wanted
+      if (is.na(path)) return()
+      said("flume_part", path = path, names = I(parts_of_field(tank$gear, path)), clicked = clicked)
     },
     offers = function(given) {
       asked <- as.list(given)

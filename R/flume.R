@@ -5,13 +5,15 @@
 #' plan of your own.
 #'
 #' @section Parts of the page:
-#' - **Controls**: the fields that users change most and the fields in `fields`, then a form with
-#'   every field of the plan. The form is generated from the schema, in groups like a net drawing,
-#'   with the meaning and the allowed values of each field. You can search, add and remove fields.
-#'   An invalid value is reported next to its field.
+#' - **Main fields** below the pictures: fields that users change most and the fields in `fields`.
+#' - **Form** at the right with every field of the plan. The form is generated from the schema, in
+#'   groups like a net drawing, with the meaning and the allowed values of each field. You can
+#'   search, add and remove fields. An invalid value is reported next to its field.
 #' - **Tank**: the gear in three dimensions. Drag or the arrow keys turn it; the wheel, two fingers
 #'   or `+` and `-` zoom. Buttons select the net or the whole gear and the direction of view. A
-#'   click on a part opens its fields. Colours show tension as in [plot.codend_state()].
+#'   click on a part opens its fields. A part that you choose in the form or the drawing is
+#'   highlighted. The key T enlarges the tank, D the drawing. Colours show tension as in
+#'   [plot.codend_state()].
 #'   While a slider moves, the tank first shows a marked prediction, the settled shape plus its
 #'   derivative by the field times the change.
 #' - **Measures** and warnings ([findings()]), with changes from a stored design. They are updated

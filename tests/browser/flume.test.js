@@ -29,7 +29,7 @@ const file = (name, content) => {
   return where;
 };
 // Returns the number of a table cell, which may contain its error after it.
-const number = (text) => Number(text.split('computed')[0].replace(/[^0-9.\u2212-]/g, '')
+const number = (text) => Number(text.split('\u00b1')[0].replace(/[^0-9.\u2212-]/g, '')
   .replace('\u2212', '-'));
 const clean = (page) => {
   assert.deepEqual(page.problems, []);
@@ -489,6 +489,53 @@ test('tank opens a part\'s fields on a click, but not on rotation', async () => 
   await page.close();
 });
 
+test('page highlights a part of the drawing in the form and in the tank', async () => {
+  const page = await open(browser, tank.url);
+  const chosen = () => page.evaluate(() => [...window.codendTank.Tank.shown().gear().chosen]);
+  const panel = page.locator('#drawing [data-component="panel"][data-path="sections.section_1"]');
+  await panel.first().waitFor({ state: 'attached', ...patience });
+  await panel.first().dispatchEvent('click');
+  await page.waitForFunction(() => window.codendTank.Tank.shown().gear().chosen.size, null,
+    patience);
+  for (const name of await chosen()) assert.match(name, /section_1$/);
+  const marked = page.locator('#form .part.marked');
+  assert.equal(await marked.getAttribute('data-path'), 'sections.section_1');
+  // another part of the form is highlighted too
+  await page.evaluate(() => window.codendTank.Form.open('otter_boards'));
+  await page.waitForFunction(() => window.codendTank.Tank.shown().gear().chosen
+    .has('otter_board_port'), null, patience);
+  // keys enlarge the tank or the drawing
+  const shown = async () => [await page.isVisible('#drawing'), await page.isVisible('#tank')];
+  assert.deepEqual(await shown(), [true, true]);
+  await page.focus('#tank canvas');
+  await page.keyboard.press('t');
+  assert.deepEqual(await shown(), [false, true]);
+  await page.keyboard.press('d');
+  assert.deepEqual(await shown(), [true, false]);
+  await page.focus('#see_drawing');
+  await page.keyboard.press('d');
+  assert.deepEqual(await shown(), [true, true]);
+  clean(page);
+  await page.close();
+});
+
+test('phone shows one of three sheets below the tank, with targets of 44 pixels', async () => {
+  const page = await open(browser, tank.url, { width: 390, height: 844 });
+  for (const [name, part] of [['net', '#form'], ['results', '#measures'], ['tow', '#quick']]) {
+    await page.click(`.sheet[data-sheet="${name}"]`);
+    for (const one of ['#form', '#measures', '#quick']) {
+      assert.equal(await page.isVisible(one), one === part, `${one} in ${name}`);
+    }
+    assert.ok(await page.isVisible('#tank'));
+    const small = await page.$$eval('#flume :is(button, input:not([type=checkbox]), select)',
+      (all) => all.filter((e) => e.checkVisibility() && !e.matches('.measure-value, .link') &&
+        e.getBoundingClientRect().height < 44).map((e) => e.outerHTML.slice(0, 120)));
+    assert.deepEqual(small, []);
+  }
+  clean(page);
+  await page.close();
+});
+
 test('tank restores the design after a reload and from links', async (t) => {
   for (const plans of [[], ['towed_cable']]) {
     const own = await serve(...plans);
@@ -745,6 +792,9 @@ test('tank, gallery and drawing pass the checks of axe-core in light and dark', 
     // catalogue entries, and an invalid value
     await page.evaluate(() => window.codendTank.Form.open('otter_boards'));
     await page.locator('.pick').first().click();
+    await finds(page, `catalogue at ${size.width}`);
+    const sheet = page.locator('.sheet').first();
+    if (await sheet.isVisible()) await sheet.click();
     await control(page, 'towing.speed').locator('.number').fill('-3');
     await page.waitForSelector('#unfinished', { state: 'visible', ...patience });
     await page.click('#see_drawing');
@@ -760,7 +810,7 @@ test('tank uses the language of the address or browser throughout', async () => 
     reducedMotion: 'reduce' });
   const phone = await context.newPage();
   await phone.goto(tank.url);
-  await phone.waitForSelector('.measures td', patience);
+  await phone.waitForSelector('.measures td', { state: 'attached', ...patience });
   assert.equal(await phone.getAttribute('html', 'lang'), 'no');
   assert.equal(await phone.textContent('#keep'), 'Behold denne konstruksjonen');
   assert.equal(await phone.textContent('#quick label'), 'Tauefart');

@@ -11,8 +11,9 @@ const desk = { width: 1440, height: 900 }, phone = { width: 390, height: 844 };
 const patience = { timeout: 120000 };
 
 async function still(page) {
-  await page.waitForSelector('.measures td', patience);
-  await page.waitForFunction(() => !window.codendTank.Talk.waits() && !window.codendTank.Tank.waits(), null, patience);
+  await page.waitForSelector('.measures td', { state: 'attached', ...patience });
+  await page.waitForFunction(() => !window.codendTank.Talk.waits() &&
+    !window.codendTank.Tank.waits(), null, patience);
   await page.waitForTimeout(2500);
 }
 
@@ -24,8 +25,10 @@ async function gear(page, name) {
 async function set(page, field, value) {
   const drag = (await measure(page, 'total drag'))[0];
   await control(page, field).locator('.number').fill(value);
-  await page.waitForFunction((drag) => [...document.querySelectorAll('.measures tbody tr')].some((row) =>
-    /^total drag/.test(row.cells[0].textContent) && row.cells[1].textContent !== drag), drag, patience);
+  await page.waitForFunction((drag) =>
+    [...document.querySelectorAll('.measures tbody tr')].some((row) =>
+    /^total drag/.test(row.cells[0].textContent) && row.cells[1].textContent !== drag), drag,
+      patience);
   await still(page);
 }
 
@@ -33,7 +36,8 @@ async function set(page, field, value) {
 const scenes = {
   gallery: (page) => page.waitForLoadState('networkidle'),
   async unfinished(page) {
-    await page.setInputFiles('.plan-file >> nth=0', path.join(root, 'inst', 'extdata', 'survey_trawl.yaml'));
+    await page.setInputFiles('.plan-file >> nth=0',
+      path.join(root, 'inst', 'extdata', 'survey_trawl.yaml'));
     await still(page);
     await page.click('#see_drawing');
     const deep = page.locator('#drawing [data-path="wings.upper.meshes.deep"]').first();
@@ -77,7 +81,8 @@ const scenes = {
   async report(page) {
     await gear(page, 'midwater_trawl');
     await tab(page, 'Save');
-    const [saved] = await Promise.all([page.waitForEvent('download', patience), page.click('#save_report')]);
+    const [saved] = await Promise.all([page.waitForEvent('download', patience),
+      page.click('#save_report')]);
     const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), 'report-')), 'report.html');
     await saved.saveAs(file);
     await page.goto('file://' + file);
@@ -92,7 +97,8 @@ const scenes = {
 
 // Converts PNG to WebP in the browser.
 const webp = (page, png) => page.evaluate(async (bytes) => {
-  const picture = await createImageBitmap(await (await fetch('data:image/png;base64,' + bytes)).blob());
+  const picture = await createImageBitmap(await (await fetch('data:image/png;base64,' + bytes))
+    .blob());
   const copy = new OffscreenCanvas(picture.width, picture.height);
   copy.getContext('2d').drawImage(picture, 0, 0);
   const made = await copy.convertToBlob({ type: 'image/webp', quality: 0.85 });

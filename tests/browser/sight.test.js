@@ -27,8 +27,10 @@ after(async () => {
 // element.
 const looked = (page, host) => page.evaluate((host) => {
   const element = document.querySelector(host), frame = element.getBoundingClientRect();
-  const over = [...element.querySelectorAll('.view-title, .view-bar, .view-legend, .view-scale, .view-time')]
-    .map((e) => [e.className, e.getBoundingClientRect()]).filter(([, box]) => box.width && box.height)
+  const over = [...element.querySelectorAll(
+    '.view-title, .view-bar, .view-legend, .view-scale, .view-time')]
+    .map((e) => [e.className, e.getBoundingClientRect()])
+      .filter(([, box]) => box.width && box.height)
     .map(([name, box]) => [name, box.left - frame.left, box.top - frame.top, box.right - frame.left,
       box.bottom - frame.top]);
   return { reach: element.codendViewer.reach(), width: frame.width, height: frame.height, over };
@@ -51,9 +53,10 @@ const begin = async (page, gear) => {
   const title = await card.locator('.card-title').textContent();
   await card.click();
   await page.waitForFunction((t) => document.querySelector('h1').textContent === t &&
-    document.getElementById('gallery').hidden && window.codendTank.Tank.shown() && !window.codendTank.Tank.waits(),
+    document.getElementById('gallery').hidden && window.codendTank.Tank.shown() &&
+      !window.codendTank.Tank.waits(),
   title.trim(), patience);
-  await page.waitForSelector('.measures td', patience);
+  await page.waitForSelector('.measures td', { state: 'attached', ...patience });
 };
 
 // A beam trawl has its shoes ahead of its net, a purse seine is tall, a trawl long.
@@ -66,7 +69,8 @@ for (const gear of ['beam_trawl', 'purse_seine', 'poly_noreastern_trawl']) {
       await begin(page, gear);
       in_sight(await looked(page, '#tank'), `tank ${size.width}`);
       await page.goto(`file://${report}`);
-      await page.waitForFunction(() => document.querySelector('.codend-view')?.codendViewer?.painted(), null,
+      await page.waitForFunction(() =>
+        document.querySelector('.codend-view')?.codendViewer?.painted(), null,
         patience);
       in_sight(await looked(page, '.codend-view'), `report ${size.width}`);
       await page.close();
@@ -105,7 +109,8 @@ test('tank and report show text at contrast 4.5 and lines at 3', async () => {
     await page.waitForSelector('.part .control', patience);
     await stands_out('fields', 120);
     await page.goto(`file://${report}`);
-    await page.waitForFunction(() => document.querySelector('.codend-view')?.codendViewer?.painted(), null,
+    await page.waitForFunction(() =>
+      document.querySelector('.codend-view')?.codendViewer?.painted(), null,
       patience);
     await stands_out('report', 300);
     await page.close();
@@ -115,11 +120,14 @@ test('tank and report show text at contrast 4.5 and lines at 3', async () => {
 test('contrast check reports each item with too little contrast', async () => {
   const page = await browser.newPage();
   await page.setContent(`<body style="background: #fff">
-    <p style="color: #777">grey on white, 4.48</p><p style="color: #767676">a little darker, 4.54</p>
-    <div style="background: linear-gradient(#fff, #888)"><p style="color: #555">over a gradient</p></div>
+    <p style="color: #777">grey on white, 4.48</p><p style="color: #767676">a little darker,
+      4.54</p>
+    <div style="background: linear-gradient(#fff, #888)">
+      <p style="color: #555">over a gradient</p></div>
     <button disabled style="color: #ccc">asleep</button>
     <input style="border: 1px solid #ddd; background: #fff" value="edge">
-    <svg width="100" height="20"><path d="M0 10 H90" stroke="#aaa"></path><text x="0" y="15" fill="#111">in</text></svg>
+    <svg width="100" height="20"><path d="M0 10 H90" stroke="#aaa"></path>
+      <text x="0" y="15" fill="#111">in</text></svg>
   </body>`);
   const { found } = await page.evaluate(faint);
   assert.deepEqual(found.map((one) => one.replace(/ [0-9.]+:.*/, '')),

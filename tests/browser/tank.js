@@ -15,7 +15,8 @@ const launch = (...flags) => chromium.launch({
 // renders WebGL in software, which is faster at half the resolution. Reduced motion stops colour
 // transitions, so that no test measures a contrast halfway.
 async function visit(browser, url, size = { width: 1440, height: 900 }) {
-  const page = await browser.newPage({ viewport: size, deviceScaleFactor: 0.5, reducedMotion: 'reduce' });
+  const page = await browser.newPage({ viewport: size, deviceScaleFactor: 0.5,
+    reducedMotion: 'reduce' });
   const own = new URL(url).origin;
   page.problems = [];
   page.strange = [];
@@ -40,7 +41,7 @@ async function visit(browser, url, size = { width: 1440, height: 900 }) {
 async function open(browser, url, size) {
   const page = await visit(browser, url, size);
   await page.waitForSelector('[data-control]', { timeout: 60000 });
-  await page.waitForSelector('.measures td', { timeout: 60000 });
+  await page.waitForSelector('.measures td', { state: 'attached', timeout: 60000 });
   await page.waitForFunction(() => document.querySelector('h1').textContent !== 'Flume tank', null,
     { timeout: 60000 });
   return page;
@@ -54,7 +55,8 @@ async function measure(page, name) {
   const row = page.locator('.measures tbody tr', {
     has: page.locator('th', { hasText: new RegExp(`^${name} \\(`) })
   });
-  return row.first().evaluate((row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent),
+  return row.first().evaluate((row) =>
+    [...row.querySelectorAll('td')].map((cell) => cell.textContent),
     null, { timeout: 60000 });
 }
 
@@ -64,12 +66,15 @@ const answered = (page) => page.waitForFunction(() => window.codendTank.Form.sti
 
 // Saves a file by the id of its button. Returns its name and text.
 async function save(page, id) {
-  const [file] = await Promise.all([page.waitForEvent('download', { timeout: 120000 }), page.click('#' + id)]);
+  const [file] = await Promise.all([page.waitForEvent('download', { timeout: 120000 }),
+    page.click('#' + id)]);
   return [file.suggestedFilename(), fs.readFileSync(await file.path(), 'utf8')];
 }
 
-// Opens a tab by its English name and waits for its content.
+// Opens a tab by its English name, on a phone in its sheet, and waits for its content.
 async function tab(page, name) {
+  const results = page.locator('[data-sheet="results"].sheet');
+  if (await results.isVisible()) await results.click();
   await page.click(`#shown [data-value="${name}"]`);
   await complete(page);
 }

@@ -204,6 +204,11 @@ test_that("click on a part returns its plan field", {
     for (odd in list("nothing", NULL, 1, c("a", "b"), strrep("x", 1e4), "../x", "plan name")) {
       expect_length(found(odd), 0L)
     }
+    # a chosen field returns its parts
+    session$hear(part_wanted = list(number = 1, path = "hand_ropes.upper.length"))
+    told <- sent("flume_part")[[1]]
+    expect_false(told$clicked)
+    expect_setequal(told$names, c("hand_rope_upper_port", "hand_rope_upper_starboard"))
   })
 })
 

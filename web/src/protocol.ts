@@ -164,6 +164,8 @@ export interface FromR {
   };
   flume_part: {
     path: string;
+    names: string[];
+    clicked: boolean;
   };
   flume_plan: {
     text: string;
@@ -232,7 +234,7 @@ export interface Told {
   save_wanted: string;
   intervals_wanted: boolean;
   drawing_wanted: number;
-  part_wanted: { number: number; name: string };
+  part_wanted: { number: number; name?: string; path?: string };
   prediction_wanted: { number: number; paths: string[] };
   slopes_wanted: { number: number; paths: string[] | null };
   vary_wanted: { asked: number; paths: string[]; unit: string; from: string; to: string; number: number };

@@ -15,7 +15,7 @@ interface Grip { path: string; deep: number; box: DOMRect; rect: SVGRectElement 
 let box: number[] | null = null, whole = [0, 0, 1, 1], sought: string | null = null, wrong_paths: string[] = [];
 let timer: number | undefined, stale = true, handle: Grip | null = null;
 const legible = 11;  // px, the smallest letters when the drawing opens
-function seen() { return find('flume').classList.contains('drawn'); }
+function seen() { return find('drawing').clientWidth > 0; }
 function svg(): SVGSVGElement | null { return find('drawing').querySelector('svg'); }
 function things(selector: string): Thing[] { return Array.from(svg()?.querySelectorAll<Thing>(selector) ?? []); }
 
@@ -27,7 +27,7 @@ export function want(moved = false): void {
   timer = window.setTimeout(() => {
     stale = false;
     send('drawing_wanted', Date.now());
-  }, 250);
+  }, 600);
 }
 
 // Plans can come from strangers, so scripts and links are removed.
@@ -63,7 +63,6 @@ export function show(text: string): void {
     if (one.dataset.path === at) one.focus({ preventScroll: true });
   });
   whole = (made.getAttribute('viewBox') ?? '').split(' ').map(Number);
-  if (!box) open_view();
   look();
   mark();
   if (sought) seek(sought);
@@ -86,6 +85,8 @@ function open_view() {
 }
 
 function look() {
+  if (!svg() || !seen()) return;
+  if (!box) open_view();
   if (!box) return;
   const place = find('drawing');
   box[3] = box[2] * place.clientHeight / Math.max(place.clientWidth, 1);
@@ -181,7 +182,7 @@ export function listen() {
       if (dragged) end_drag();
     });
   });
-  new ResizeObserver(look).observe(place);
+  new ResizeObserver(() => { look(); want(); }).observe(place);
   place.addEventListener('keydown', (event) => {
     if (!box || in_form(event)) return;
     const steps: Record<string, [number, number]> = {
@@ -214,6 +215,7 @@ export function listen() {
 function change(thing: Thing) {
   const path = path_of(thing), field = Form.field(path), text = thing.querySelector('text');
   choose(thing);
+  tell_chosen(path);
   if (text && field) type_in(thing, path, field);
   else if (!Form.open(path, true)) {
     tell('refused', say('no_form_field', { path }));
@@ -239,6 +241,18 @@ function by_part() {
   return [...parts.values()].flat();
 }
 
+let chosen = '';
+// A part was chosen in the drawing or the form.
+function tell_chosen(path: string) {
+  if (path !== chosen) send('part_wanted', { number: Date.now(), path });
+  chosen = path;
+}
+on('focusin', (target) => {
+  const path = target.closest<HTMLElement>('#form .part')?.dataset.path;
+  if (!path || path === chosen) return;
+  tell_chosen(path);
+  seek(path);
+});
 function choose(thing: Element) {
   document.querySelectorAll('#drawing .chosen').forEach((one) => { one.classList.remove('chosen'); });
   thing.classList.add('chosen');
@@ -340,15 +354,27 @@ function mark() {
   });
 }
 
-function see(drawn: boolean) {
-  find('flume').classList.toggle('drawn', drawn);
-  find('see_tank').setAttribute('aria-pressed', String(!drawn));
-  find('see_drawing').setAttribute('aria-pressed', String(drawn));
-  want();
-  look();
+// Enlarges the drawing or the tank, or shows both again.
+function see(name: string) {
+  const flume = find('flume'), seen = flume.dataset.seen === name ? '' : name;
+  flume.dataset.seen = seen;
+  ['drawing', 'tank'].forEach((one) => find('see_' + one).setAttribute('aria-pressed', String(one === seen)));
 }
-on('click', ({ id }) => {
-  if (id === 'see_tank' || id === 'see_drawing') see(id === 'see_drawing');
+// Shows a part of the page on a phone.
+export function sheet(name: string): void {
+  find('flume').dataset.sheet = name;
+  document.querySelectorAll<HTMLElement>('.sheet').forEach((one) => {
+    one.setAttribute('aria-pressed', String(one.dataset.sheet === name));
+  });
+}
+on('keydown', (target, event) => {
+  const name = { d: 'drawing', t: 'tank' }[event.key.toLowerCase()];
+  if (!name || event.ctrlKey || event.altKey || event.metaKey || target.matches('input, select, textarea')) return;
+  if (!find('design').hidden) see(name);
+});
+on('click', ({ id, dataset, classList }) => {
+  if (id === 'see_tank' || id === 'see_drawing') see(id.replace('see_', ''));
+  else if (classList.contains('sheet')) sheet(dataset.sheet ?? '');
   else if (id === 'drawing_in') zoom(0.8, 0.5, 0.5);
   else if (id === 'drawing_out') zoom(1.25, 0.5, 0.5);
   else if (id === 'drawing_all' && box) see_all();

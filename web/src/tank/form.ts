@@ -86,6 +86,7 @@ export function open(path: string, quiet = false): boolean {
   }
   if (!place) return false;
   const { group, part } = place;
+  Drawing.sheet('net');
   find<HTMLInputElement>('find_field').value = '';
   search();
   const outer = all<HTMLDetailsElement>('#form > .group').find((box) => box.dataset.key === group.title);

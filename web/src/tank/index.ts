@@ -166,9 +166,11 @@ function draft(message: FromR['flume_draft']) {
   Designs.moved();
 }
 
-// Shows the part that was clicked in the tank, without a jump of the page.
-function part({ path }: FromR['flume_part']) {
-  if (!Form.open(path, true)) return;
+// Shows a chosen part in the tank; if it was clicked there, also in form and drawing, without a jump of
+// the page.
+function part({ path, names, clicked }: FromR['flume_part']) {
+  Tank.highlight(names);
+  if (!clicked || !Form.open(path, true)) return;
   const panel = find('controls'), marked = panel.querySelector('.marked');
   if (marked) panel.scrollTop += marked.getBoundingClientRect().top - panel.getBoundingClientRect().top - 60;
   Drawing.seek(path);

@@ -28,6 +28,7 @@ function Header({ units, language, languages, checked }: Begin) {
       <Button id="gears" words={say('gears')} title={say('gears_tip')} />
       <Button id="undo" words={say('undo')} title={say('undo_tip')} disabled />
       <Button id="redo" words={say('redo')} title={say('redo_tip')} disabled />
+      <Button id="keep" words={say('keep')} primary /><Button id="back" words={say('back')} />
       {Object.entries(labels).map(([dimension, label]) =>
         <select class="preferred" data-dimension={dimension} aria-label={say(label)}>
           {Object.keys(units[dimension]).map((unit) => <option value={unit}>{say_unit(unit)}</option>)}
@@ -91,8 +92,8 @@ function Gallery(begin: Begin) {
 
 const Tank = () => <section class="tank" aria-label={say('tank_region')}>
   <div class="see" role="group" aria-label={say('seen_region')}>
-    <Button id="see_tank" words={say('in_tank')} aria-pressed="true" />
-    <Button id="see_drawing" words={say('drawing')} aria-pressed="false" />
+    <Button id="see_drawing" words={say('drawing')} title={say('enlarge', { key: 'D' })} aria-pressed="false" />
+    <Button id="see_tank" words={say('in_tank')} title={say('enlarge', { key: 'T' })} aria-pressed="false" />
     <span class="drawing-tools">
       <Button id="drawing_in" words="+" aria-label={say('zoom_in')} />
       <Button id="drawing_out" words={'\u2212'} aria-label={say('zoom_out')} />
@@ -100,29 +101,36 @@ const Tank = () => <section class="tank" aria-label={say('tank_region')}>
       <span id="drawing_said" class="note" role="status">{say('drawing_hint')}</span>
     </span>
   </div>
+  <div id="drawing" role="group" aria-label={say('net_drawing')} tabIndex={0} />
   <div id="tank" />
   <p id="predicted" class="note" hidden>{say('predicted')}</p>
-  <div id="drawing" role="group" aria-label={say('net_drawing')} tabIndex={0} />
 </section>;
 
 const Controls = () => <section id="controls" class="panel controls" aria-labelledby="controls_heading">
-  <h2 id="controls_heading">{say('design')}</h2>
-  <div id="refused" class="alert" role="alert" hidden />
-  <div id="unfinished" class="alert" role="status" hidden>
-    <strong>{say('unfinished')}</strong><ul id="draft_problems" />
-  </div>
-  <div id="quick" />
-  <div class="button-row">
-    <Button id="keep" words={say('keep')} primary /><Button id="back" words={say('back')} />
-  </div>
-  <h2>{say('every_field')}</h2>
+  <h2 id="controls_heading">{say('every_field')}</h2>
+  <div id="worth" hidden><h2>{say('warnings')}</h2><ul id="noted" /></div>
   <input id="find_field" type="search" placeholder={say('find_hint')} aria-label={say('find_field')}
     autocomplete="off" />
   <div id="form" />
 </section>;
 
-const Measures = ({ guide }: Begin) => <section class="panel measures" aria-label={say('measures')}>
-  <div id="worth" hidden><h2>{say('warnings')}</h2><ul id="noted" /></div>
+const Alerts = () => <div class="alerts">
+  <div id="refused" class="alert" role="alert" hidden />
+  <div id="unfinished" class="alert" role="status" hidden>
+    <strong>{say('unfinished')}</strong><ul id="draft_problems" />
+  </div>
+</div>;
+
+// On a phone, one sheet below the tank shows one of three parts of the page.
+function Sheets() {
+  const sheets = { tow: say('tab_tow'), net: say('sheet_net'), results: say('sheet_results') };
+  return <div id="sheets" role="group" aria-label={say('design')}>
+    {Object.entries(sheets).map(([name, words]) => <button type="button" class="sheet" data-sheet={name}
+      aria-pressed={name === 'tow'}>{words}</button>)}
+  </div>;
+}
+
+const Measures = ({ guide }: Begin) => <section class="measures" aria-label={say('measures')}>
   <div id="measures" />
   <div id="target_asks" class="asks" hidden>
     <label><span id="target_label" /><input id="target_value" type="text" autocomplete="off" /></label>
@@ -275,7 +283,7 @@ function Tabs(begin: Begin) {
 
 export const Page = (begin: Begin) => <>
   <a class="skip-link" href="#controls">{say('skip')}</a>
-  <div id="flume">
+  <div id="flume" data-sheet="tow">
     <Header {...begin} />
     <div id="working" role="status" hidden>
       <span id="working_words">{say('settling')}</span><span id="working_time" />
@@ -283,7 +291,9 @@ export const Page = (begin: Begin) => <>
     </div>
     <Gallery {...begin} />
     <main id="design" class="flume-grid" hidden={!begin.opens}>
-      <Tank /><Controls /><Measures {...begin} /><Tabs {...begin} />
+      <Tank /><Sheets /><Alerts />
+      <section class="main-fields" aria-label={say('changed_first')}><div id="quick" /></section>
+      <Controls /><Measures {...begin} /><Tabs {...begin} />
     </main>
     <div id="said" class="visually-hidden" role="status" aria-live="polite" />
   </div>

@@ -36,24 +36,25 @@ function interval({ level, spread, lower, upper }: Measures, k: number, factor: 
   return say('interval', { level: level ?? '', low: end(lower), high: end(upper) });
 }
 
-function row(one: MeasureAbout, measures: Measures, kept: Measures) {
+// compares: true for columns that compare with the reference
+function row(one: MeasureAbout, measures: Measures, kept: Measures, compares: boolean) {
   const { unit, factor } = shown_unit(one.unit);
   const value = number_of(measures, one.name) * factor, before = number_of(kept, one.name) * factor;
   const change = value - before, decimals = decimals_of(...[value, before].filter(isFinite));
   const digits = error_digits(number_of(measures, one.name, 'error') * factor), moved = signed(change, decimals);
-  const lines = [fixed_decimals(value, decimals), digits && say('computed_to') + ' ' + digits,
+  const lines = [fixed_decimals(value, decimals) + (digits && ' \u00b1 ' + digits),
     interval(measures, place_of(measures, one.name), factor)];
   const share = moved === '0' ? '0' : before === 0 ? '' : signed(100 * change / Math.abs(before), 1);
   return <tr key={one.name}>
     <th scope="row" title={one.definition}>{label(one)}</th>
     <td class="number"><button type="button" class="measure-value" title={say('target_tip')} data-measure={one.name}
       data-unit={unit} data-label={label(one)}>{lines.filter(Boolean).join('\n')}</button></td>
-    {[fixed_decimals(before, decimals), moved, share].map((words) => <td class="number">{words}</td>)}
+    {compares && [fixed_decimals(before, decimals), moved, share].map((words) => <td class="number">{words}</td>)}
   </tr>;
 }
 
-function of_measures(caption: string, rows: ComponentChildren) {
-  const head = [say('measure'), say('now'), say('kept'), say('change'), '%'];
+function of_measures(caption: string, compares: boolean, rows: ComponentChildren) {
+  const head = [say('measure'), say('now'), ...compares ? [say('kept'), say('change'), '%'] : []];
   return table({ caption, head, numbers: head.map((_, k) => k > 0), foot: null }, rows);
 }
 
@@ -69,11 +70,13 @@ export function write(): void {
   const measures = shown;
   if (!measures) return;
   const kept = Kept.all()[0]?.measures ?? none, about = union(measures, kept), { level } = measures;
-  const rows = (key: boolean) => about.filter((one) => one.key === key).map((one) => row(one, measures, kept));
+  const compares = about.some(({ name }) => number_of(measures, name) !== number_of(kept, name));
+  const rows = (key: boolean) =>
+    about.filter((one) => one.key === key).map((one) => row(one, measures, kept, compares));
   const others = rows(false);
-  render([of_measures(say('key_measures'), rows(true)), note(say('error_note') +
+  render([of_measures(say('key_measures'), compares, rows(true)), note(say('error_note') +
     (level === undefined ? '' : ' ' + say('interval_note', { level })))], find('measures'));
-  render(others.length ? of_measures(say('other_measures'), others) : null, find('other_measures'));
+  render(others.length ? of_measures(say('other_measures'), compares, others) : null, find('other_measures'));
   find('measures_more').hidden = !others.length;
 }
 

@@ -24,7 +24,7 @@ function open(button: HTMLElement) {
   Form.offer(field());
   answer('', '');
   find('target_asks').hidden = false;
-  value().value = (button.textContent ?? '').split('\n')[0].replace(/\s/g, '').replace('\u2212', '-');
+  value().value = (button.textContent ?? '').split(/[\n\u00b1]/)[0].replace(/\s/g, '').replace('\u2212', '-');
   value().select();
   value().focus();
 }

@@ -27,10 +27,12 @@ export interface Gear {
   scene: T.Scene; told: Scene; source: { points: PlaceSource; places: PlaceSource; boards: PlaceSource };
   values: Record<'rope_tension' | 'u' | 'v' | 'drag', ValueSource> & Record<'opening' | 'angle', ValueSource | null>;
   stops: { rope: number[][]; netting: number[][] };
+  // names of the parts that the user has chosen
+  chosen: Set<string>;
   points: Float32Array; at: Float32Array; corners: Float32Array; moment: number;
   ropes: Tubes; netting: Netting; rope_tension: Float32Array; drag: Float32Array;
   marks: { body: Body; shape: ShapeName; least: number; half: number }[]; vessels: Vessel[];
-  bodies: { geometry: T.BufferGeometry; all: Body[]; position: T.BufferAttribute; normal: T.BufferAttribute };
+  bodies: { geometry: T.BufferGeometry; all: Body[] } & Record<'colour' | 'position' | 'normal', T.BufferAttribute>;
   range: { whole: Range; net: Range | null; boards: Range | null };
   // Places components; size returns metres per pixel at a position.
   place_marks(size: (place: T.Vector3) => number): void;
@@ -45,8 +47,8 @@ export interface Gear {
 
 // A gear in the viewer: reads the numbers of a scene and updates its drawn shapes.
 export function new_gear(materials: Materials): Gear {
-  const taut = rgb('#5F7482'), quiet = rgb('#4A545C');
-  const told = {} as Scene, gear = { scene: new T.Scene(), told } as Gear;
+  const taut = rgb('#5F7482'), quiet = rgb('#4A545C'), chosen = rgb('#FF2D95');
+  const told = {} as Scene, gear = { scene: new T.Scene(), told, chosen: new Set() } as unknown as Gear;
 
   // ---- geometry ---------------------------------------------------------------------------------
 
@@ -288,18 +290,22 @@ export function new_gear(materials: Materials): Gear {
     let at = 0;
     const colour = attribute(geometry, 'colour', 3, corners);
     bodies.forEach((one) => {
-      const own = (one.geometry.index as T.BufferAttribute).array, count = one.geometry.getAttribute('position').count;
+      const own = (one.geometry.index as T.BufferAttribute).array;
       for (let i = 0; i < own.length; i++) index[at++] = one.from + own[i];
-      for (let c = 0; c < count; c++) colour.array.set(one.colour, 3 * (one.from + c));
     });
     geometry.setIndex(new T.BufferAttribute(index, 1));
     gear.bodies = {
-      geometry, all: bodies, position: attribute(geometry, 'position', 3, corners),
+      geometry, all: bodies, colour, position: attribute(geometry, 'position', 3, corners),
       normal: attribute(geometry, 'normal', 3, corners)
     };
+    bodies.forEach((one) => fill(one, one.colour));
     const mesh = new T.Mesh(geometry, materials.solid);
     mesh.frustumCulled = false;
     gear.scene.add(mesh);
+  }
+  function fill(body: Body, colour: number[]) {
+    const count = body.geometry.getAttribute('position').count;
+    for (let c = 0; c < count; c++) gear.bodies.colour.array.set(colour, 3 * (body.from + c));
   }
 
   // Applies the matrix of each body to its vertices.
@@ -512,6 +518,7 @@ export function new_gear(materials: Materials): Gear {
     const k = gear.moment;
     const scales = told.scales[mode] || {}, ropes = gear.ropes, net = gear.netting;
     const shows = mode === 'tension' || mode === 'slack', loose = rgb(gear.slack_colour(mode));
+    const marked = told.parts.name.map((name) => gear.chosen.has(name));
     const tension = gear.rope_tension = gear.values.rope_tension.of(k);
     const drag = gear.drag = gear.values.drag.of(k);
     for (let l = 0; l < ropes.part.length; l++) {
@@ -526,7 +533,10 @@ export function new_gear(materials: Materials): Gear {
       else if (mode === 'slack') put(taut, out, 3 * l);
       else if (!scales.rope || !scales[of]) put(quiet, out, 3 * l);
       else paint(gear.stops[of], shareOn(scales[of], value), out, 3 * l);
+      if (marked[ropes.part[l]]) put(chosen, out, 3 * l);
     }
+    gear.marks.forEach(({ body }, i) => fill(body, gear.chosen.has(told.marks.part[i]) ? chosen : body.colour));
+    gear.bodies.colour.needsUpdate = true;
     ropes.tell(['colour', 'about']);
 
     const u = gear.values.u.of(k), v = gear.values.v.of(k);
@@ -574,7 +584,8 @@ export function new_gear(materials: Materials): Gear {
       }
       for (let c = 0; c < net.spot.length; c++) {
         const spot = net.spot[c];
-        for (let k = 0; k < 3; k++) out[3 * c + k] = colours[3 * spot + k];
+        const own = marked[net.part[Math.floor(c / 3)]];
+        for (let k = 0; k < 3; k++) out[3 * c + k] = own ? chosen[k] : colours[3 * spot + k];
         // Only this mode shows slack as dashes.
         net.about.array[3 * c + place] = mode === 'slack' ? 1 - taut_[spot] / number[spot] : 0;
       }

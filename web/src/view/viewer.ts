@@ -1107,6 +1107,12 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
       repaint();
     },
     hastens() { return hasty !== undefined; },
+    // Colours the parts with these names.
+    highlight(names: string[]) {
+      gears.now.chosen = new Set(names);
+      recolour();
+      repaint();
+    },
     choose,
     time(k: number, share: number) {
       gears.now.move(k, share);
