@@ -14,6 +14,7 @@
 #include "elements/mesh_opening.cpp"
 #include "elements/netting_cell.cpp"
 #include "elements/netting_screen.cpp"
+#include "elements/netting_twist.cpp"
 #include "elements/polar.cpp"
 #include "elements/sliding_rope.cpp"
 #include "elements/sphere.cpp"

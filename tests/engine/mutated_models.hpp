@@ -21,7 +21,7 @@ struct ModelText {
     wanted.bodies = wanted.knots = wanted.smooth_spheres = 2;
     wanted.lifts_up = wanted.lifts_sideways = wanted.pressed = wanted.screens = 2;
     wanted.cells = wanted.blended = wanted.openings = wanted.bends = wanted.contacts = 2;
-    wanted.plates = wanted.volumes = 1;
+    wanted.plates = wanted.volumes = wanted.twists = 1;
     hexagonal = k % 2 == 0;
     // the lengths of a random model are drawn after the sliding rope took its own
     wanted.sliding = hexagonal ? 1 : 0;

@@ -34,6 +34,7 @@ struct Ingredients {
   int bars = 0, cells = 0, bodies = 0, knots = 0, smooth_spheres = 0;
   int lifts_up = 0, lifts_sideways = 0;
   int hexagons = 0, pressed = 0, screens = 0, blended = 0, openings = 0, bends = 0;
+  int twists = 0;
   int plates = 0, contacts = 0, volumes = 0;
   int sliding = 0;  // ropes that slide through four points
   CylinderLaw law;
@@ -328,6 +329,11 @@ class Specimen {
       model.openings.couple.push_back(random.between(0.1, 2.0));
       model.openings.angle.push_back(random.between(0.0, 3.1));
       model.openings.multiplicity.push_back(random.below(2) ? 1.0 : 0.5);
+    }
+    for (int e = 0; e < wanted.twists; ++e) {
+      points(random, 4, model.twists.node);
+      model.twists.weight.push_back(random.between(0.1, 2.0));
+      model.twists.material.push_back(0);
     }
     for (int e = 0; e < wanted.bends; ++e) {
       points(random, 3, model.bends.node);

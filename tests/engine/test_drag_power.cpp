@@ -197,7 +197,7 @@ TEST_CASE("forces, derivatives and masses remain finite at undefined directions"
       wanted.bars = 10;
       wanted.cells = 6;
       wanted.hexagons = wanted.pressed = wanted.screens = wanted.blended = 3;
-      wanted.openings = wanted.bends = 3;
+      wanted.openings = wanted.bends = wanted.twists = 3;
       wanted.bodies = wanted.knots = wanted.lifts_up = wanted.lifts_sideways = 4;
       wanted.plates = wanted.contacts = wanted.volumes = 4;
       wanted.free_surface = true;

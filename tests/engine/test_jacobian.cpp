@@ -150,6 +150,7 @@ TEST_CASE("elements at points have derivatives equal to differences") {
   SUBCASE("lifting surfaces, sideways") { check_points(&Ingredients::lifts_sideways); }
   SUBCASE("mesh openings") { check_points(&Ingredients::openings); }
   SUBCASE("contacts with the ground") { check_points(&Ingredients::contacts); }
+  SUBCASE("twists of netting") { check_points(&Ingredients::twists); }
   // Between points tied to the same two nodes, nearly all of the bending stiffness cancels.
   SUBCASE("bends") { check_points(&Ingredients::bends, {}, 3.0 * order_of_additions); }
   SUBCASE("lifting plates on the ground") { check_points(&Ingredients::plates); }

@@ -245,3 +245,48 @@ TEST_CASE("twines of equal tension sag equally; slack twines keep the others str
     }
   }
 }
+
+// netting_twist.hpp: the stiffness is m times a cell's, less the part of the m lines at midpoints
+// of equal parts.
+TEST_CASE("twist of an equivalent mesh is held like a cell of slack twines") {
+  constexpr double m = 5.0;
+  const double x[12] = {0.0, 0.0, 0.3, 2.0, 0.1, 0.0, 2.1, 1.8, 0.5, -0.1, 2.0, 0.0};
+  const double still[12] = {};
+  Model model;
+  model.nodes = 4;
+  model.held.assign(4, 0);
+  model.load.assign(12, 0.0);
+  model.mass.assign(4, 0.0);
+  model.water.density = 1025.0;
+  model.water.speed = 1.5;
+  model.materials.emplace_back();
+  model.materials[0].axial_stiffness = 1e4;
+  model.materials[0].diameter = 0.003;
+  const auto force = [&] {
+    Model ready = model;
+    ready.prepare();
+    Assembly assembly(ready);
+    std::vector<double> out(12);
+    assembly.move_to(x, still);
+    assembly.residual(out.data());
+    return out;
+  };
+  model.twists.node = {0, 1, 2, 3};
+  model.twists.weight = {(m - 1.0 / m) / 6.0};
+  model.twists.material = {0};
+  const std::vector<double> mesh = force();
+  model.twists = {};
+  model.cells.node = {0, 1, 2, 3};
+  model.cells.twine = {0.0, 0.0, m, 0.0, m, m, 0.0, m};
+  model.cells.rest = {1.0};
+  model.cells.multiplicity = {1.0};
+  model.cells.height = {1.0};
+  model.cells.material = {0};
+  const std::vector<double> cell = force();
+  for (std::size_t k = 0; k < 12; ++k) {
+    CAPTURE(k);
+    REQUIRE(std::abs(cell[k]) > 0.1);
+    // a dozen roundings
+    CHECK(mesh[k] == doctest::Approx((m - 1.0 / m) * cell[k]).epsilon(1e-14));
+  }
+}

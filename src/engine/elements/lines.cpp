@@ -10,9 +10,6 @@ constexpr int strip = 512;
 // Cells are skipped in groups of this size, because kernels write whole registers.
 constexpr int together = 8;
 
-// See netting_cell.hpp.
-constexpr double twist_speeds = 2.0, twist_diameters = 400.0;
-
 // Length of each column: an odd number of cache lines. Equal indices of different columns then map
 // to different sets of the cache.
 std::size_t column_length(int lines) {
@@ -115,9 +112,7 @@ void Lines::describe(const Line<N>& line) {
   arrays_.added_tangential[k] = m.added_mass_tangential * water;
   if (arrays_.twist_weight) {
     arrays_.twist_weight[k] = line.twist_weight;
-    const double speed = twist_speeds * water_.speed;
-    arrays_.held_pull[k] = 0.5 * water_.density * m.diameter *
-                           (speed * speed + twist_diameters * gravity * m.diameter);
+    arrays_.held_pull[k] = twist_stiffness(m, water_);
     arrays_.twist_stiffness[k] = arrays_.held_pull[k] * line.multiplicity * line.twist_weight;
   }
   if (arrays_.damping) {

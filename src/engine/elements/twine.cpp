@@ -1,6 +1,18 @@
 #include "twine.hpp"
 
 namespace codend {
+namespace {
+
+// See netting_cell.hpp.
+constexpr double twist_speeds = 2.0, twist_diameters = 400.0;
+
+}  // namespace
+
+double twist_stiffness(const TwineMaterial& material, const Water& water) {
+  const double speed = twist_speeds * water.speed;
+  return 0.5 * water.density * material.diameter *
+         (speed * speed + twist_diameters * gravity * material.diameter);
+}
 
 TwinePull twine_pull(const TwineMaterial& m, double strain) {
   if (m.strains.empty() || strain <= m.strains[0]) {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "../base/fields.hpp"
+#include "../base/water.hpp"
 #include "cylinder_drag_model.hpp"
 
 namespace codend {
@@ -79,6 +80,10 @@ TwinePull twine_pull(const TwineMaterial& material, double strain);
 
 // Inverse of twine_pull(): strain at a tension (N, >= 0), and its derivative (1/N).
 void twine_stretch(const TwineMaterial& material, double tension, double& strain, double& slope);
+
+// Stiffness (N/m) of slack netting against twist: the tension that netting_cell.hpp describes, over
+// the bar length.
+double twist_stiffness(const TwineMaterial& material, const Water& water);
 
 // Tension of one line, N.
 inline double twine_tension(const TwineMaterial& m, double length, double rest) {

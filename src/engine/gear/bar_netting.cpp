@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -31,6 +32,7 @@ struct KnotRows {
 
 // A twine between two knots, or from a knot to a cut end on a side.
 struct Twine {
+  int family;
   int from, to;  // knots; `to` is unused if `cut`
   bool cut = false;
   double share = 1.0;  // remaining fraction of its length
@@ -59,7 +61,8 @@ struct BarPanel {
   int rows;      // of knots
   std::vector<Point> points, between;
   std::vector<Segment> bars;
-  std::vector<int> id;  // node of every point, then of the interior nodes
+  std::vector<std::array<int, 4>> meshes;  // points around each equivalent mesh with uncut bars
+  std::vector<int> id;                     // node of every point, then of the interior nodes
 };
 
 int count_rows(const GearPanel& panel, double lambda) {
@@ -182,6 +185,7 @@ std::vector<Twine> knot_twines(const GearPanel& panel, const KnotRows& rows) {
       const bool there = to < number && knots[to].kept;
       if (!from.kept && !there) continue;
       Twine twine;
+      twine.family = family;
       twine.from = k;
       twine.to = to;
       if (cut_twine(knots, twine)) {
@@ -216,6 +220,24 @@ void place_points(const GearPanel& panel, std::vector<Point>& points) {
   }
 }
 
+// Returns the knots around each mesh whose four twines are uncut.
+std::vector<std::array<int, 4>> whole_meshes(const std::vector<Twine>& twines, std::size_t knots) {
+  std::vector<int> next[2] = {std::vector<int>(knots, -1), std::vector<int>(knots, -1)};
+  for (const Twine& twine : twines) {
+    if (!twine.cut) next[twine.family][twine.from] = twine.to;
+  }
+  std::vector<std::array<int, 4>> out;
+  for (std::size_t k = 0; k < knots; ++k) {
+    const int first = next[0][k], second = next[1][k];
+    if (first < 0 || second < 0) continue;
+    const int opposite = next[1][first];
+    if (opposite >= 0 && next[0][second] == opposite) {
+      out.push_back({static_cast<int>(k), first, opposite, second});
+    }
+  }
+  return out;
+}
+
 BarPanel bar_panel(const GearPanel& panel, double lambda, int segments) {
   BarPanel out;
   out.lambda = lambda;
@@ -247,6 +269,10 @@ BarPanel bar_panel(const GearPanel& panel, double lambda, int segments) {
     bar.multiplicity = lambda * (1 - 0.5 * twine.along_edge);
     lengths.push_back(bar.multiplicity * bar.rest);
     bars.push_back(bar);
+  }
+  for (std::array<int, 4> mesh : whole_meshes(twines, rows.knots.size())) {
+    for (int& knot : mesh) knot = number[knot];
+    out.meshes.push_back(mesh);
   }
   place_points(panel, out.points);
   const double exact = 2 * panel.bar_count() * panel.mesh_size / 2, built = exact_sum(lengths);
@@ -316,6 +342,15 @@ void add_wake_sheets(Collection& to, const Gear& gear, const std::vector<BarPane
     const double area = 2 * panel.bar_count() * panel.mesh_size / 2 * panel.width();
     sheets.twine_area.push_back(area / number[p]);
     sheets.overlap.push_back(panel.crossing_overlap());
+  }
+}
+
+// Adds the stiffness against twist of netting_twist.hpp.
+void add_twists(Collection& to, const BarPanel& panel) {
+  if (panel.lambda <= 1 + 1e-9) return;
+  for (std::array<int, 4> mesh : panel.meshes) {
+    for (int& node : mesh) node = panel.id[node];
+    to.add_twist(mesh, (panel.lambda - 1 / panel.lambda) / 6, panel.part);
   }
 }
 
@@ -472,6 +507,7 @@ void add_bar_netting(Collection& to, const Gear& gear, const Division& division,
       add_knots(to, gear.panels[panel.panel], panel.part, panel.id[k], panel.points[k].knots);
     }
   }
+  for (const BarPanel& panel : all) add_twists(to, panel);
   add_sheets(to, gear, division, all);
   for (const BarPanel& panel : all) {
     DrawnPanel& out = drawn[panel.panel];

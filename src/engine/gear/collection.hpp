@@ -3,10 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "../elements/bar.hpp"
 #include "../elements/lifting_surface.hpp"
+#include "../elements/netting_twist.hpp"
 #include "../elements/sphere.hpp"
 #include "../model/cell_list.hpp"
 #include "../model/wake.hpp"
@@ -60,6 +62,7 @@ struct Collection {
   LiftingSurfaces lifts;
   WakeSheets wake_sheets;
   Sheets sheets;
+  NettingTwists twists;
   std::vector<int> bar_part, cell_part, sphere_part, lift_part;
   std::vector<Mass> masses;
 
@@ -96,13 +99,18 @@ struct Collection {
     lifts.height.push_back(height);
     lift_part.push_back(part);
   }
+  void add_twist(std::array<int, 4> node, double weight, int material) {
+    twists.node.insert(twists.node.end(), node.begin(), node.end());
+    twists.weight.push_back(weight);
+    twists.material.push_back(material);
+  }
   // Replaces the numbers of tied points once all nodes are known.
   void number_ties() {
     const auto number = [&](int& node) {
       if (node < 0) node = nodes - 1 - node;
     };
-    for (std::vector<int>* of :
-         {&bars.node, &cells.node, &spheres.node, &lifts.node, &wake_sheets.node, &sheets.node}) {
+    for (std::vector<int>* of : {&bars.node, &cells.node, &spheres.node, &lifts.node,
+                                 &wake_sheets.node, &sheets.node, &twists.node}) {
       for (int& node : *of) number(node);
     }
     for (Mass& mass : masses) number(mass.node);

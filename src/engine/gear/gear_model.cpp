@@ -34,6 +34,7 @@ Model model_of(const Gear& gear, const Mesh& mesh, const GearModel& numbers) {
   if (!mesh.blended.material.empty()) out.blended.materials = numbers.blended;
   out.openings = mesh.openings;
   out.bends = mesh.bends;
+  out.twists = mesh.twists;
   out.plates.plate = numbers.plates;
   for (std::size_t p = 0; p < gear.plates.size(); ++p) {
     for (int k = 0; k < 3; ++k) {

@@ -220,6 +220,7 @@ Mesh build_mesh(const Gear& gear, const Fineness& fineness, const FromShape& fro
   out.lifts = std::move(all.lifts);
   out.wake_sheets = std::move(all.wake_sheets);
   out.sheets = std::move(all.sheets);
+  out.twists = std::move(all.twists);
   out.bar_part = std::move(all.bar_part);
   out.cell_part = std::move(all.cell_part);
   out.sphere_part = std::move(all.sphere_part);

@@ -4,6 +4,7 @@
 
 #include "../elements/mesh_opening.hpp"
 #include "../elements/netting_screen.hpp"
+#include "../elements/netting_twist.hpp"
 #include "first_shape.hpp"
 
 namespace codend {
@@ -54,6 +55,7 @@ struct Mesh {
   BlendedCells blended;
   MeshOpenings openings;
   Bends bends;
+  NettingTwists twists;
   std::vector<SlidingBars> sliding;
   GroundContacts contacts;
   LineFriction line_friction;

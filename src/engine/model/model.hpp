@@ -25,6 +25,7 @@
 #include "../elements/mesh_opening.hpp"
 #include "../elements/netting_cell.hpp"
 #include "../elements/netting_screen.hpp"
+#include "../elements/netting_twist.hpp"
 #include "../elements/sliding_rope.hpp"
 #include "../elements/sphere.hpp"
 #include "cell_list.hpp"
@@ -67,7 +68,8 @@ struct Model {
   NettingScreens screens;  // netting with a screen drag model
   BlendedNetting blended;
   MeshOpenings openings;
-  Bends bends;  // bending stiffness of ropes
+  Bends bends;           // bending stiffness of ropes
+  NettingTwists twists;  // of slack netting of bars
   LiftingPlates plates;
   std::vector<SlidingRope> sliding;  // all non-empty
   GroundContacts contacts;
@@ -106,6 +108,7 @@ struct Model {
     visit.group("blended", blended);
     visit.group("openings", openings);
     visit.group("bends", bends);
+    visit.group("twists", twists);
     visit.items("plates", plates.plate);
     visit.items("sliding", sliding);
     visit.group("contacts", contacts);
@@ -118,7 +121,7 @@ struct Model {
   // All elements except lines and contacts.
   std::vector<const ElementKind*> kinds() const {
     std::vector<const ElementKind*> all = {&spheres, &lifts,   &plates,   &volumes, &pressure,
-                                           &screens, &blended, &openings, &bends};
+                                           &screens, &blended, &openings, &bends,   &twists};
     for (const SlidingRope& rope : sliding) all.push_back(&rope);
     return all;
   }
@@ -152,6 +155,7 @@ struct Model {
     screens.prepare();
     blended.prepare();
     openings.prepare();
+    twists.prepare(materials, water);
     for (SlidingRope& rope : sliding) rope.prepare(bars);
     // Defaults for bodies without a height, which only a free surface uses.
     spheres.height.resize(spheres.node.size(), 1.0);
