@@ -12,8 +12,8 @@ unsettled_advice <- function(gear, si, found) {
     "see `vignette(\"when-it-does-not-settle\", \"codend\")`.")
 }
 
-# Returns advice on the kind of elements. Slack bars have no stiffness, but cells resist twist. All
-# 11 of 500 random gears that failed with bars converged with cells.
+# Returns advice on the kind of elements. All 11 of 500 random gears that failed with bars converged
+# with cells.
 netting_advice <- function(mesh) {
   if (any(mesh$counts$asked$bars)) {
     "Use `netting = \"cells\"`. This converges more often than bars."

@@ -105,10 +105,10 @@ test_that("measure_definitions() describes most measures as a sensor sees them",
   expect_identical(of_state$sensor, defined$sensor[match(kind, defined$name)])
 })
 
-test_that("state of 3,700 nodes takes at most 0.3 MB in a file", {
-  state <- settled("midwater_trawl", nodes = 3700)
+test_that("state of 4,700 nodes takes at most 0.3 MB in a file", {
+  state <- settled("midwater_trawl", nodes = 4700)
   measures(state)
-  expect_gt(state$mesh$nodes, 3500)
+  expect_gt(state$mesh$nodes, 4500)
   file <- file.path(test_folder(), "state.rds")
   saveRDS(state, file, compress = FALSE)
   expect_lt(file.size(file), 3e5)

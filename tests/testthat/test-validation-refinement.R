@@ -146,6 +146,7 @@ test_that("cells and bars converge to each other on a partly slack sheet", {
   found <- differences(sheet, c(8, 16, 32), c("upper.middle", "lower.middle"))
   expect_true(all(diff(found["place", ]) < 0))
   expect_lt(found["place", 3], 0.01)
-  # a small difference even on the coarsest mesh, where errors cancel by chance
-  expect_lt(max(found["drag", ]), 0.02)
+  # On the coarsest mesh, slack bars resist twist more than slack cells.
+  expect_lt(found["drag", 1], 0.04)
+  expect_lt(max(found["drag", -1]), 0.01)
 })
