@@ -34,8 +34,6 @@ class Bends : public ElementKind {
   void add_force(const Field& field, double* force) const override;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
-  void add_added_mass(const Field&, double*) const override {}
-  void add_drag_scale(const Field&, double, double*) const override {}
   // Smallest length L of the bends in compression, m; 0 if there are none. A straight line under
   // more than Euler's load is in unstable equilibrium.
   double unstable_size(const Field& field) const override;

@@ -42,7 +42,6 @@ class InnerPressure : public ElementKind {
   // all triangles move alike.
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
-  void add_added_mass(const Field&, double*) const override {}
   void add_drag_scale(const Field& field, double, double* scale) const override;
 
  private:

@@ -92,7 +92,7 @@ class ElementKind {
   // Adds the added mass of the immersed parts (kg, 9 per point, row-major). Assembly multiplies it
   // by the water's acceleration to get one part of the force on each point. The other part, on the
   // displaced water (Froude-Krylov), is added by add_force() of the kinds that know their volume.
-  virtual void add_added_mass(const Field& field, double* mass) const = 0;
+  virtual void add_added_mass(const Field&, double*) const {}
   // True if the elements are rigid bodies. Their mass couples their points, so that the
   // acceleration of one point depends on the forces on all.
   virtual bool has_bodies() const { return false; }
@@ -104,7 +104,7 @@ class ElementKind {
   virtual void add_body_inertia(const Field&, const double*, double*) const {}
   // Adds the damping by drag at the present speed, and the mass of bodies over `time` (s), to each
   // point (N s/m): a scale for pseudo time.
-  virtual void add_drag_scale(const Field& field, double time, double* scale) const = 0;
+  virtual void add_drag_scale(const Field&, double, double*) const {}
   // Size (m) of the smallest element that can be in unstable equilibrium, such as a plate across
   // the flow or a pole in compression. It scales the perturbation that tests stability. 0: none.
   virtual double unstable_size(const Field&) const { return 0.0; }

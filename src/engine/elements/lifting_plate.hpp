@@ -140,7 +140,6 @@ class LiftingPlates : public ElementKind {
   void add_force(const Field& field, double* force) const override;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
-  void add_added_mass(const Field&, double*) const override {}
   bool has_bodies() const override { return !plate.empty(); }
   double heaviest_body(const Field& field) const override;
   void add_body_mass(const Field& field, double factor, const BlockSink& sink) const override;

@@ -40,8 +40,6 @@ class MeshOpenings : public ElementKind {
   void add_force(const Field& field, double* force) const override;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
-  void add_added_mass(const Field&, double*) const override {}
-  void add_drag_scale(const Field&, double, double*) const override {}
 
  private:
   struct Opening {

@@ -39,7 +39,6 @@ class WholeCells : public ElementKind {
   Vector element_force(int e, const Field& field) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
-  void add_added_mass(const Field&, double*) const override {}
   void add_drag_scale(const Field& field, double, double* scale) const override;
 
  protected:

@@ -42,8 +42,6 @@ class NettingTwists : public ElementKind {
   void add_force(const Field& field, double* force) const override;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
-  void add_added_mass(const Field&, double*) const override {}
-  void add_drag_scale(const Field&, double, double*) const override {}
 
  private:
   Vector twist(int e, const Field& field) const;
