@@ -31,12 +31,10 @@ prediction_message <- function(said, memory) {
 # Returns the state with a field changed by a fraction on the same mesh, or NULL.
 settled_near <- function(state, field, share) {
   gear <- scaled_gear(state$gear, field, share)
-  if (is.null(gear) || !is.null(odd_parts(gear_si(gear), state))) return(NULL)
-  from <- state_shape(state)
-  found <- settle_numbers(gear_si(gear), state$mesh$counts$asked$nodes, requested_netting(state),
-    from, FALSE)
-  if (!found$report$converged || !has_same_mesh(found$mesh, from)) return(NULL)
-  new_state(gear, gear_si(gear), found$mesh, found$position, found$report)
+  found <- if (!is.null(gear)) {
+    settle_on_mesh(state, gear, state$mesh$counts$asked$nodes, requested_netting(state))
+  }
+  if (isTRUE(found$usable)) new_state(gear, found$si, found$mesh, found$position, found$report)
 }
 
 # Returns the handler of requests for the derivative by the field that the user is about to move.

@@ -210,15 +210,22 @@ settled_change <- function(work, field, share) {
 
 # Returns the measures of a gear settled from the state on its mesh, or NULL.
 settled_values <- function(work, gear) {
-  si <- gear_si(gear)
-  if (!is.null(odd_parts(si, work$state))) return(NULL)
-  shape <- state_shape(work$state)
-  found <- settle_numbers(
-    si, work$nodes, work$netting, shape, FALSE, function(iteration, residual) NULL
-  )
+  found <- settle_on_mesh(work$state, gear, work$nodes, work$netting)
+  if (is.null(found)) return(NULL)
   work$cost$factorisations <- work$cost$factorisations + found$report$factorisations
-  if (!found$report$converged || !has_same_mesh(found$mesh, shape)) return(NULL)
-  values_at(work, gear, si, found$mesh, found$position)
+  if (found$usable) values_at(work, gear, found$si, found$mesh, found$position)
+}
+
+# Settles a changed gear on the mesh of a state, from its shape. Returns the result of
+# settle_numbers(), the gear's numbers `si`, and `usable`: TRUE if it converged on the same mesh.
+# Returns NULL if the gear has other parts.
+settle_on_mesh <- function(state, gear, nodes, netting) {
+  si <- gear_si(gear)
+  if (!is.null(odd_parts(si, state))) return(NULL)
+  shape <- state_shape(state)
+  found <- settle_numbers(si, nodes, netting, shape, FALSE, function(iteration, residual) NULL)
+  usable <- found$report$converged && has_same_mesh(found$mesh, shape)
+  c(found, list(si = si, usable = usable))
 }
 
 # Returns derivatives from two secants, or from one. curvature: relative step of a whole-number
