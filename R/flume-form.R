@@ -64,14 +64,15 @@ is_part <- function(value) {
   is_map(value) && length(value) > 0L && !any(grepl(".", names(value), fixed = TRUE))
 }
 
-# Maps within a top-level map are parts of their own. Fields of deeper maps belong to their part.
+# Maps within a top-level map, and within a gear of a rig, are parts of their own. Fields of deeper
+# maps belong to their part.
 form_parts <- function(value, node, path, required, is_named = FALSE, say) {
   node <- meant_node(value, node)
   if (is.null(node)) return(list())
   named <- !is.null(node$additionalProperties)
   steps <- length(path_steps(path))
   inner <- Filter(is_part, value)
-  apart <- if (steps == 1L) names(inner) else character()
+  apart <- if (steps == 1L || steps == 2L && startsWith(path, "gears.")) names(inner)
   fields <- form_fields(value[setdiff(names(value), apart)], node, path, "", say)
   part <- list(list(
     path = path, title = label_of_path(say, path), help = first_of(node$description, ""),

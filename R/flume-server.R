@@ -314,6 +314,11 @@ clicked_field <- function(gear, name) {
 parts_of_field <- function(gear, path) {
   kinds <- gear_si(gear)[c("ropes", "panels", "pieces")]
   parts <- as.character(unlist(lapply(unname(kinds), names)))
+  # a gear like another one has the fields of the other one
+  steps <- path_steps(path)
+  if (length(steps) == 2L && steps[1L] == "gears") {
+    return(grep(paste0("^", steps[2L], "(_[0-9]+)?_"), parts, value = TRUE))
+  }
   field <- vapply(parts, function(part) finding_field(gear$plan, part, NULL), "")
   of <- function(inner, outer) startsWith(paste0(inner, "."), paste0(outer, "."))
   unique(parts[of(path, field) | of(field, path)])

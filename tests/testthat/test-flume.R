@@ -212,6 +212,15 @@ test_that("click on a part returns its plan field", {
   })
 })
 
+test_that("each gear of a rig has its own parts in the form and in a selection", {
+  rig <- read_gear("twin_trawl")
+  paths <- unlist(lapply(plan_form(rig$plan), function(group) lapply(group$parts, `[[`, "path")))
+  expect_true(all(c("gears.port", "gears.port.headline", "gears.starboard") %in% paths))
+  expect_setequal(parts_of_field(rig, "gears.port.headline"),
+    c("port_headline", "starboard_headline"))
+  expect_true(all(startsWith(parts_of_field(rig, "gears.starboard"), "starboard_")))
+})
+
 test_that("clicked_field() finds every part and support of shipped gears", {
   for (gear in names(shipped_plans())) {
     gear <- read_gear(gear)
