@@ -1,14 +1,14 @@
 # The tables of the flume tank, as strings and numbers that the page lays out.
 
 # Returns a table for the page. numbers: columns that are aligned as numbers; foot: last row; note:
-# a sentence below the table.
+# a sentence below the table; parts: names of the gear's parts in each row.
 page_table <- function(
-  caption, head, rows, numbers = seq_along(head)[-1], foot = NULL, note = NULL
+  caption, head, rows, numbers = seq_along(head)[-1], foot = NULL, note = NULL, parts = NULL
 ) {
   list(
     caption = caption, head = I(head), rows = lapply(rows, function(row) I(as.character(row))),
     numbers = I(seq_along(head) %in% numbers), foot = if (!is.null(foot)) I(as.character(foot)),
-    note = note
+    note = note, parts = lapply(unname(parts), I)
   )
 }
 
@@ -66,7 +66,7 @@ ranked_tensions <- function(state) {
     at <- which.max(height)
     data.frame(
       part = name, kind = group$kind[1], highest_kN = height[at], mean_kN = max(group$mean_kN),
-      strength_kN = group$strength_kN[at], at = group$part[at]
+      strength_kN = group$strength_kN[at], at = group$part[at], parts = I(list(group$part))
     )
   }))
   rows <- rows[order(-rows$highest_kN), ]
@@ -92,7 +92,8 @@ tension_tables <- function(state, say = make_translator()) {
         trimws(column_figures(rows$strength_kN))), margin[ranked$kind == kind])
       head <- c(head, say("breaking_load_kn"), say("margin"))
     }
-    page_table(caption, head, text_rows(cells), note = if (with_strength) say("margin_note"))
+    page_table(caption, head, text_rows(cells), note = if (with_strength) say("margin_note"),
+      parts = rows$parts)
   }
   Filter(Negate(is.null), list(
     table("rope", say("ropes_by_tension"), "kN", c(say("largest_kn"), say("mean_kn")), TRUE),
@@ -119,7 +120,8 @@ drag_tables <- function(state, say = make_translator()) {
   list(
     page_table(say("drag_by_group"), c(say("group"), head), of_groups[-last],
       foot = of_groups[[last]]),
-    page_table(say("drag_by_part"), c(say("part"), head), of_parts)
+    page_table(say("drag_by_part"), c(say("part"), head), of_parts,
+      parts = lapply(groups[order], `[[`, "part"))
   )
 }
 

@@ -12,8 +12,8 @@
 #' - **Tank**: the gear in three dimensions. Drag or the arrow keys turn it; the wheel, two fingers
 #'   or `+` and `-` zoom. Buttons select the net or the whole gear and the direction of view. A
 #'   click on a part opens its fields. A part that you choose in the form or the drawing is
-#'   highlighted. The key T enlarges the tank, D the drawing. Colours show tension as in
-#'   [plot.codend_state()].
+#'   highlighted, also in the tables. The key T enlarges the tank, D the drawing, and dividers
+#'   between drawing, tank and form move. Colours show tension as in [plot.codend_state()].
 #'   While a slider moves, the tank first shows a marked prediction, the settled shape plus its
 #'   derivative by the field times the change.
 #' - **Measures** and warnings ([findings()]), with changes from a stored design. They are updated

@@ -500,6 +500,8 @@ test('page highlights a part of the drawing in the form and in the tank', async 
   for (const name of await chosen()) assert.match(name, /section_1$/);
   const marked = page.locator('#form .part.marked');
   assert.equal(await marked.getAttribute('data-path'), 'sections.section_1');
+  await tab(page, 'Tensions');
+  assert.match(await page.textContent('#tensions tr.chosen th'), /^section 1/);
   // another part of the form is highlighted too
   await page.evaluate(() => window.codendTank.Form.open('otter_boards'));
   await page.waitForFunction(() => window.codendTank.Tank.shown().gear().chosen
@@ -515,6 +517,27 @@ test('page highlights a part of the drawing in the form and in the tank', async 
   await page.focus('#see_drawing');
   await page.keyboard.press('d');
   assert.deepEqual(await shown(), [true, true]);
+  clean(page);
+  await page.close();
+});
+
+test('dividers move by pointer and keyboard and stay after a reload', async () => {
+  const page = await open(browser, tank.url);
+  const left = async (id) => (await page.locator(id).boundingBox()).x;
+  const { x, y } = await page.locator('#divider_drawing').boundingBox();
+  await page.mouse.move(x + 4, y + 50);
+  await page.mouse.down();
+  await page.mouse.move(x + 104, y + 50, { steps: 4 });
+  await page.mouse.up();
+  const fields = await left('#divider_fields');
+  await page.focus('#divider_fields');
+  await page.keyboard.press('ArrowLeft');
+  assert.ok(await left('#divider_fields') < fields - 20);
+  const moved = await left('#divider_drawing');
+  assert.ok(Math.abs(moved - x - 100) < 30, `${x} to ${moved}`);
+  await page.reload();
+  await answered(page);
+  assert.ok(Math.abs(await left('#divider_drawing') - moved) < 1);
   clean(page);
   await page.close();
 });

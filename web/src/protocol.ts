@@ -73,9 +73,10 @@ export interface Varied {
 // A change of speed, course or warp, as typed.
 export interface Change { from: string; over: string; to?: string; by?: string }
 
-// A table as strings. `numbers` is true for columns of numbers.
+// A table as strings. `numbers` is true for columns of numbers, `parts` names the gear's parts in each row.
 export interface Table {
   caption: string; head: string[]; rows: string[][]; numbers: boolean[]; foot: string[] | null; note: string | null;
+  parts?: string[][];
 }
 
 // Messages from R. `answers` is the number of a request, 0 without one.

@@ -6,6 +6,7 @@ import type { FileHeader, FromR, MovedHeader, PredictionHeader } from '../protoc
 import { element, find, save_as } from '../view';
 import * as Catalogue from './catalogue';
 import * as Designs from './designs';
+import * as Dividers from './dividers';
 import * as Drawing from './drawing';
 import { on } from './events';
 import * as Files from './files';
@@ -166,10 +167,11 @@ function draft(message: FromR['flume_draft']) {
   Designs.moved();
 }
 
-// Shows a chosen part in the tank; if it was clicked there, also in form and drawing, without a jump of
-// the page.
+// Shows a chosen part in the tank and in the tables; if it was clicked in the tank, also in form and
+// drawing, without a jump of the page.
 function part({ path, names, clicked }: FromR['flume_part']) {
   Tank.highlight(names);
+  Tabs.highlight(names);
   if (!clicked || !Form.open(path, true)) return;
   const panel = find('controls'), marked = panel.querySelector('.marked');
   if (marked) panel.scrollTop += marked.getBoundingClientRect().top - panel.getBoundingClientRect().top - 60;
@@ -191,6 +193,7 @@ function begin(message: FromR['flume_begin']) {
   render(h(Page, message), document.body);
   Tank.listen();
   Drawing.listen();
+  Dividers.listen();
   if (Designs.read()) find('gear_name').textContent = say('opening_address');
   else find('gallery').hidden = message.opens;
 }

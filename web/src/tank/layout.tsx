@@ -14,6 +14,8 @@ function Button({ id, words, primary, ...rest }: {
 }
 const FieldError = ({ id }: { id: string }) => <p id={id} class="field-error" role="alert" hidden />;
 const Note = ({ children }: Children) => <p class="note">{children}</p>;
+const Divider = ({ id, value }: { id: string; value: number }) => <div id={id} role="separator" tabIndex={0}
+  aria-orientation="vertical" aria-label={say(id)} aria-valuenow={value} />;
 function Text({ id, label, ...rest }: { id: string; label: string; [name: string]: unknown }) {
   return <label>{label}<input type="text" id={id} autocomplete="off" {...rest} /></label>;
 }
@@ -102,6 +104,7 @@ const Tank = () => <section class="tank" aria-label={say('tank_region')}>
     </span>
   </div>
   <div id="drawing" role="group" aria-label={say('net_drawing')} tabIndex={0} />
+  <Divider id={'divider_drawing'} value={44} />
   <div id="tank" />
   <p id="predicted" class="note" hidden>{say('predicted')}</p>
 </section>;
@@ -283,7 +286,7 @@ function Tabs(begin: Begin) {
 
 export const Page = (begin: Begin) => <>
   <a class="skip-link" href="#controls">{say('skip')}</a>
-  <div id="flume" data-sheet="tow">
+  <div id="flume" data-sheet="tow" data-seen="">
     <Header {...begin} />
     <div id="working" role="status" hidden>
       <span id="working_words">{say('settling')}</span><span id="working_time" />
@@ -291,7 +294,7 @@ export const Page = (begin: Begin) => <>
     </div>
     <Gallery {...begin} />
     <main id="design" class="flume-grid" hidden={!begin.opens}>
-      <Tank /><Sheets /><Alerts />
+      <Tank /><Divider id={'divider_fields'} value={75} /><Sheets /><Alerts />
       <section class="main-fields" aria-label={say('changed_first')}><div id="quick" /></section>
       <Controls /><Measures {...begin} /><Tabs {...begin} />
     </main>

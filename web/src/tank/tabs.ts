@@ -62,9 +62,21 @@ export function changed(): void { stale = true; want(); }
 export function waits(): boolean { return stale || timer !== undefined || awaited > 0; }
 export function lost(): void { awaited = 0; }
 
+const shown: Record<string, FromR['flume_table']['tables']> = {};
+let chosen: string[] = [];
+function write(name: string) {
+  render(shown[name].map((one) => [one.rows.length > 0 && table(one, rows_of(one, chosen)), note(one.note)]),
+    find(name));
+}
 export function show({ name, tables }: FromR['flume_table']): void {
   awaited -= 1;
-  render(tables.map((one) => [one.rows.length > 0 && table(one, rows_of(one)), note(one.note)]), find(name));
+  shown[name] = tables;
+  write(name);
+}
+// Highlights the rows of these parts.
+export function highlight(names: string[]): void {
+  chosen = names;
+  Object.keys(shown).forEach(write);
 }
 export function show_plan({ text }: FromR['flume_plan']): void {
   awaited -= 1;
