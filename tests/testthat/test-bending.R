@@ -36,15 +36,6 @@ test_that("rope with `pushes` carries compression as a strut", {
     tolerance = 2e-3)
 })
 
-test_that("gear_point() rejects `near` and `held` together", {
-  expect_refused(
-    gear("x", a = gear_point(position = c(0, 0, 0), held = "fixed", near = c(0, 0, 1)),
-      b = gear_point(),
-      r = rope("a", "b", length = 1, diameter = 0.01, material = "PA")),
-    "points.a.near"
-  )
-})
-
 # A pole of 4 m between supports that are 10 mm too close.
 pressed_pole <- function(bending_stiffness) {
   gear("A pole", water = list(density = 0),

@@ -126,5 +126,4 @@ test_that("plot() of coefficients writes a file", {
   table <- force_coefficients()
   expect_identical(plot(table, file = file), table)
   expect_gt(file.size(file), 1e5)
-  expect_wrong(plot(table, force = "boards"))
 })

@@ -18,18 +18,6 @@ test_that("a wing's third count follows from its two counts and both edges", {
     51)
 })
 
-test_that("check names piece, counts and cutting that contradict each other", {
-  expect_refused(
-    wing_2(meshes = list(front = 36, rear = 84, deep = 60), cutting = "1N2B"),
-    "`net.upper.wing_2.meshes`: 36 meshes in front, cut 1N2B over 60 meshes deep, give 66"
-  )
-  # a mesh at each cut edge is rounding
-  expect_no_error(wing_2(meshes.rear = 78))
-  expect_refused(wing_2(meshes.rear = 79), "give 76 at the.*rear; the plan has 79")
-  expect_refused(wing_2(meshes = list(front = 51)), "net.upper.wing_2.meshes.rear.*missing")
-  expect_refused(wing_2(cutting = list(left = "AB")), "replaced by `inner` or `outer`")
-})
-
 test_that("edges without a rate take the rest of the meshes", {
   panel <- gear_si(wing_2(meshes.rear = 70, cutting = list(outer = "1N2B")))$panels$back_wing_2_left
   expect_equal(c(panel$lost_left, panel$lost_right), c(25, -44))

@@ -53,11 +53,6 @@ test_that("tow() rejects a controlled winch for a laid rope", {
     class = "codend_error")
 })
 
-test_that("tow() rejects ropes longer than their laying path", {
-  gear <- update(read_gear("demersal_seine"), laying.net = list("1500 m", "0 m"))
-  expect_error(tow(gear, nodes = 150), "shorter than its laid path", class = "codend_error")
-})
-
 test_that("haul closes, balances energy and ends at vessel plus winch speed", {
   gear <- update(read_gear("demersal_seine"), warps.segments = 40)
   haul <- tow(gear, nodes = 150, every = 120, accuracy = 0.5)

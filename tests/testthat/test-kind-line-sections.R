@@ -117,9 +117,6 @@ test_that("middle bridles lead to joints of the side line, or to equal distances
   }
   expect_equal(height("middle_1_port"), height("middle_1_starboard"), tolerance = 1e-3)
   expect_gt(measures(state)[["bridle_middle_2_tension_kN"]], 0)
-  line$sections <- line$sections[1:2]
-  expect_refused(two_seam(bridles.middle = list(wire("25 m"), wire("25.1 m")), side_lines = line),
-    "side_lines.sections` has 2; it must be 3 sections")
 })
 
 # Returns the stretched length (m) of the netting along each rope, by name.
@@ -169,17 +166,6 @@ test_that("hanging ratios alone follow the pieces of netting", {
   expect_equal(vapply(belly, `[[`, 0, "length"),
     0.95 * netting_along(two_seam(belly_lines = ratios(0.95)), belly))
   expect_no_error(settle(trawl, nodes = 300))
-})
-
-test_that("sections without defined netting are refused", {
-  line <- function(..., more = list()) two_seam(headline = c(more, list(diameter = "20 mm",
-    material = "PP", sections = list(...))))
-  expect_refused(line(list(length = "12 m", hanging_ratio = 0.1), list(hanging_ratio = 0.5)),
-    "headline.sections` takes 120 m of stretched netting; it must be within")
-  expect_refused(line(list(length = "6 m", hanging_ratio = 0.5), list(hanging_ratio = 0.6),
-    list(length = "6 m")), "headline.sections` leaves the netting of several sections undefined")
-  expect_refused(line(list(length = "6 m", hanging_ratio = 0.5), list(length = "12 m"),
-    more = list(bosom = "5 m")), "headline.bosom.*not with a hanging ratio")
 })
 
 test_that("floats on a section of the footrope are pieces on each side", {

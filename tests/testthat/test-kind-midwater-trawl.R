@@ -86,20 +86,6 @@ test_that("shipped midwater trawl settles at half and twice speed and warp", {
   }
 })
 
-test_that("midwater trawl plans are rejected with the missing or wrong field", {
-  expect_refused(small_trawl(4, side_lines = NULL), "side_lines")
-  line <- list(length = "12 m", diameter = "14 mm", material = "hmpe")
-  expect_refused(small_trawl(2, side_lines = line), "side_lines")
-  expect_refused(
-    small_trawl(4, cross_ropes = list(a = list(behind = "fronts", hanging_ratio = 0.4,
-      diameter = "8 mm", material = "PE"))),
-    "cross_ropes.a.behind.*front"
-  )
-  wings <- list(mesh_size = "1600 mm", meshes = list(tip = 1, base = 20, deep = 4),
-    twine = list(diameter = "4 mm", material = "PE"))
-  expect_refused(small_trawl(4, wings = wings), "wings.meshes.base")
-})
-
 test_that("headline, footrope and side lines are hung edge by edge", {
   wings <- list(mesh_size = "1600 mm", meshes = list(tip = 1, base = 8, deep = 6),
     twine = list(diameter = "4 mm", material = "PE"))

@@ -42,19 +42,6 @@ test_that("a topless net hangs the free edges of the lower panel on the side lin
   expect_gt(measures(settle(topless, nodes = 300))[["net_mouth_height_m"]], 0.5)
 })
 
-test_that("check names both pieces that cannot be joined", {
-  trawl <- one_line_trawl()
-  expect_refused(update(trawl, net.upper.body_2.meshes.front = 85),
-    "body_1` has 130 meshes of 140 mm at the rear and.*body_2` has 85 of 100 mm in front")
-  expect_refused(update(trawl, net.upper.square.meshes.front = 140), "both wings together")
-  expect_refused(update(trawl, net.upper.square.meshes.deep = 60), "seamed edges must agree")
-  expect_refused(update(trawl, net.lower.cover = trawl$plan$net$upper$codend), "no piece beside")
-  expect_refused(update(trawl, net.upper.body_2.pair = TRUE),
-    "wings are ahead of whole")
-  expect_refused(update(trawl, net.side = list(a = trawl$plan$net$upper$body_1), panels = 2),
-    "panels")
-})
-
 test_that("a piece between parallel edges keeps its width and its netting", {
   trawl <- update(one_line_trawl(),
     net.upper.wing_2.meshes = list(front = 51, rear = 51, deep = 50),

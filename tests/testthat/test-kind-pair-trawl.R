@@ -30,8 +30,3 @@ test_that("pair trawl with four warps is symmetric and its warps carry its drag"
   # Its mouth is higher than the mouth of bottom trawls, as usual in midwater.
   expect_identical(nrow(findings(state)), 0L)
 })
-
-test_that("lower warps throw an error with ropes that join the bridles", {
-  expect_refused(four_warps(sweeps = list(length = "20 m", diameter = "20 mm",
-    material = "steel_wire")), "omitted in a plan with `lower_warps`")
-})

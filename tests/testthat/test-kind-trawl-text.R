@@ -74,15 +74,6 @@ test_that("chafer covers only the belly and accepts half meshes", {
   )
 })
 
-test_that("unsupported terms throw an error that names the alternative", {
-  said <- function(...) tryCatch(words_trawl(...), codend_error_plan = conditionMessage)
-  expect_match(said(lifting_bag = list(mesh_size = "200 mm")), "`covers`", fixed = TRUE)
-  expect_match(said(bobbins = list(number = 10)), "`discs` of the `ground_gear`", fixed = TRUE)
-  expect_match(said(round_straps = list(number = 3)), "`cross_ropes`", fixed = TRUE)
-  expect_match(said(gussets = list(meshes = 10)), "have no gussets", fixed = TRUE)
-  expect_match(said(dropper_chains = "0.4 m"), "does not model dropper chains", fixed = TRUE)
-})
-
 test_that("empty list of floats gives a trawl without floats", {
   trawl <- read_gear("midwater_trawl")
   none <- gear_si(update(trawl, floats = list()))

@@ -44,12 +44,3 @@ test_that("tow_speed() returns the speed at which drag equals pull", {
   expect_wrong(tow_speed("towed_cable"), "vessel")
   expect_wrong(tow_speed(gear, "2 MW"), "at most")
 })
-
-test_that("vessel tables that contradict themselves are rejected", {
-  bad <- function(...) {
-    vessel <- list(power = "1 MW", pull = list(...))
-    expect_refused(update(read_gear("towed_cable"), vessel = vessel), "vessel.pull")
-  }
-  bad(list(speed = 3, pull = 10), list(speed = 1, pull = 5))
-  bad(list(speed = 0, pull = 10), list(speed = 1, pull = 15))
-})

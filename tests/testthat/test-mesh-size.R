@@ -30,15 +30,7 @@ test_that("quick node bound accepts every plan that the exact count accepts", {
   }
 })
 
-test_that("plan counts have upper bounds before a short form expands", {
-  longline <- read_gear("longline")
-  for (baskets in c(1e6, 1e12, 999)) {
-    expect_refused(update(longline, baskets = baskets), "baskets")
-  }
-  expect_refused(update(read_gear("cage"), panels = 1e9), "at most 360")
-  cable <- read_gear("towed_cable")
-  expect_refused(update(cable, ropes.cable.segments = 1e9), "at most 10000")
-  # every count of the schema has both bounds
+test_that("every count of the schema has an upper bound", {
   open <- character()
   walk <- function(node, path) {
     if (identical(node$shape, "integer") && is.null(node$const) && is.null(node$enum) &&

@@ -50,10 +50,3 @@ test_that("shot gear follows its arc and is released behind the vessel", {
   gone <- at * 200 / 5 < 29
   expect_true(all(chain$position[3, node[gone][-1], 7] < start[3, gone][-1] - 0.01))
 })
-
-test_that("check rejects shooting without a rope or speed", {
-  chain <- shot_chain()
-  expect_refused(update(chain, shooting.rope = "chin"), "shooting.rope")
-  expect_refused(update(chain, shooting.speed = 0), "shooting.speed")
-  expect_refused(update(chain, shooting.arc = "400 deg"), "shooting.arc")
-})

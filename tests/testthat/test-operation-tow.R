@@ -289,27 +289,6 @@ test_that("tow() follows the plan's schedule if it starts with the state", {
   expect_equal(tow(settle(gear), schedule = tow_schedule(speed = 2))$conditions$speed, c(2, 2, 2))
 })
 
-test_that("tow() rejects unknown warps and lengths below the initial one", {
-  gear <- short_cable()
-  expect_wrong(tow(gear, tow_schedule(warp_out = 0.5), 1), "`warp_out` falls below")
-  expect_wrong(tow(gear, tow_schedule(warp_out = list(port = 60)), 1),
-    "warps of this gear are cable")
-  expect_wrong(tow(settle(gear), until = 1, schedule = tow_schedule(warp_out = 50)))
-})
-
-test_that("tow section is checked with the plan", {
-  expect_identical(
-    tryCatch(as_gear(c(short_cable_plan, list(tow = list(until = "10 kg")))),
-      codend_error_plan = function(e) e$path),
-    "tow.until"
-  )
-  expect_identical(
-    tryCatch(as_gear(c(short_cable_plan, list(tow = list(speed = list(list(time = 0)))))),
-      codend_error_plan = function(e) e$path),
-    "tow.speed[1].value"
-  )
-})
-
 test_that("tow() rejects saved motion that does not fit its mesh", {
   trajectory <- tow("towed_cable", until = 2, every = 1, nodes = 30)
   for (field in c("position", "velocity", "acceleration")) {

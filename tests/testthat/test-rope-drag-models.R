@@ -43,15 +43,6 @@ test_that("rope with a load table conserves energy", {
   expect_lt(abs(last$energy_imbalance), 0.02 * last$energy_put_through)
 })
 
-test_that("check rejects load tables that decrease or accompany EA", {
-  bad <- law
-  bad[[3]]$load <- "5 kN"
-  error <- expect_refused(hanging("1 kg", load_by_elongation = bad))
-  expect_identical(error$path, "ropes.line.load_by_elongation.3")
-  expect_refused(hanging("1 kg", load_by_elongation = law, axial_stiffness = "1 kN"),
-    "together with")
-})
-
 test_that("strumming warp has the drag by Vandiver", {
   drag <- function(...) {
     state <- settle(gear("a bar",

@@ -26,18 +26,6 @@ test_that("weight on a sliding rope settles with equal slopes", {
   }
 })
 
-test_that("sliding rope requires two ends, a length and different points", {
-  expect_refused(
-    gear("g", a = gear_point(position = c(0, 0, 0), held = "fixed"),
-      w = rope(through = list("a"), length = 1, diameter = 0.01, material = "PE")),
-    "from"
-  )
-  bad <- hanging_weight()
-  expect_refused(update(bad, ropes.wire.through = list("rin")), "ropes.wire.through")
-  expect_refused(update(bad, ropes.wire.through = list("ring", "ring")), "the same position")
-  expect_refused(update(bad, measures.depth.depth = "wire[1.5]"), "measures.depth.depth")
-})
-
 test_that("point at a fraction of a laced rope has its own node", {
   wall <- gear(
     "Netting on two piles",

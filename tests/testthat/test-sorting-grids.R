@@ -92,14 +92,6 @@ test_that("hinged grid has the drag of a bar rack and the angle of its moments",
   expect_equal(found[["drag_kN"]], force * sin(angle) / 1000, tolerance = 1e-3)
 })
 
-test_that("grid that cannot be laced throws an error that names the section", {
-  expect_refused(grid_trawl(sections.ahead_of_grid.meshes.deep = 5, separators = NULL),
-    "more than 8 meshes")
-  expect_refused(grid_trawl(grids.nordmore.behind = "codend"), "ahead of another")
-  expect_refused(grid_trawl(grids.nordmore.behind = "body"), "straight sides")
-  expect_refused(grid_trawl(grids.nordmore.height = "4 m"), "circumference")
-})
-
 test_that("a sorting grid is listed on the drawing and has no finding of its own", {
   gear <- example_gear("sorting_grid")
   figure <- plan_figure(gear)
