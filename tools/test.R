@@ -16,8 +16,7 @@ slow <- c(
   "store-state", "store-trajectory", "store-versions", "study-calibrate", "study-effects",
   "study-futures", "study-optimise", "study-posterior", "study-sensitivities", "study-slurm",
   "study-store", "study-uncertainty", "study-vary", "table-tidy", "text-plain", "tow-catch",
-  "validation-cables", "validation-codend", "validation-invariants", "validation-published-cases",
-  "validation-refinement", "view-3d"
+  "validation-codend", "validation-invariants", "validation-refinement", "view-3d"
 )
 
 # Tests that CRAN skips run too.

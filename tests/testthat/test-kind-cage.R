@@ -53,13 +53,6 @@ test_that("cage drag grows slower than speed squared, light sinkers lose volume"
   expect_true(all(light["net_drag_kN", ] < heavy["net_drag_kN", ]))
 })
 
-test_that("shielding reduces a cage's drag by up to a quarter", {
-  # Up to 22 % in the simulations of ASME OMAE2013, V003T05A027.
-  share <- model_at(0.13)[["net_drag_kN"]] / model_at(0.13, shielding = "none")[["net_drag_kN"]]
-  expect_gt(share, 0.75)
-  expect_lt(share, 0.92)
-})
-
 test_that("floating cage settles symmetrically in its moorings", {
   state <- settle(read_gear("cage"), nodes = 600)
   found <- measures(state)

@@ -15,41 +15,11 @@ test_that("plans of real nets fit one page, mark assumptions and settle", {
   }
 })
 
-test_that("83-112 Eastern trawl opens as in surveys that were not tuned", {
-  hauls <- utils::read.csv(
-    system.file("extdata", "survey_hauls_by_wire.csv", package = "codend"), comment.char = "#"
-  )
-  # the shortest and the longest wire of many hauls; the plan is tuned between them
-  hauls <- hauls[hauls$trawl == "83-112" & hauls$hauls > 100, ]
-  hauls <- hauls[c(which.min(hauls$wire_m), which.max(hauls$wire_m)), ]
-  gear <- read_gear(real_net("eastern"))
-  for (k in seq_len(nrow(hauls))) {
-    found <- measures(settle(update(gear, warps.length = hauls$wire_m[k],
-      seabed.depth = hauls$depth_m[k], towing.speed = paste(hauls$speed_knot[k], "knot")),
-    nodes = 400))
-    # within the hauls' standard deviation of their mean
-    expect_lt(abs(found[["upper_wing_spread_m"]] - hauls$width_m[k]), hauls$width_sd_m[k])
-    expect_lt(abs(found[["headline_height_m"]] - hauls$height_m[k]), hauls$height_sd_m[k])
-  }
-})
-
-test_that("four-seam trawl has its design height within a sixth", {
-  found <- measures(settle(read_gear(real_net("four_seam")), nodes = 400))
-  expect_gt(found[["headline_height_m"]], 4.5 * 5 / 6)
-  expect_lt(found[["headline_height_m"]], 5.5 * 7 / 6)
-})
-
-test_that("lantern fish trawl has the published netting and drag", {
-  gear <- read_gear(real_net("myctophid"))
-  netting <- summary(gear)$netting
+test_that("lantern fish trawl has the published netting", {
+  netting <- summary(read_gear(real_net("myctophid")))$netting
   # of 412 m2 and 832 kg, its design values
   expect_lt(abs(sum(netting$twine_area_m2) / 412 - 1), 0.12)
   expect_lt(abs(sum(netting$mass_kg) / 832 - 1), 0.05)
-  tonnes <- vapply(c("2 knot", "3 knot"), function(speed) {
-    measures(settle(update(gear, towing.speed = speed), nodes = 400))[["total_drag_kN"]] / 9.81
-  }, 0, USE.NAMES = FALSE)
-  # the institute's estimate from a formula
-  expect_lt(max(abs(tonnes / c(4.9, 7.3) - 1)), 0.2)
 })
 
 test_that("Nordic trawl floats, with its published length and a mouth below its largest", {

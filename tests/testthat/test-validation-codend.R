@@ -39,22 +39,11 @@ codend_shape <- function(state) {
 # flatten it by (0.14 / 0.7)^2 / 24.
 within <- 0.005
 
-test_that("codend with 50 meshes blocked has AxiCodend's shape and drag", {
-  state <- settle_codend(list(blocked_meshes = 50))
-  wanted <- codend_reference("metrics")[1, ]
-  shape <- codend_shape(state)
-  found <- measures(state)
-  front <- shape$x[51]
-  expect_lt(abs(max(shape$x) / wanted$length - 1), within)
-  expect_lt(abs(max(shape$r) / wanted$max_radius - 1), within)
-  expect_lt(abs((max(shape$x) - front) / wanted$catch_thickness - 1), within)
-  expect_lt(abs(found[["catch_volume_m3"]] / wanted$catch_volume - 1), within)
-  expect_lt(abs(found[["catch_surface_m2"]] / wanted$catch_surface - 1), within)
-  expect_lt(abs(1000 * found[["total_drag_kN"]] / wanted$catch_drag - 1), within)
-
+test_that("codend with 50 meshes blocked has AxiCodend's shape", {
+  shape <- codend_shape(settle_codend(list(blocked_meshes = 50)))
   reference <- codend_reference("shape_50")
-  expect_lt(max(abs(shape$x - reference$x_m)), within * wanted$length)
-  expect_lt(max(abs(shape$r - reference$r_m)), within * wanted$max_radius)
+  expect_lt(max(abs(shape$x - reference$x_m)), within * max(reference$x_m))
+  expect_lt(max(abs(shape$r - reference$r_m)), within * max(reference$r_m))
 })
 
 test_that("codend with automatic mesh has AxiCodend's catch", {

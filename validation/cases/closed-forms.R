@@ -1,7 +1,5 @@
-# Gears with an exactly known shape and tension. Plans and analytical solutions come from the tests.
+# Gears with an exactly known shape and tension, from cables.R, square-net.R and the tests.
 
-use_tests("test-validation-cables")
-use_tests("test-validation-published-cases")
 use_tests("test-validation-cells")
 
 case_elastic_catenary <- function() {
@@ -104,19 +102,6 @@ case_dragged_chain <- function() {
     compared("force", "weight on the ground", exact[["ground"]],
       1000 * measures(state)[["ground_load_kN"]])
   )
-}
-
-case_yoshihara <- function() {
-  use_tests("test-kind-longline")
-  found <- measures(settle(still_longline()))[sprintf("hook_%d_depth_m", 1:8)]
-  compared("depth", paste("hook", 1:8), yoshihara(1:8, 15, 800, 0.65, 25, 15), as.double(found))
-}
-
-case_loaded_line <- function() {
-  use_tests("test-kind-longline")
-  state <- settle(still_longline())
-  found <- as.double(measures(state)[sprintf("hook_%d_depth_m", 1:8)])
-  compared("depth", paste("hook", 1:8), hung_longline(state)[1:8], found)
 }
 
 # A closed tube of inextensible diamond netting under the pressure of a catch. The angle f of the

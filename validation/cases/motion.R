@@ -167,8 +167,7 @@ case_sinking_sphere <- function() {
 
 # The references were computed with explicit steps much shorter than the period of the fastest mode.
 case_stiff_lines <- function() {
-  use_tests("helper-stiff-lines")
-  reference <- utils::read.csv(test_path("reference", "stiff-lines.csv"))
+  reference <- utils::read.csv("validation/references/stiff-lines.csv")
   do.call(rbind, lapply(names(stiff_lines), function(name) {
     compared_motion(gsub("_", " ", name), reference[reference$case == name, ],
       stiff_line_rows(name, integrate_stiff_line(name)))
@@ -176,10 +175,9 @@ case_stiff_lines <- function() {
 }
 
 case_started_net <- function() {
-  use_tests("helper-started-net")
-  reference <- utils::read.csv(test_path("reference", "net-in-starting-current.csv"))
+  reference <- utils::read.csv("validation/references/net-in-starting-current.csv")
   do.call(rbind, lapply(c(8, 20), function(n) {
-    found <- tow(started_net(n, test_path("plans")), nodes = 1e4)
+    found <- tow(started_net(n), nodes = 1e4)
     compared_motion(paste(n, "knots"), reference[reference$n == n, ], started_net_rows(n, found))
   }))
 }
