@@ -22,7 +22,7 @@ flat_arrays <- function(x, prefix = "") {
 
 # Returns list(head, body). `head` lists for each array: type (d: double, f: single, i: integer, w:
 # strings, g: groups), count, first byte, `together` of smaller_body(), distinct strings. `body` is
-# a string of deflated bytes. Integers and strings are stored as differences, identical arrays once.
+# from deflated(). Integers and strings are stored as differences, identical arrays once.
 packed_arrays <- function(arrays) {
   head <- bodies <- places <- list()
   at <- 0
@@ -69,12 +69,6 @@ few_figures <- function(x, bits) {
   round(x / step) * step
 }
 
-# Rounds all numbers to the step that the largest number has with this many bits.
-of_largest <- function(x, bits) {
-  step <- 2^(floor(log2(max(abs(x), 1e-99))) + 1 - bits)
-  round(x / step) * step
-}
-
 # Repeated numbers deflate best as they are, others with bytes of equal weight together.
 smaller_body <- function(bytes, size) {
   together <- as.vector(t(matrix(bytes, size)))
@@ -85,26 +79,7 @@ smaller_body <- function(bytes, size) {
   }
 }
 
-# Characters that neither HTML nor JSON escapes.
-text_letters <- setdiff(strsplit(intToUtf8(33:126), "")[[1L]], c("\"", "<", "\\"))
-
-deflated <- function(bytes) letters_of(memCompress(bytes, "gzip"))
-
-# Returns list(count, text): each 13 bits, lowest first, become two of 91 characters.
-letters_of <- function(bytes) {
-  count <- length(bytes)
-  groups <- ceiling(count / 13)
-  padded <- matrix(0, 15L, groups)
-  padded[seq_len(13L), ] <- c(as.integer(bytes), integer(13 * groups - count))
-  bits <- vapply(0:7, function(k) {
-    first <- (13 * k) %/% 8 + 1
-    three <- padded[first, ] + 256 * padded[first + 1, ] + 65536 * padded[first + 2, ]
-    (three %/% 2^((13 * k) %% 8)) %% 8192
-  }, numeric(groups))
-  bits <- as.vector(t(matrix(bits, groups)))[seq_len(ceiling(8 * count / 13))]
-  codes <- utf8ToInt(paste(text_letters, collapse = ""))
-  list(count, intToUtf8(codes[rbind(bits %% 91, bits %/% 91) + 1L]))
-}
+deflated <- function(bytes) jsonlite::base64_enc(memCompress(bytes, "gzip"))
 
 # Returns the numbers for the engine of a page (`numbers.` and path), and the numbers for pictures
 # and warnings (`page/` and name). `standard`: kinds of the measures that every gear has.

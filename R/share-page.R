@@ -9,59 +9,22 @@ scene_json <- function(scene) {
   escape_json(as.character(jsonlite::toJSON(scene, auto_unbox = TRUE, digits = NA, null = "null")))
 }
 
-# Returns the data that the page unpacks, each as in letters_of().
+# Returns the data that the page unpacks, each from deflated().
 shared_parts <- function(state, model, tow) {
   wasm <- gzfile(system.file("share", "engine.wasm.gz", package = "codend", mustWork = TRUE), "rb")
   on.exit(close(wasm))
-  scene <- packed_scene(state_scene(state))
   parts <- list(
     viewer = packed_text(view_file("viewer.js")),
     worker = packed_text(paste(view_file("engine.js", "share"), view_file("worker.js", "share"),
       sep = "\n;\n")),
     wasm = deflated(readBin(wasm, "raw", 1e8)),
-    scene = packed_text(scene_json(scene[c("scene", "head")])), shapes = scene$body,
+    scene = packed_text(scene_json(state_scene(state))),
     model = packed_text(scene_json(model[setdiff(names(model), "body")])), arrays = model$body,
     drawing = packed_text(drawing_svg(state$gear, "A3"))
   )
   if (is.null(tow)) return(parts)
-  left <- shared_bytes - 3e4 - sum(nchar(unlist(lapply(parts, `[[`, 2L))))
+  left <- shared_bytes - 3e4 - sum(nchar(parts))
   c(parts, list(tow = packed_text(scene_json(motion_scene(tow, bytes = max(left, 1e5))))))
-}
-
-# Returns list(scene, head, body). Each array in the scene is replaced by its number, from 0. Arrays
-# are rounded, because the engine computes accurate values once it runs.
-packed_scene <- function(scene) {
-  arrays <- list()
-  keep <- function(x) {
-    arrays[[length(arrays) + 1L]] <<- x
-    length(arrays) - 1L
-  }
-  numbers <- function(text, what) {
-    readBin(jsonlite::base64_dec(text), what, nchar(text), 4L, endian = "little")
-  }
-  walk <- function(x, few) {
-    for (name in names(x)) {
-      if (is.list(x[[name]])) {
-        x[[name]] <- walk(x[[name]], few)
-      } else if (name %in% c("floats", "mesh")) {
-        x[[name]] <- keep(single_floats(few(numbers(x[[name]], "double"))))
-      } else if (name %in% c("point", "ends", "part") && is.character(x[[name]])) {
-        x[[name]] <- keep(numbers(x[[name]], "integer"))
-      }
-    }
-    x
-  }
-  of_each <- function(x) few_figures(x, 10)
-  of_all <- function(x) of_largest(x, 16)
-  scene$netting <- lapply(scene$netting, walk, of_all)
-  for (name in intersect(c("ropes", "points", "places", "boards"), names(scene))) {
-    scene[[name]] <- walk(scene[[name]], of_all)
-  }
-  for (name in intersect(c("rope_tension", "u", "v", "drag", "opening", "angle"), names(scene))) {
-    scene[[name]] <- walk(scene[[name]], of_each)
-  }
-  names(arrays) <- seq_along(arrays) - 1L
-  c(list(scene = scene), packed_arrays(arrays))
 }
 
 write_shared_page <- function(file, state, model, parts) {

@@ -2,17 +2,7 @@
 'use strict';
 const fs = require('fs'), zlib = require('zlib');
 
-const letters = Array.from({ length: 94 }, (_, k) => String.fromCharCode(33 + k)).filter((c) => !'"<\\'.includes(c));
-
-// Decodes 13 bits, lowest first, from two of 91 letters.
-function bytes([count, text]) {
-  const out = Buffer.alloc(count);
-  for (let at = 0, k = 0, held = 0, bits = 0; at < count; k += 2) {
-    held |= (letters.indexOf(text[k]) + 91 * letters.indexOf(text[k + 1])) << bits;
-    for (bits += 13; bits > 7 && at < count; bits -= 8, held >>= 8) out[at++] = held & 255;
-  }
-  return zlib.inflateSync(out);
-}
+const bytes = (text) => zlib.inflateSync(Buffer.from(text, 'base64'));
 
 // Returns {model, page, move(values): TRUE if the solve converged}.
 exports.opened = async function (file) {
@@ -20,7 +10,8 @@ exports.opened = async function (file) {
   const packed = JSON.parse(html.split('id="packed">')[1].split('</script>')[0]);
   const page = JSON.parse(bytes(packed.model).toString());
   const code = bytes(packed.worker).toString();
-  const made = new Function('require', '__dirname', code + '\n;return [codendEngine, codendWorker.new_model];')(require, __dirname);
+  const made = new Function('require', '__dirname',
+    code + '\n;return [codendEngine, codendWorker.new_model];')(require, __dirname);
   const engine = await made[0]({ wasmBinary: bytes(packed.wasm) });
   const model = made[1](engine, page, new Uint8Array(bytes(packed.arrays)));
   return {

@@ -2,7 +2,6 @@
 // before the engine starts.
 
 import type * as View from '../view';
-import { array_reader, type Head } from './arrays';
 import type { ToPage, ToWorker } from './messages';
 import type { SharedGear, Shape } from './model';
 import { unpacker, type Part } from './packed';
@@ -21,7 +20,7 @@ const state = {
 window.codendShared = state;
 
 function by_id<Kind extends HTMLElement>(id: string): Kind { return document.getElementById(id) as Kind; }
-const told = by_id('told'), packed = JSON.parse(by_id('packed').textContent ?? '') as Record<Part, [number, string]>;
+const told = by_id('told'), packed = JSON.parse(by_id('packed').textContent ?? '') as Record<Part, string>;
 const { bytes, text, json } = unpacker(packed);
 
 function failed(error: unknown) {
@@ -30,29 +29,7 @@ function failed(error: unknown) {
   state.failed = String(error);
 }
 
-type Packed<Kind> = { scene: Kind; head: Head };
-type Numbers = { floats: unknown };
-interface PackedScene extends Partial<Record<(typeof moving)[number], Numbers>> {
-  ropes?: { ends: unknown; part: unknown }; netting: { point: unknown; mesh: unknown }[];
-}
 const moving = ['points', 'places', 'boards', 'rope_tension', 'u', 'v', 'drag', 'opening', 'angle'] as const;
-
-// Replaces the numbers of arrays by the arrays.
-function unpacked({ scene, head }: Packed<PackedScene>, shapes: Uint8Array): View.Scene {
-  const array = array_reader(head, shapes);
-  if (scene.ropes) {
-    scene.ropes = { ...scene.ropes, ends: array(String(scene.ropes.ends)), part: array(String(scene.ropes.part)) };
-  }
-  scene.netting.forEach((panel) => {
-    panel.point = array(String(panel.point));
-    panel.mesh = array(String(panel.mesh));
-  });
-  moving.forEach((name) => {
-    const numbers = scene[name];
-    if (numbers) numbers.floats = array(String(numbers.floats));
-  });
-  return scene as unknown as View.Scene;
-}
 
 function start(scene: View.Scene, page: SharedGear) {
   const viewer = window.codendView.new_viewer(by_id('tank'));
@@ -220,10 +197,8 @@ async function open() {
   const script = document.createElement('script');
   script.textContent = await text('viewer');
   document.head.appendChild(script);
-  const [scene, shapes, page] = await Promise.all([
-    json<Packed<PackedScene>>('scene'), bytes('shapes'), json<SharedGear>('model')
-  ]);
-  start(unpacked(scene, new Uint8Array(shapes)), page);
+  const [scene, page] = await Promise.all([json<View.Scene>('scene'), json<SharedGear>('model')]);
+  start(scene, page);
 }
 
 if (!('DecompressionStream' in window) || !('WebAssembly' in window) || !('Worker' in window)) failed('it is too old');
