@@ -156,9 +156,7 @@ design_axis <- function(values, path) {
       abort_argument("A data frame of fields that change together must have no name; remove
         {.arg {path}}.")
     }
-    values <- as.data.frame(
-      given_value(unclass(values), path), check.names = FALSE, stringsAsFactors = FALSE
-    )
+    values[] <- Map(given_value, values, names(values))
   } else {
     if (!nzchar(path)) {
       abort_argument("Every field needs its path as a name, such as {.code towing.speed = 1:3}.")
