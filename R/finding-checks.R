@@ -1,25 +1,33 @@
 # Checks for warnings: properties of a gear or state outside practice and measurements. Each warning
-# has a value, a location and advice. A new check is a new entry in a file `finding-*.R`. Checks of
-# single numbers are rows of a table (finding-numbers.R).
+# has a value, a location and advice. A new check is a row of inst/extdata/findings.csv and an entry
+# in a file `finding-*.R`. Checks of single numbers are rows of another table (finding-numbers.R).
 
 # All checks by name. The files of checks fill this environment when the package is built.
 finding_checks <- new.env(parent = emptyenv())
 
-# Defines a check. `of`: "plan" if the plan is enough, "state" if the check needs a settled shape,
-# "tow" if it needs a trajectory. `message`: a sentence about the odd property, with bounds and
-# sources, or a function that returns it. `test(gear, state)`: returns a list of `finding()` and
-# NULL. `rank`: 1 if the gear breaks or does not fish, 2 if it is out of proportion, 3 if the model
-# is used outside its tested range.
-define_finding <- function(name, of, message, test, rank = 2L) {
-  finding_checks[[name]] <- list(name = name, message = message, of = of, test = test, rank = rank)
+# Texts of checks. `of`: "plan" if the plan is enough, "state" if the check needs a settled shape,
+# "tow" if it needs a trajectory. `rank`: 1 if the gear breaks or does not fish, 2 if it is out of
+# proportion, 3 if the model is used outside its tested range. `message`: a sentence about the odd
+# property, with bounds and sources. A check with several `text` and `advice` has a row for each
+# `case`. `field`: the field to change in the plan or the part, empty for the location itself.
+finding_strings <- package_table("findings.csv")
+
+# Defines a check of a table. `test(gear, state)`: returns a list of `finding()` and NULL.
+# `values()`: returns values for the placeholders of the message.
+define_finding <- function(name, test, values = function() NULL, table = finding_strings) {
+  row <- table[match(name, table$check), ]
+  finding_checks[[name]] <- list(name = name, of = row$of, rank = row$rank, test = test,
+    message = row$message, values = values)
 }
 
-# Returns a warning. `location`: the plan's field, or parts of the gear. `value`: the odd number,
-# and `label` its text with a unit. `message`: the odd property. `advice`: possible changes.
-# `field`: the field to change in the plan or the part, NULL for `location` itself.
-finding <- function(location, value, label, message, advice, field = NULL) {
-  list(location = location, value = value, label = label, message = message, advice = advice,
-    field = field)
+# Returns a warning of a check. `location`: the plan's field, or parts of the gear. `value`: the odd
+# number, and `label` its text with a unit, which replaces {value} in the text. `...`: values for
+# other placeholders of text and advice.
+finding <- function(check, location, value, label, ..., case = "") {
+  row <- finding_strings[finding_strings$check == check & finding_strings$case == case, ]
+  list(location = location, value = value, label = label,
+    message = template(row$text, value = label, ...), advice = template(row$advice, ...),
+    field = if (nzchar(row$field)) row$field)
 }
 
 # Returns a template with placeholders such as {load} and their values, which may be templates too.

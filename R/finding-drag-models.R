@@ -11,110 +11,72 @@ constant_screens <- function() {
   names(least)[least > 0]
 }
 
-define_finding("drag model", "state",
-  function() {
-    paste0("More than half of a towed gear's netting with `netting_drag` ",
-      paste0("`", constant_screens(), "`", collapse = " or "), " is inclined by more than ",
-      steep_angle, " deg from perpendicular to the flow. These models have a minimum drag, fitted to
-      cage netting across the flow. It overestimates the drag of trawls up to four times.")
-  },
-  function(gear, state) {
-    if (!has_towing(state)) return(list())
-    law <- vapply(state$si$panels, `[[`, "", "netting_drag")
-    if (!any(law %in% constant_screens())) return(list())
-    cells <- cells_with_drag(state$si, state$mesh, constant_screens())
-    if (!length(cells)) return(list())
-    lies <- netting_to_flow(state, cells)
-    share <- sum(lies$area[lies$angle > steep_angle]) / sum(lies$area)
-    if (share <= greatest_steep_share) return(list())
-    label <- sprintf("%.0f %%", 100 * share)
-    used <- intersect(constant_screens(), law)[1]
-    list(finding("netting_drag", 100 * share, label,
-      template("{law} was fitted to netting across the flow, but {share} of this netting lies along
-        the flow; the computed drag is too high.", law = used, share = label),
-      "Use blended or morison."))
-  },
-  rank = 3L
-)
+define_finding("drag model", function(gear, state) {
+  if (!has_towing(state)) return(list())
+  law <- vapply(state$si$panels, `[[`, "", "netting_drag")
+  if (!any(law %in% constant_screens())) return(list())
+  cells <- cells_with_drag(state$si, state$mesh, constant_screens())
+  if (!length(cells)) return(list())
+  lies <- netting_to_flow(state, cells)
+  share <- sum(lies$area[lies$angle > steep_angle]) / sum(lies$area)
+  if (share <= greatest_steep_share) return(list())
+  label <- sprintf("%.0f %%", 100 * share)
+  list(finding("drag model", "netting_drag", 100 * share, label, share = label,
+    law = intersect(constant_screens(), law)[1]))
+}, function() {
+  list(models = paste0("`", constant_screens(), "`", collapse = " or "), angle = steep_angle)
+})
 
-define_finding("solidity", "state",
-  function() {
-    paste0("More than half of the panels of a part use a screen drag model outside its tested range
-    of solidity: ",
-      screen_ranges(), ".")
-  },
-  function(gear, state) {
-    law <- screened_panels(state)
-    if (!length(law)) return(list())
-    solidity <- solidity_of_panels(state, names(law))
-    greatest_solidity <- drag_model_column("most_solidity", "netting", "screen")
-    least_solidity <- drag_model_column("least_solidity", "netting", "screen")
-    solidity[is.na(solidity)] <- least_solidity[law[is.na(solidity)]]
-    off <- mostly_of_part(state, names(law),
-      pmax(solidity / greatest_solidity[law], least_solidity[law] / pmax(solidity, 1e-6)))
-    worst <- which.max(off)
-    if (off[worst] <= 1) return(list())
-    used <- law[[worst]]
-    label <- figures(solidity[[worst]])
-    closed <- solidity[[worst]] > greatest_solidity[[used]]
-    message <- if (closed) {
-      template("its solidity is {solidity}; {law} was fitted to at most {bound}.",
-        solidity = label,
-        law = used, bound = format(greatest_solidity[[used]]))
-    } else {
-      template("its solidity is {solidity}; {law} was fitted to at least {bound}.",
-        solidity = label,
-        law = used, bound = format(least_solidity[[used]]))
-    }
-    wider <- names(which.max(greatest_solidity))
-    advice <- if (!closed) {
-      "Use morison: twines hardly shield each other in such open netting."
-    } else if (greatest_solidity[[wider]] >= solidity[[worst]]) {
-      template("Check mesh size and twine, or use {law}, fitted up to {bound}.",
-        law = wider,
-        bound = format(greatest_solidity[[wider]]))
-    } else {
-      "Check mesh size and twine; the drag may be wrong by tens of percent."
-    }
-    list(finding(paste("panel", names(law)[worst]), solidity[[worst]], label, message, advice))
-  },
-  rank = 3L
-)
+define_finding("solidity", function(gear, state) {
+  law <- screened_panels(state)
+  if (!length(law)) return(list())
+  solidity <- solidity_of_panels(state, names(law))
+  greatest_solidity <- drag_model_column("most_solidity", "netting", "screen")
+  least_solidity <- drag_model_column("least_solidity", "netting", "screen")
+  solidity[is.na(solidity)] <- least_solidity[law[is.na(solidity)]]
+  off <- mostly_of_part(state, names(law),
+    pmax(solidity / greatest_solidity[law], least_solidity[law] / pmax(solidity, 1e-6)))
+  worst <- which.max(off)
+  if (off[worst] <= 1) return(list())
+  used <- law[[worst]]
+  value <- solidity[[worst]]
+  closed <- value > greatest_solidity[[used]]
+  wider <- names(which.max(greatest_solidity))
+  found <- finding("solidity", paste("panel", names(law)[worst]), value, figures(value),
+    solidity = figures(value), law = used,
+    bound = format(if (closed) greatest_solidity[[used]] else least_solidity[[used]]),
+    case = if (!closed) "open" else if (greatest_solidity[[wider]] >= value) "closed" else {
+      "beyond all"
+    })
+  found$advice$values <- list(law = wider, bound = format(greatest_solidity[[wider]]))
+  list(found)
+}, function() list(ranges = screen_ranges()))
 
-define_finding("Reynolds number", "state",
-  function() {
-    rows <- screens_by_reynolds()
-    paste0("More than half of the panels of a part have twine outside the range of Reynolds numbers
-    of their screen drag model. Outside its range, the model uses the cylinder drag at the nearest
-    end: ", paste0("`", rows$name, "` from ", rows$least_reynolds, " to ",
-      rows$most_reynolds, collapse = ", "), ".")
-  },
-  function(gear, state) {
-    rows <- screens_by_reynolds()
-    law <- screened_panels(state)
-    law <- law[law %in% rows$name]
-    speed <- flow_speed(state$si)
-    if (!length(law) || speed == 0) return(list())
-    rows <- rows[match(law, rows$name), ]
-    diameter <- vapply(state$si$panels[names(law)], `[[`, 0, "twine_diameter")
-    solidity <- solidity_of_panels(state, names(law))
-    solidity[is.na(solidity)] <- 0
-    reynolds <- speed * diameter / state$si$water$viscosity /
-      (1 - pmin(solidity, rows$most_solidity))
-    off <- mostly_of_part(state, names(law),
-      pmax(reynolds / rows$most_reynolds, rows$least_reynolds / reynolds))
-    worst <- which.max(off)
-    if (off[worst] <= 1) return(list())
-    label <- figures(reynolds[[worst]])
-    list(finding(paste("panel", names(law)[worst]), reynolds[[worst]], label,
-      template("its twine has a Reynolds number of {number}; {law} is valid from {least} to
-        {most}.",
-        number = label, law = law[[worst]], least = format(rows$least_reynolds[worst]),
-        most = format(rows$most_reynolds[worst])),
-      "Check speed, viscosity and twine, or use morison with choo_casarella."))
-  },
-  rank = 3L
-)
+define_finding("Reynolds number", function(gear, state) {
+  rows <- screens_by_reynolds()
+  law <- screened_panels(state)
+  law <- law[law %in% rows$name]
+  speed <- flow_speed(state$si)
+  if (!length(law) || speed == 0) return(list())
+  rows <- rows[match(law, rows$name), ]
+  diameter <- vapply(state$si$panels[names(law)], `[[`, 0, "twine_diameter")
+  solidity <- solidity_of_panels(state, names(law))
+  solidity[is.na(solidity)] <- 0
+  reynolds <- speed * diameter / state$si$water$viscosity /
+    (1 - pmin(solidity, rows$most_solidity))
+  off <- mostly_of_part(state, names(law),
+    pmax(reynolds / rows$most_reynolds, rows$least_reynolds / reynolds))
+  worst <- which.max(off)
+  if (off[worst] <= 1) return(list())
+  label <- figures(reynolds[[worst]])
+  list(finding("Reynolds number", paste("panel", names(law)[worst]), reynolds[[worst]], label,
+    number = label, law = law[[worst]], least = format(rows$least_reynolds[worst]),
+    most = format(rows$most_reynolds[worst])))
+}, function() {
+  rows <- screens_by_reynolds()
+  list(ranges = paste0("`", rows$name, "` from ", rows$least_reynolds, " to ", rows$most_reynolds,
+    collapse = ", "))
+})
 
 screens_by_reynolds <- function() {
   laws[laws$of == "netting" & laws$form == "screen" & !is.na(laws$most_reynolds), ]

@@ -38,9 +38,8 @@ band_of <- function(quantity, si) {
 
 for (k in seq_len(nrow(number_ranges))) local({
   limits <- number_ranges[k, ]
-  define_finding(limits$check, limits$of, limits$message, function(gear, state) {
-    unusual_numbers(limits, gear, state)
-  }, limits$rank)
+  define_finding(limits$check, function(gear, state) unusual_numbers(limits, gear, state),
+    table = number_ranges)
 })
 rm(k)
 
@@ -72,10 +71,10 @@ unusual_number <- function(range, value, limits, location, below) {
   least <- first_of(limits$usual_least, limits$least)
   greatest <- first_of(limits$usual_greatest, limits$greatest)
   field <- first_of(limits$field, range$field)
-  finding(location, value, label,
-    template("{quantity} is {value}; usual is {band}.", quantity = range$quantity, value = label,
-      band = template(with_unit, n = band_text(least, greatest))),
-    if (below || !nzchar(range$high)) range$low else range$high,
+  list(location = location, value = value, label = label,
+    message = template("{quantity} is {value}; usual is {band}.", quantity = range$quantity,
+      value = label, band = template(with_unit, n = band_text(least, greatest))),
+    advice = if (below || !nzchar(range$high)) range$low else range$high,
     field = if (nzchar(field)) field)
 }
 

@@ -133,9 +133,7 @@ finding_help <- function() {
   c(
     "@section Checks:",
     sprintf("- %s: %s", vapply(checks, `[[`, "", "name"),
-      one_line(vapply(checks, function(check) {
-        if (is.function(check$message)) check$message() else check$message
-      }, ""))),
+      vapply(checks, function(check) fill_places(check$message, check$values()), "")),
     "", paste("The files `ranges.csv` and `bands.csv` in",
       "`system.file(\"extdata\", package = \"codend\")` list the limits, and the usual ranges by",
       "kind of gear, with their sources.")

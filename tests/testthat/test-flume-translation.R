@@ -34,16 +34,16 @@ viewer_words <- function() {
 # Strings of findings: templates, advice, and values of their placeholders.
 finding_words <- function() {
   said <- character()
-  walk <- function(x, is_check) {
-    if (is.character(x) && is_check) said <<- c(said, x[grepl("^[A-Z].* .*[.?]$", x)])
+  walk <- function(x) {
     if (!is.call(x)) return()
     if (identical(x[[1]], quote(template)) && is.character(x[[2]])) said <<- c(said, x[[2]])
-    for (inner in as.list(x)) if (!missing(inner)) walk(inner, is_check)
+    for (inner in as.list(x)) if (!missing(inner)) walk(inner)
   }
   ns <- asNamespace("codend")
-  for (name in ls(ns)) if (is.function(ns[[name]])) walk(body(ns[[name]]), FALSE)
-  for (check in as.list(finding_checks)) walk(body(check$test), TRUE)
-  said <- c(said, unlist(number_ranges[c("quantity", "low", "high")]))
+  for (name in ls(ns)) if (is.function(ns[[name]])) walk(body(ns[[name]]))
+  for (check in as.list(finding_checks)) walk(body(check$test))
+  said <- c(said, unlist(number_ranges[c("quantity", "low", "high")]),
+    unlist(finding_strings[c("text", "advice")]))
   unique(c(one_line(said[nzchar(said)]), "rope", "panel", "seam", "piece", "stalled", "back-winded",
     "fallen over", "{n} knot"))
 }
