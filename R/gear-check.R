@@ -36,10 +36,8 @@ check_points <- function(si) {
     at <- si$points[[name]]$at
     while (!is.null(at) && at %in% names(si$points)) {
       if (at %in% seen) {
-        abort_plan(
-          sprintf("Plan field `points.%s.at` refers to itself through %s.", name, word_list(seen)),
-          paste0("points.", name, ".at"), at
-        )
+        abort_field(paste0("points.", name, ".at"), at, NULL,
+          paste("refers to itself through", word_list(seen)))
       }
       seen <- c(seen, at)
       at <- si$points[[at]]$at
@@ -47,31 +45,19 @@ check_points <- function(si) {
   }
   held <- held_points(si)
   if (length(held) == 0) {
-    abort_plan(
-      paste(
-        "Plan field `points` has no held point: give moorings or anchors, or a point with",
-        "`position` and `held`."
-      ),
-      "points"
-    )
+    abort_field("points", NULL, NULL,
+      "has no held point: give moorings or anchors, or a point with `position` and `held`")
   }
   if (si$towing$speed > 0 && !"moved" %in% held) {
-    abort_field(
-      "towing.speed", format_si(si$towing$speed, "speed"),
-      "0 if no point is moved (`held: moved`); for a fixed gear use a current"
-    )
+    abort_field("towing.speed", format_si(si$towing$speed, "speed"),
+      "0 if no point is moved (`held: moved`); for a fixed gear use a current")
   }
   if (si$towing$speed > 0 && "fixed" %in% held) {
-    abort_plan(
-      sprintf(
-        paste(
-          "Plan field `points` has a fixed point `%s` and a moved point `%s`, which drift apart:",
-          "`towing.speed` must be 0 or all held points must be of the same kind."
-        ),
-        names(held)[held == "fixed"][1], names(held)[held == "moved"][1]
-      ),
-      "points", held
-    )
+    one <- function(kind) names(held)[held == kind][1]
+    abort_field("points", held, NULL, sprintf(
+      "has a fixed point `%s` and a moved point `%s`, which drift apart: %s", one("fixed"),
+      one("moved"), "`towing.speed` must be 0 or all held points must be of the same kind"
+    ))
   }
 }
 
@@ -81,39 +67,24 @@ check_seams <- function(si) {
     seam <- si$seams[[name]]
     path <- paste0("seams.", name)
     gathered <- !is.null(seam$gathered_at)
+    edges <- paste0(path, ".edges")
     if (length(seam$edges) < 2 && !gathered && is.null(seam$held_between)) {
-      abort_plan(
-        sprintf(
-          paste(
-            "Plan field `%s.edges` has one chain; it must have at least two, or `gathered_at` or",
-            "`held_between`."
-          ),
-          path
-        ),
-        paste0(path, ".edges"), 1
-      )
+      abort_field(edges, 1, NULL,
+        "has one chain; it must have at least two, or `gathered_at` or `held_between`")
     }
     size <- vapply(seam$edges, chain_length, 0, panels = si$panels)
     if (!gathered && any(size == 0)) {
-      abort_plan(
-        sprintf(
-          "Plan field `%s.edges[%d]` has no meshes; an edge without meshes needs `gathered_at`.",
-          path, which(size == 0)[1]
-        ),
-        paste0(path, ".edges"), size
-      )
+      abort_plan(sprintf(
+        "Plan field `%s[%d]` has no meshes; an edge without meshes needs `gathered_at`.", edges,
+        which(size == 0)[1]
+      ), edges, size)
     }
     if (!gathered && max(size) > 3 * min(size)) {
-      abort_plan(
-        sprintf(
-          paste(
-            "Plan field `%s.edges` joins stretched lengths of %s and %s;",
-            "they may differ by a factor of at most 3."
-          ),
-          path, format_si(min(size), "length"), format_si(max(size), "length")
-        ),
-        paste0(path, ".edges"), size, mesh_sizes = joined_mesh_sizes(si, seam)
-      )
+      abort_plan(sprintf(
+        "Plan field `%s` joins stretched lengths of %s and %s; %s", edges,
+        format_si(min(size), "length"), format_si(max(size), "length"),
+        "they may differ by a factor of at most 3."
+      ), edges, size, mesh_sizes = joined_mesh_sizes(si, seam))
     }
     if (!is.null(seam$held_between)) check_held_between(si, seam$held_between, min(size), path)
   }
@@ -139,13 +110,9 @@ check_taken <- function(seams) {
     others <- which(key[seq_len(k - 1L)] == key[k])
     shared <- others[pmin(to[k], to[others]) - pmax(from[k], from[others]) > 1e-9]
     if (length(shared)) {
-      abort_plan(
-        sprintf(
-          "Plan field `seams.%s` joins meshes of the edge `%s`, but seam `%s` already joins them.",
-          name[k], key[k], name[shared[1L]]
-        ),
-        paste0("seams.", name[k]), key[k]
-      )
+      abort_field(paste0("seams.", name[k]), key[k], NULL, sprintf(
+        "joins meshes of the edge `%s`, but seam `%s` already joins them", key[k], name[shared[1L]]
+      ))
     }
   }
 }
@@ -167,16 +134,11 @@ check_held_between <- function(si, between, size, path) {
   apart <- sqrt(sum((si$points[[between[1]]]$position - si$points[[between[2]]]$position)^2))
   if (apart == 0) abort_field(path, between, "two points at different positions")
   if (apart > greatest_held_stretch * size) {
-    abort_plan(
-      sprintf(
-        paste(
-          "Plan field `%s` has netting of stretched length %s between points %s apart; this",
-          "distance must be at most %s times the stretched length."
-        ),
-        path, format_si(size, "length"), format_si(apart, "length"), format(greatest_held_stretch)
-      ),
-      path, between
-    )
+    abort_field(path, between, NULL, sprintf(
+      "has netting of stretched length %s between points %s apart; %s at most %s times %s",
+      format_si(size, "length"), format_si(apart, "length"), "this distance must be",
+      format(greatest_held_stretch), "the stretched length"
+    ))
   }
 }
 
@@ -215,12 +177,7 @@ check_joined <- function(si) {
   held <- match(paste0("points.", names(held_points(si))), bodies)
   loose <- bodies[!group %in% group[held]]
   if (length(loose)) {
-    abort_plan(
-      sprintf(
-        "Plan field `%s` is not attached: no rope or seam leads to a held point.", loose[1]
-      ),
-      loose[1]
-    )
+    abort_field(loose[1], NULL, NULL, "is not attached: no rope or seam leads to a held point")
   }
 }
 
@@ -268,13 +225,8 @@ check_places <- function(si) {
   twice <- which(duplicated(group[held]))[1]
   if (!is.na(twice)) {
     first <- held[match(group[held[twice]], group[held])]
-    abort_plan(
-      sprintf(
-        "Plan field `points.%s` has the same position as the held point `points.%s`.", held[twice],
-        first
-      ),
-      paste0("points.", held[twice]), held[twice]
-    )
+    abort_field(paste0("points.", held[twice]), held[twice], NULL,
+      sprintf("has the same position as the held point `points.%s`", first))
   }
 }
 
@@ -283,22 +235,15 @@ check_places <- function(si) {
 check_rope_ends <- function(rope, group, path) {
   if (!is.null(rope$along) || length(rope$through)) return(invisible())
   if (rope$from != rope$to && group[[rope$from]] == group[[rope$to]]) {
-    abort_plan(
-      sprintf(
-        "Plan field `%s.to` is %s, the same position as the start %s. %s", path, rope$to, rope$from,
-        "Choose another end; for a ring, give the same name to both ends."
-      ),
-      paste0(path, ".to"), rope$to
-    )
+    abort_field(paste0(path, ".to"), rope$to, NULL, sprintf(
+      "is %s, the same position as the start %s. %s", rope$to, rope$from,
+      "Choose another end; for a ring, give the same name to both ends"
+    ))
   }
   if (rope$from == rope$to && !is.null(rope$segments) && rope$segments < 3) {
-    abort_plan(
-      sprintf(
-        "Plan field `%s.segments` is %s; a ring, which ends where it starts, needs at least 3.",
-        path, rope$segments
-      ),
-      paste0(path, ".segments"), rope$segments
-    )
+    abort_field(paste0(path, ".segments"), rope$segments, NULL, sprintf(
+      "is %s; a ring, which ends where it starts, needs at least 3", rope$segments
+    ))
   }
 }
 
@@ -308,13 +253,10 @@ check_through <- function(rope, group, path) {
   if (!length(rope$through)) return(invisible())
   twice <- which(group[passed[-1L]] == group[passed[-length(passed)]])[1]
   if (is.na(twice)) return(invisible())
-  abort_plan(
-    sprintf(
-      "Plan field `%s.through` has %s and %s in succession, but they are the same position.",
-      path, passed[twice], passed[twice + 1L]
-    ),
-    paste0(path, ".through"), rope$through
-  )
+  abort_field(paste0(path, ".through"), rope$through, NULL, sprintf(
+    "has %s and %s in succession, but they are the same position", passed[twice],
+    passed[twice + 1L]
+  ))
 }
 
 # Returns the start and end corner of a chain; `otherwise` for an end inside an edge.

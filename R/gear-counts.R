@@ -232,11 +232,7 @@ twines_by_weight <- function(tree, own, path) {
 
 twine_by_weight <- function(twine, own, path) {
   if (!is.null(twine$mass_per_length)) {
-    abort_plan(
-      sprintf("Plan field `%s` has both `rtex` and `mass_per_length`; remove one.",
-        path),
-      join(path, "rtex"), twine$rtex
-    )
+    abort_both(path, "rtex", "mass_per_length", twine$rtex, join(path, "rtex"))
   }
   # tex is g/km
   mass <- twine$rtex * 1e-6

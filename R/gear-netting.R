@@ -210,13 +210,8 @@ usual_opening_stiffness <- function(panel) {
 si_hexagons <- function(panel, path) {
   hexagonal <- panel$orientation %in% c("hexagonal", "hexagonal_turned")
   refuse <- function(field) {
-    abort_plan(
-      sprintf(
-        "Plan field `%s.%s` is given, but `%s.orientation` is %s.", path, field, path,
-        panel$orientation
-      ),
-      paste0(path, ".", field), panel[[field]]
-    )
+    abort_field(paste0(path, ".", field), panel[[field]], NULL,
+      sprintf("is given, but `%s.orientation` is %s", path, panel$orientation))
   }
   if (!hexagonal) {
     if (!is.null(panel$straight_bar)) refuse("straight_bar")
@@ -232,10 +227,8 @@ si_hexagons <- function(panel, path) {
   }
   straight <- first_of(panel$straight_bar, panel$mesh_size / 4)
   if (straight >= panel$mesh_size / 2) {
-    abort_field(
-      paste0(path, ".straight_bar"), format_si(straight, "length"),
-      paste("less than half the mesh size,", format_si(panel$mesh_size / 2, "length"))
-    )
+    abort_field(paste0(path, ".straight_bar"), format_si(straight, "length"),
+      paste("less than half the mesh size,", format_si(panel$mesh_size / 2, "length")))
   }
   straight
 }
@@ -250,11 +243,10 @@ si_catch <- function(catch, path, panels) {
   }
   deep <- vapply(panels[catch$panels], `[[`, 0, "deep")
   if (any(deep != deep[1])) {
-    abort_plan(
-      sprintf("Plan field `%s.panels` has panels %s and %s meshes deep; the depths must be equal.",
-        path, format(deep[1]), format(deep[deep != deep[1]][1])),
-      paste0(path, ".panels"), catch$panels
-    )
+    abort_field(paste0(path, ".panels"), catch$panels, NULL, sprintf(
+      "has panels %s and %s meshes deep; the depths must be equal", format(deep[1]),
+      format(deep[deep != deep[1]][1])
+    ))
   }
   blocked <- first_of(catch$blocked_meshes, NA_real_)
   if (!is.na(blocked) && blocked > deep[1]) {

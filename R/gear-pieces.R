@@ -35,10 +35,7 @@ si_piece <- function(piece, path, fields, known) {
   }
   if (body$mass == 0 && body$volume == 0 && drag == 0 && lift == 0 && upward == 0 &&
     is.null(piece$added_mass_kg)) {
-    abort_plan(
-      sprintf("Plan field `%s` has no effect: give it mass, buoyancy, an area or lift.", path),
-      path, piece
-    )
+    abort_field(path, piece, NULL, "has no effect: give it mass, buoyancy, an area or lift")
   }
   list(
     at = place, along = along, extent = share, number = piece$number, end_to_end = piece$end_to_end,
@@ -59,12 +56,7 @@ attacked_piece <- function(piece, path) {
     c("lift_coefficient", "lift_area", "drag_coefficient", "drag_area"), names(piece)
   )
   if (length(excess)) {
-    abort_plan(
-      sprintf(
-        "Plan field `%s` has both `polar` and `%s`; remove one.", path, excess[1]
-      ),
-      path, piece
-    )
+    abort_both(path, "polar", excess[1], piece)
   }
   # The aspect ratio of 2 affects only angles beyond stall.
   polar <- engine_polar(si_polar(piece$polar, paste0(path, ".polar"), 2))
@@ -88,20 +80,13 @@ piece_area <- function(piece, path, force, default) {
   area <- piece_reference_area(piece)
   if (!is.null(product)) {
     if (!is.null(coefficient)) {
-      abort_plan(
-        sprintf(
-          "Plan field `%s` has both `%s_area` and `%s_coefficient`; remove one.",
-          path, force, force
-        ),
-        path, piece
-      )
+      abort_both(path, paste0(force, "_area"), paste0(force, "_coefficient"), piece)
     }
     return(product)
   }
   if (!is.null(coefficient) && is.na(area)) {
-    abort_field(
-      paste0(path, ".area"), NULL, sprintf("given with `%s_coefficient`", force), "is missing"
-    )
+    abort_field(paste0(path, ".area"), NULL, sprintf("given with `%s_coefficient`", force),
+      "is missing")
   }
   coefficient <- first_of(coefficient, default)
   if (is.null(coefficient) || is.na(area)) 0 else coefficient * area

@@ -224,10 +224,8 @@ si_water <- function(water, seabed = NULL) {
   pick <- function(field) vapply(layers, `[[`, 0, field)
   depth <- pick("depth")
   if (is.unsorted(depth, strictly = TRUE)) {
-    abort_plan(
-      "Plan field `water.current` must list its depths from the surface down, each once.",
-      "water.current", depth
-    )
+    abort_field("water.current", depth, NULL,
+      "must list its depths from the surface down, each once")
   }
   si <- list(
     density = water$density, viscosity = water$viscosity,
@@ -277,26 +275,20 @@ usual_knot_twine <- 16
 si_panel <- function(panel, path, fields, law) {
   meshes <- panel$meshes
   if (meshes$upper == 0 && meshes$lower == 0) {
-    abort_plan(
-      sprintf("Plan field `%s.meshes` has 0 meshes at both edges; only one edge may have 0.", path),
-      paste0(path, ".meshes"), meshes
-    )
+    abort_field(paste0(path, ".meshes"), meshes, NULL,
+      "has 0 meshes at both edges; only one edge may have 0")
   }
   twine <- panel$twine
   bar <- panel$mesh_size / 2
   if (twine$diameter >= bar) {
-    abort_field(
-      paste0(path, ".twine.diameter"), twine$diameter,
-      paste("less than half the mesh size,", format_si(bar, "length"))
-    )
+    abort_field(paste0(path, ".twine.diameter"), twine$diameter,
+      paste("less than half the mesh size,", format_si(bar, "length")))
   }
   line <- line_properties(twine, fields$materials, paste0(path, ".twine"))
   count <- if (twine$double) 2 else 1
   for (field in if (!panel$knotted) intersect(c("knot_diameter", "knot_twine"), names(panel))) {
-    abort_plan(
-      sprintf("Plan field `%s.%s` is given, but `%s.knotted` is no.", path, field, path),
-      paste0(path, ".", field), panel[[field]]
-    )
+    abort_field(paste0(path, ".", field), panel[[field]], NULL,
+      sprintf("is given, but `%s.knotted` is no", path))
   }
   in_knots <- if (panel$knotted) twine$diameter else 0
   hexagons <- si_hexagons(panel, path)
@@ -358,10 +350,8 @@ si_rope <- function(rope, path, fields, law, known) {
     along <- find_chain(rope$along, paste0(path, ".along"), known)
     netting <- chain_length(along, known$panels)
     if (netting == 0) {
-      abort_plan(
-        sprintf("Plan field `%s.along` has no length because its edges have no meshes.", path),
-        paste0(path, ".along"), rope$along
-      )
+      abort_field(paste0(path, ".along"), rope$along, NULL,
+        "has no length because its edges have no meshes")
     }
     lengths <- edge_lengths(rope, path, along, known$panels)
     if (!is.null(lengths)) {
@@ -371,10 +361,8 @@ si_rope <- function(rope, path, fields, law, known) {
     if (is.null(length)) length <- rope$hanging_ratio * netting
   }
   if (!is.null(line$load_table) && length(rope$through)) {
-    abort_plan(sprintf(
-      "Plan field `%s.load_by_elongation` is given, but the rope slides: use `axial_stiffness`.",
-      path
-    ), paste0(path, ".load_by_elongation"), rope$load_by_elongation)
+    abort_field(paste0(path, ".load_by_elongation"), rope$load_by_elongation, NULL,
+      "is given, but the rope slides: use `axial_stiffness`")
   }
   list(
     material = first_of(rope$material, NA_character_),
@@ -424,12 +412,7 @@ si_seam <- function(seam, path, known) {
   between <- vapply(seam$held_between, find_place, "",
     path = paste0(path, ".held_between"), known = known, USE.NAMES = FALSE)
   if (!is.null(gathered) && length(between)) {
-    abort_plan(
-      sprintf(
-        "Plan field `%s` has both `gathered_at` and `held_between`; remove one.", path
-      ),
-      path, seam
-    )
+    abort_both(path, "gathered_at", "held_between", seam)
   }
   list(edges = edges, gathered_at = gathered, held_between = if (length(between)) between)
 }

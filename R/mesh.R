@@ -211,16 +211,10 @@ check_held_edges <- function(si, division) {
     node <- edge$node[-c(1L, length(edge$node))]
     if (any(node %in% held)) {
       path <- paste0("seams.", name, ".held_between")
-      abort_plan(
-        sprintf(
-          paste(
-            "Plan field `%s` runs through a point that is held already: end the seam there and",
-            "hold the rest by another seam."
-          ),
-          path
-        ),
-        path, si$seams[[name]]$held_between
-      )
+      abort_field(path, si$seams[[name]]$held_between, NULL, paste(
+        "runs through a point that is held already: end the seam there and hold the rest by",
+        "another seam"
+      ))
     }
     held <- c(held, node)
   }

@@ -28,6 +28,12 @@ abort_field <- function(path, value, must, is = paste("is", show_value(value)), 
   abort_plan(message, path, value)
 }
 
+# Throws an error about a part with two fields that contradict each other.
+abort_both <- function(part, one, other, value, path = part) {
+  abort_plan(sprintf("Plan field `%s` has both `%s` and `%s`; remove one.", part, one, other), path,
+    value)
+}
+
 abort_unknown <- function(path, name, known, value = NULL) {
   near <- nearest(name, known)
   where <- join(path, name)

@@ -78,9 +78,7 @@ load_table <- function(given, path) {
   if (is.null(rows)) return(NULL)
   path <- join(path, "load_by_elongation")
   if (!is.null(given$axial_stiffness)) {
-    abort_plan(sprintf(
-      "Plan field `%s` is given together with `axial_stiffness`; remove one.", path
-    ), path, rows)
+    abort_field(path, rows, NULL, "is given together with `axial_stiffness`; remove one")
   }
   table <- list(
     strain = vapply(rows, `[[`, 0, "elongation"), load = vapply(rows, `[[`, 0, "load")

@@ -5,17 +5,10 @@ gear_gravity <- 9.81
 piece_body <- function(piece, path, fields) {
   ways <- intersect(c("volume", "density", "material"), names(piece))
   if (length(ways) > 1) {
-    abort_plan(
-      sprintf(
-        "Plan field `%s` has both `%s` and `%s`; remove one.", path, ways[1], ways[2]
-      ),
-      path, piece
-    )
+    abort_both(path, ways[1], ways[2], piece)
   }
   if (length(ways) && ways != "volume" && is.null(piece$mass)) {
-    abort_field(
-      paste0(path, ".mass"), NULL, sprintf("given with `%s`", ways), "is missing"
-    )
+    abort_field(paste0(path, ".mass"), NULL, sprintf("given with `%s`", ways), "is missing")
   }
   sphere <- if (!is.null(piece$diameter)) pi / 6 * piece$diameter^3
   if (is.null(piece$buoyancy)) {
@@ -31,19 +24,12 @@ piece_body <- function(piece, path, fields) {
   }
   excess <- c(ways, if (!is.null(piece$mass)) "mass")
   if (length(excess)) {
-    abort_plan(
-      sprintf(
-        "Plan field `%s` has both `buoyancy` and `%s`; remove one.", path, excess[1]
-      ),
-      path, piece
-    )
+    abort_both(path, "buoyancy", excess[1], piece)
   }
   water <- fields$water$density
   if (water == 0) {
-    abort_plan(
-      sprintf("Plan field `%s.buoyancy` needs water, but `water.density` is 0.", path),
-      paste0(path, ".buoyancy"), piece$buoyancy
-    )
+    abort_field(paste0(path, ".buoyancy"), piece$buoyancy, NULL,
+      "needs water, but `water.density` is 0")
   }
   lifted <- piece$buoyancy / gear_gravity
   volume <- first_of(sphere, lifted / water)

@@ -188,13 +188,8 @@ plain_tree <- function(tree, depth = 0, path = "") {
   plain <- function(value, depth, path) {
     count <<- count + 1
     if (count > plan_values_limit || depth > plan_depth_limit) {
-      abort_plan(
-        sprintf(
-          "A plan must have at most %d levels and %d values.",
-          plan_depth_limit, plan_values_limit
-        ),
-        NULL
-      )
+      abort_plan(sprintf("A plan must have at most %d levels and %d values.", plan_depth_limit,
+        plan_values_limit), NULL)
     }
     if (is.null(value)) return(NULL)
     if (is.null(attributes(value)) && length(value) == 1L) {
@@ -213,11 +208,8 @@ plain_tree <- function(tree, depth = 0, path = "") {
       abort_plan("A plan cannot contain code: the tag `!expr` is not allowed.", NULL)
     }
     if (!is.list(value)) {
-      abort_plan(
-        sprintf("A plan contains text, numbers, yes and no, lists and maps, but no %s.",
-          class(value)[1]),
-        NULL
-      )
+      abort_plan(paste0("A plan contains text, numbers, yes and no, lists and maps, but no ",
+        class(value)[1], "."), NULL)
     }
     value <- lapply(seq_along(value), function(k) {
       plain(value[[k]], depth + 1, join(path, if (is.null(keys)) k else keys[k]))

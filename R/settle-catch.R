@@ -6,11 +6,8 @@ has_other_catch <- function(si, before) {
 }
 
 abort_catch_volume <- function(si, volume) {
-  abort_plan(
-    sprintf(
-      "Plan field `catch` is %s, but the netting of `catch.panels` holds at most %s.",
-      format_si(si$catch$volume, "volume"), format_si(signif(volume, 4), "volume")
-    ),
-    "catch", si$catch$volume
-  )
+  abort_field("catch", si$catch$volume, NULL, sprintf(
+    "is %s, but the netting of `catch.panels` holds at most %s",
+    format_si(si$catch$volume, "volume"), format_si(signif(volume, 4), "volume")
+  ))
 }
