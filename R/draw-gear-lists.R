@@ -110,8 +110,8 @@ piece_items <- function(si, grids = NULL) {
     }),
     lapply(names(si$otter_boards), function(name) {
       board <- si$otter_boards[[name]]
-      list(part = name, role = board$role, count = 1, words = board_text(board),
-        ref = paste0("otter_boards.", name))
+      list(part = name, role = board$role, count = 1, ref = paste0("otter_boards.", name),
+        words = paste0(short_number(board$area), " m2, ", short_number(board$mass), " kg"))
     }),
     lapply(names(grids), function(name) {
       list(part = name, role = "sorting_grid", count = 1, words = grid_text(grids[[name]]),
@@ -161,8 +161,4 @@ piece_text <- function(piece, si) {
     }
   )
   paste(said, collapse = ", ")
-}
-
-board_text <- function(board) {
-  paste0(short_number(board$area), " m2, ", short_number(board$mass), " kg")
 }

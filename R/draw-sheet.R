@@ -79,11 +79,9 @@ capital_height <- 0.718
 
 # Widths of Helvetica's characters in ISO 8859-1 (1/1000 of the font size), from the font metrics
 # that R includes. Arial and Liberation Sans have the same widths.
-character_widths <- remembered(read_character_widths)
-
-read_character_widths <- function() {
+character_widths <- remembered(function() {
   lapply(c(plain = "Helvetica", bold = "Helvetica-Bold"), face_widths)
-}
+})
 
 face_widths <- function(face) {
   file <- function(...) system.file(..., package = "grDevices", mustWork = TRUE)

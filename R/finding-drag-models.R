@@ -89,8 +89,8 @@ screened_panels <- function(state) {
 
 # Returns `off` by panel, set to 0 in parts in which at most half of the panels exceed 1.
 mostly_of_part <- function(state, names, off) {
-  part <- vapply(state$si$panels[names], function(panel) first_of(unless_na(panel$part), ""), "")
-  part[part == ""] <- names[part == ""]
+  part <- vapply(state$si$panels[names], `[[`, "", "part")
+  part <- ifelse(is.na(part) | part == "", names, part)
   off[stats::ave(off > 1, part) <= 0.5] <- 0
   off
 }

@@ -50,5 +50,3 @@ edge_keys <- function(chains) {
   edges <- unlist(unname(chains), recursive = FALSE)
   vapply(edges, function(edge) paste(edge$panel, edge$edge), "")
 }
-
-unless_na <- function(x) if (is.na(x)) NULL else x

@@ -1,9 +1,5 @@
 # Short forms: kinds of plan with their own fields, which expand into an assembly.
 
-# Returns the function that expands a kind of plan. Its arguments are the checked fields in SI and
-# the plan as given; it returns the tree of an assembly.
-expander_of <- function(kind) get(paste0("expand_", kind), mode = "function")
-
 # Converts the groups of a tree to their plain form. Groups or parts identical to the `last` tree
 # are copied from `plain`, the plain form of `last`.
 plain_groups <- function(tree, last = NULL, plain = NULL, parts = TRUE) {

@@ -57,10 +57,10 @@ requires_pair <- function(asked, path, known) {
 
 # Two positions, or a list of pairs of positions.
 requires_pairs <- function(asked, path, known) {
-  pairs <- lapply(spread_pairs(asked, path), function(pair) {
-    requires_pair(pair, path, known)$pairs[[1]]
-  })
-  list(pairs = pairs)
+  single <- vapply(asked, is.character, NA) & lengths(asked) == 1
+  if (all(single) && length(asked) == 2) return(requires_pair(unlist(asked), path, known))
+  if (any(single)) abort_field(path, asked, "two positions, or a list of pairs of positions")
+  list(pairs = lapply(asked, function(pair) requires_pair(pair, path, known)$pairs[[1]]))
 }
 
 requires_place_over_ground <- function(asked, path, known) {
@@ -93,7 +93,11 @@ requires_rope_angle <- function(asked, path, known) {
 }
 
 requires_board_angle <- function(asked, path, known) {
-  list(board = find_board(names(asked), path, known), angle = asked[[1]])
+  name <- names(asked)
+  if (!name %in% known$otter_boards) {
+    abort_reference(name, name, known$otter_boards, "free otter board", path)
+  }
+  list(board = name, angle = asked[[1]])
 }
 
 requires_panels <- function(asked, path, known) list(panels = find_panels(asked, path, known))
@@ -120,20 +124,6 @@ find_parts <- function(names, path, known) {
     if (!name %in% parts) abort_reference(name, name, parts, "rope, panel or piece", path)
   }
   names
-}
-
-find_board <- function(name, path, known) {
-  if (!name %in% known$otter_boards) {
-    abort_reference(name, name, known$otter_boards, "free otter board", path)
-  }
-  name
-}
-
-spread_pairs <- function(asked, path) {
-  single <- vapply(asked, is.character, logical(1)) & lengths(asked) == 1
-  if (all(single) && length(asked) == 2) return(list(unlist(asked)))
-  if (any(single)) abort_field(path, asked, "two positions, or a list of pairs of positions")
-  asked
 }
 
 # ---- kinds of measures ---------------------------------------------------------------------------

@@ -27,7 +27,7 @@ check_whole <- function(plan, last = NULL, joined = TRUE) {
 check_parts <- function(plan, fields, last, joined) {
   whole <- counts_again(fields, plan, last)
   now <- list(plan = plan, fields = fields, derived = whole$derived, counted = whole)
-  if (!is_short_form(fields)) {
+  if (fields$kind == "assembly" && !length(fields$gears)) {
     now$assembly <- whole$fields
   } else {
     now[c("expanded", "gears")] <- expanded_again(plan, fields, last)
@@ -36,7 +36,9 @@ check_parts <- function(plan, fields, last, joined) {
         if (length(fields$gears)) {
           expand_rig(whole$fields, whole$plan, last$gears)
         } else {
-          list(with_roles(expander_of(fields$kind)(whole$fields, whole$plan), fields$kind), NULL)
+          # `expand_KIND()` returns the tree of an assembly.
+          expand <- get(paste0("expand_", fields$kind), mode = "function")
+          list(with_roles(expand(whole$fields, whole$plan), fields$kind), NULL)
         }
       )
     }
@@ -76,9 +78,6 @@ with_roles <- function(expanded, kind) {
   ))))
   expanded
 }
-
-# TRUE if a plan expands into an assembly. `fields`: its checked fields.
-is_short_form <- function(fields) fields$kind != "assembly" || length(fields$gears) > 0L
 
 # Returns the last assembly with this plan's copied groups, and its gears; NULL if another group has
 # changed.

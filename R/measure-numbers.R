@@ -76,14 +76,14 @@ as.data.frame.codend_measures <- function(x, row.names = NULL, optional = FALSE,
 Ops.codend_measures <- function(e1, e2) {
   operate <- get(.Generic)
   if (missing(e2)) return(operate(plain_measures(e1)))
-  sides <- lapply(list(e1, e2), function(x) if (is_measures(x)) plain_measures(x) else x)
+  sides <- lapply(list(e1, e2), function(x) {
+    if (inherits(x, "codend_measures")) plain_measures(x) else x
+  })
   both <- intersect(names(e1), names(e2))
   if (length(both) && all(lengths(sides) > 1L)) sides <- lapply(sides, `[`, both)
   found <- operate(sides[[1L]], sides[[2L]])
   if (.Generic == "/") found[!(sides[[1L]] %in% 0 & sides[[2L]] %in% 0)] else found
 }
-
-is_measures <- function(x) inherits(x, "codend_measures")
 
 #' @export
 Math.codend_measures <- function(x, ...) get(.Generic)(plain_measures(x), ...)

@@ -65,8 +65,8 @@ refine_to_accuracy <- function(state, netting) {
   extra <- find_levels(state)
   error <- main_error(measures(state))
   nodes <- state$mesh$nodes
-  if (is.finite(error) && !is_reached(error, usual_accuracy) &&
-    error < hopeless_error * usual_accuracy) {
+  # Errors are not known more precisely than 10 %.
+  if (is.finite(error) && error > 1.1 * usual_accuracy && error < hopeless_error * usual_accuracy) {
     finer <- finer_state(state, netting, extra)
     # the plan may prescribe the mesh
     if (!is.null(finer) && finer$mesh$nodes >= least_ratio * nodes) {
@@ -92,9 +92,6 @@ finer_state <- function(state, netting, extra) {
     codend_error_not_converged = function(e) NULL
   )
 }
-
-# Tolerance of 10 %, because errors are not known more precisely.
-is_reached <- function(error, asked) error <= 1.1 * asked
 
 # Converts an accuracy such as "1 %" or 0.01 to a fraction; NULL stays NULL.
 accuracy_share <- function(accuracy) {

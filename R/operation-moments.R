@@ -29,7 +29,8 @@ moments_elsewhere <- function(compared, gear, given, until, every, method, netti
       suppressWarnings({
         start <- settled_trajectory(gear, given, until, wanted, netting,
           levels = function(state) NULL)
-        if (!is.null(compared) || differ_enough(start$mesh$nodes, own$nodes)) {
+        apart <- start$mesh$nodes / own$nodes
+        if (!is.null(compared) || max(apart, 1 / apart) >= least_ratio) {
           lapply(list(coarse = method, tight = tighter_method(method)), function(how) {
             moments_of(integrate_trajectory(start, until, every, how, measures,
               progress = no_progress))
@@ -54,8 +55,6 @@ netting_of <- function(mesh) {
   bars <- mesh$counts$asked$bars
   if (all(bars)) "bars" else if (!any(bars)) "cells"
 }
-
-differ_enough <- function(nodes, others) max(nodes / others, others / nodes) >= least_ratio
 
 tighter_method <- function(method) {
   if (method$accuracy == 0) return(utils::modifyList(method, list(step = method$step / 2)))

@@ -314,7 +314,9 @@ settled_trajectory <- function(gear, given, until, nodes, netting, levels = comp
     return(shot_trajectory(gear, si, given, until, requested_nodes(gear, nodes), netting))
   }
   if (!is.null(si$laid)) {
-    return(laid_trajectory(settle(gear, nodes, netting), given, until))
+    state <- settle(gear, nodes, netting)
+    what <- tow_start(state$gear, state$si, state$mesh, given, until)
+    return(add_start(what, laid_position(state), c(0, 0, 0)))
   }
   planned <- tryCatch(
     accurate_state(gear, nodes, netting, NULL), codend_error_not_converged = function(e) NULL

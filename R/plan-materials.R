@@ -91,18 +91,15 @@ load_table <- function(given, path) {
   table
 }
 
-# Returns the factor on normal drag of a line with strumming: 1 + 1.043 (2 Y/d)^0.65. `amplitude` is
-# Y/d, root mean square amplitude over diameter (J. K. Vandiver, Drag coefficients of long flexible
-# cylinders, Offshore Technology Conference, OTC 4490, 1983).
-strumming_factor <- function(amplitude) if (amplitude > 0) 1 + 1.043 * (2 * amplitude)^0.65 else 1
-
-# Returns the drag coefficients of a line with strumming.
+# Returns the drag coefficients of a line with strumming. It multiplies the normal drag by 1 + 1.043
+# (2 Y/d)^0.65. `amplitude` is Y/d, root mean square amplitude over diameter (J. K. Vandiver, Drag
+# coefficients of long flexible cylinders, Offshore Technology Conference, OTC 4490, 1983).
 strummed <- function(law, amplitude, path) {
   if (is.null(amplitude) || amplitude == 0) return(law)
   if (law$law != "constant") {
     abort_field(join(path, "strumming"), amplitude,
       "omitted if coefficients depend on the Reynolds number; give the rope `coefficients`")
   }
-  law$normal <- law$normal * strumming_factor(amplitude)
+  law$normal <- law$normal * (1 + 1.043 * (2 * amplitude)^0.65)
   law
 }

@@ -118,9 +118,6 @@ field_numbers <- function(work, field, share) {
   if (!is.null(si)) near_numbers(work, si)
 }
 
-# Inputs are linear in multipliers, so their step can be 1.
-little_share <- function(field) if (is.null(field$multiplier)) number_share else 1
-
 # Returns the changes of measures, without jumps, with a field changed by +share and -share:
 # list(up, down), or NULL. `numbers`: inputs with the field changed by `little`.
 near_changes <- function(work, numbers, little, how, share, renewals) {
@@ -163,7 +160,8 @@ sensitivity_scale <- function(work, slope) {
 # Returns the tangent with the first step that reaches equilibrium on both sides, or NULL:
 # list(slope, turn, below, above, smooth) by measure. turn: difference of the one-sided derivatives.
 tangent_derivatives <- function(work, field, how = exact_tangent) {
-  little <- little_share(field)
+  # Inputs are linear in multipliers, so their step can be 1.
+  little <- if (is.null(field$multiplier)) number_share else 1
   numbers <- if (!is.null(work$near)) field_numbers(work, field, little)
   if (is.null(numbers)) return(NULL)
   for (k in seq_along(how$shares)) {

@@ -100,14 +100,13 @@ numbers_in_one_unit <- function(given) {
   list(value = value, unit = unit)
 }
 
-# Returns quantiles at probabilities `share`: plan text with a unit, or numbers. NA stays NA.
-quantile_values <- function(of, share) {
-  value <- quantile_numbers(of, share)
-  if (!nzchar(of$unit)) return(value)
-  text <- with_plain_numbers(vapply(value, format, "", digits = 15))
-  ifelse(is.na(value), NA_character_, paste(text, of$unit))
+# Returns numbers in the unit of a distribution, as values of a plan.
+numbers_in_units <- function(numbers, of) {
+  if (!nzchar(of$unit)) return(as.list(numbers))
+  as.list(paste(with_plain_numbers(vapply(numbers, format, "", digits = 15)), of$unit))
 }
 
+# Returns quantiles at probabilities `share`.
 quantile_numbers <- function(of, share) {
   if (of$whole) {
     ends <- c(ceiling(of$ends[1L]), floor(of$ends[2L]))

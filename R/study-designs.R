@@ -215,12 +215,16 @@ axis_levels <- function(axis, number) {
   shares[!duplicated(quantile_numbers(one, shares))]
 }
 
-# Returns a data frame of the values of an axis. place: row numbers or probabilities.
+# Returns a data frame of the values of an axis: plan text with a unit, or numbers. place: row
+# numbers or probabilities. NA stays NA.
 axis_values <- function(axis, place) {
-  if (is_distribution(axis[[1L]])) {
-    return(setNames(data.frame(quantile_values(axis[[1L]], place)), names(axis)))
+  of <- axis[[1L]]
+  if (!is_distribution(of)) return(axis[place, , drop = FALSE])
+  value <- quantile_numbers(of, place)
+  if (nzchar(of$unit)) {
+    value <- ifelse(is.na(value), NA_character_, unlist(numbers_in_units(value, of)))
   }
-  axis[place, , drop = FALSE]
+  setNames(data.frame(value), names(axis))
 }
 
 # ---- sampling ------------------------------------------------------------------------------------

@@ -80,7 +80,10 @@ new_find <- function(gear, change, target, nodes, netting, accuracy) {
       {.code warps.length = value_range(\"150 m\", \"600 m\")}.")
   }
   fields <- free_fields(gear, change, "...")
-  check_targets(target)
+  if (!is.list(target) || !is_named(target) || anyDuplicated(names(target))) {
+    abort_argument("{.arg target} must be a list of values by the names of measures, such as
+      {.code list(door_spread = \"55 m\")}.")
+  }
   base <- accurate_state(gear, nodes, netting, accuracy)
   points <- new_points(gear, fields, nodes_of(base), netting, list(coarse = base))
   points$count$n_solves <- 1L
@@ -97,12 +100,6 @@ new_find <- function(gear, change, target, nodes, netting, accuracy) {
   task$scale <- ifelse(scale == 0, 1, scale)
   task$first <- new_found(task, base)
   task
-}
-
-check_targets <- function(target) {
-  if (is.list(target) && is_named(target) && !anyDuplicated(names(target))) return(invisible())
-  abort_argument("{.arg target} must be a list of values by the names of measures, such as
-    {.code list(door_spread = \"55 m\")}.")
 }
 
 # Returns a list per target: formula, target and unit. Single measures are in their own unit,

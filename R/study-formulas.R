@@ -103,10 +103,7 @@ walk_call <- function(call, leaf) {
 # Parses conditions. Returns a list per condition: text, left and right (from `ready_expression()`),
 # way, equal. `way`: 1 if left is at most right, -1 if it is at least right.
 read_conditions <- function(keep, words, paths) {
-  if (inherits(keep, "formula")) keep <- list(keep)
-  if (!is.list(keep)) {
-    abort_argument("{.arg keep} must be formulas such as {.code ~ headline_height >= \"5 m\"}.")
-  }
+  if (inherits(keep, "formula") || !is.list(keep)) keep <- list(keep)
   calls <- lapply(keep, function(one) {
     if (!inherits(one, "formula") || length(one) != 2L) {
       abort_argument("{.arg keep} must be formulas such as {.code ~ headline_height >= \"5 m\"}.")

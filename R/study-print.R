@@ -63,14 +63,10 @@ print.codend_variations <- function(x, n = most_rows, ...) {
     cat_more(c(design = nrow(x) - length(rows), field = length(fields) - fixed,
       measure = length(known) - done))
   }
-  cat_problems(x)
-  invisible(given)
-}
-
-cat_problems <- function(x) {
   warned <- sum(!is.na(x$warning))
   if (warned) cat("  With a warning, see `warning`: ", warned, "\n", sep = "")
   cat_counted_problems(counted_problems(x$problem), 2L)
+  invisible(given)
 }
 
 # Returns data frame(problem, designs): the most frequent problems first.

@@ -32,7 +32,8 @@ free_field <- function(gear, paths, range, what) {
       prior <- numbers_in_units(range$numbers, range)
       field$prior <- vapply(prior, range_end, 0, field = field)
     }
-    range <- numbers_in_units(distribution_ends(range), range)
+    wide <- range$numbers[1L] + c(-1, 1) * normal_reach * range$numbers[2L]
+    range <- numbers_in_units(ifelse(is.finite(range$ends), range$ends, wide), range)
   }
   range <- given_value(range, name)
   note_bare_numbers(gear$plan, setNames(list(unlist(range)), paths[1L]))
@@ -64,17 +65,6 @@ free_field <- function(gear, paths, range, what) {
 
 # Half-range of an unbounded normal distribution, in standard deviations.
 normal_reach <- 4
-
-distribution_ends <- function(of) {
-  ends <- of$ends
-  wide <- of$numbers[1L] + c(-1, 1) * normal_reach * of$numbers[2L]
-  ifelse(is.finite(ends), ends, wide)
-}
-
-numbers_in_units <- function(numbers, of) {
-  if (!nzchar(of$unit)) return(as.list(numbers))
-  as.list(paste(with_plain_numbers(vapply(numbers, format, "", digits = 15)), of$unit))
-}
 
 # Returns an end of a range in the unit of its field.
 range_end <- function(end, field) {

@@ -11,7 +11,8 @@ settled_share <- 0.1
 # match and row.
 refine_fit <- function(task, fit) {
   points <- cases_at(task, fit$scaled)$points
-  chosen <- compared_cases(task, points)
+  settled <- which(!vapply(points, is.null, NA))
+  chosen <- settled[evenly(length(settled), most_compared)]
   near <- nearest_cases(task, points, chosen)
   finer <- task$points$fine
   if (is.null(finer)) return(fit_errors(task, fit, points[chosen], task$cases[chosen], near))
@@ -51,11 +52,6 @@ fields_stay <- function(task, scaled) {
   )
   !is.null(inverse) &&
     all(abs(inverse %*% found$slope[free]) <= settled_share * sqrt(diag(inverse)))
-}
-
-compared_cases <- function(task, points) {
-  settled <- which(!vapply(points, is.null, NA))
-  settled[evenly(length(settled), most_compared)]
 }
 
 # Returns the index in `chosen` of the nearest case, by measures relative to their ranges; NA if the

@@ -4,18 +4,15 @@
 # fixed fields. Returns list(task (on the mesh of `run$best`), run, coarse (task on the coarse
 # mesh)).
 refine_optimum <- function(task, run, held = integer()) {
-  refined <- if (!is.null(task$fine)) compare_meshes(task, finer_task(task), run, held)
-  if (!is.null(refined$run)) return(refined)
+  if (!is.null(task$fine)) {
+    fine <- task
+    fine$points <- points_on(task$points, task$points$fine)
+    fine$base <- task$fine
+    refined <- compare_meshes(task, fine, run, held)
+    if (!is.null(refined$run)) return(refined)
+  }
   run$best$point <- with_errors(task$points, run$best$point)
   list(task = task, run = run, coarse = task)
-}
-
-# Returns the task on the mesh of the results.
-finer_task <- function(task) {
-  fine <- task
-  fine$points <- points_on(task$points, task$points$fine)
-  fine$base <- task$fine
-  fine
 }
 
 compare_meshes <- function(task, fine, run, held) {

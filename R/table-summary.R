@@ -125,11 +125,9 @@ measure_lines <- function(measures) {
   measures <- in_preferred_units(measures)
   said <- measure_labels(measures)
   values <- align_points(figures(plain_measures(measures), attr(measures, "error")))
-  align_columns(list(said$words, values, said$unit, computed_to(said$error)),
-    left = c(1L, 3L, 4L))
+  error <- ifelse(nzchar(said$error), paste("computed to", said$error), "")
+  align_columns(list(said$words, values, said$unit, error), left = c(1L, 3L, 4L))
 }
-
-forces_text <- function(kilonewtons) paste(printed_figures(kilonewtons, "kN"), printed_unit("kN"))
 
 # Returns the lines of columns (see table-columns.R), NULL without rows.
 column_lines <- function(columns) {
@@ -155,7 +153,8 @@ tangential_lines <- function(sensitivity) {
   if (max(drag) - min(drag) <= 1e-6 * max(abs(drag))) return(NULL)
   share <- formatC(100 * (drag / drag[["settled"]] - 1), format = "f", digits = 1, flag = "+")
   align_columns(list(
-    c("halved", "doubled"), forces_text(drag[c("halved", "doubled")]),
+    c("halved", "doubled"),
+    paste(printed_figures(drag[c("halved", "doubled")], "kN"), printed_unit("kN")),
     paste0(share[c(1, 3)], " %")
   ))
 }

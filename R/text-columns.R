@@ -33,8 +33,6 @@ error_text <- function(error) {
   text
 }
 
-computed_to <- function(error) ifelse(nzchar(error), paste("computed to", error), "")
-
 format_each <- function(x, decimals) {
   as.character(mapply(formatC, x, digits = decimals,
     MoreArgs = list(format = "f", decimal.mark = ".")))

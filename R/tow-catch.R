@@ -28,13 +28,8 @@ found_catch_front <- function(si, mesh, share, position) {
   over <- function(front) catch_volume(mesh, position, front) - asked$volume
   if (over(least_front) >= 0) return(least_front)
   full <- over(si$catch$deep)
-  if (full < 0) abort_catch_volume(si_with(si, "catch", asked), full + asked$volume)
+  if (full < 0) abort_catch_volume(replace(si, "catch", list(asked)), full + asked$volume)
   stats::uniroot(over, c(least_front, si$catch$deep), tol = 1e-9 * si$catch$deep)$root
-}
-
-si_with <- function(si, field, value) {
-  si[[field]] <- value
-  si
 }
 
 # Returns the front of the catch: number of meshes behind it, and their volume [m3].

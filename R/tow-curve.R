@@ -148,11 +148,6 @@ scale_curve <- function(curve, factor) {
   curve
 }
 
-shifted_curve <- function(curve, by) {
-  curve[c("begin", "end")] <- lapply(curve[c("begin", "end")], `+`, by)
-  curve
-}
-
 # Returns a piecewise linear curve, clamped to two bounds. The input must have no jumps.
 clipped_curve <- function(curve, low, high) {
   time <- curve$time

@@ -1,12 +1,6 @@
 # Start of a tow from rest with ropes laid on the sea bed. Rope ends and the net start from the
 # settled state.
 
-# `state`: settled state of the gear.
-laid_trajectory <- function(state, given, until) {
-  what <- tow_start(state$gear, state$si, state$mesh, given, until)
-  add_start(what, laid_position(state), c(0, 0, 0))
-}
-
 # Length over depth of the part of a rope that leads from its support down to the sea bed.
 laid_scope <- 3
 

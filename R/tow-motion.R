@@ -162,7 +162,8 @@ growing_warp <- function(si, mesh, rope, curve, given) {
   # paid-out length when a bar is in
   inner <- whole - cumsum(long - least)
   lapply(seq_along(bars), function(k) {
-    own <- clipped_curve(shifted_curve(curve, least[k] - inner[k]), least[k], long[k])
+    curve[c("begin", "end")] <- lapply(curve[c("begin", "end")], `+`, least[k] - inner[k])
+    own <- clipped_curve(curve, least[k], long[k])
     growing_bars(si, mesh, rope, bars[k], long[k], own, given)
   })
 }

@@ -144,19 +144,15 @@ draw_plane <- function(figure, view, frame, page) {
   graphics::axis(2, at = up, labels = if (axes[2] == 3L) 0 - up else up, las = 1, col = "grey40")
   graphics::title(xlab = plane_labels[axes[1]])
   graphics::title(ylab = plane_labels[axes[2]], line = 2.6)
-  graphics::mtext(view_heading(view), side = 3, line = 0.3, adj = 0,
-    cex = 0.85 * zoom, font = 2)
+  heading <- paste0(if (view$region == "net") "Net " else "Gear ", plane_words[[view$plane]], " (",
+    toupper(view$plane), ")")
+  graphics::mtext(heading, side = 3, line = 0.3, adj = 0, cex = 0.85 * zoom, font = 2)
   draw_flow(figure$flow, axes, usr, pin)
 }
 
 ticks_between <- function(range, wanted) {
   at <- pretty(range, min(10, wanted))
   at[at >= range[1] & at <= range[2]]
-}
-
-view_heading <- function(view) {
-  subject <- if (view$region == "net") "Net" else "Gear"
-  paste0(subject, " ", plane_words[[view$plane]], " (", toupper(view$plane), ")")
 }
 
 # Lines near the viewer are drawn over distant lines.
