@@ -56,6 +56,4 @@ test_that("read_sensor_log() reports a wrong log in one error", {
   expect_wrong(read_sensor_log(file, columns), "parsec.*door")
   expect_wrong(read_sensor_log(file, list()), "time")
   expect_wrong(read_sensor_log(file, columns, window = 4), "odd")
-  log <- data.frame(time = 0:10, door = 1)
-  expect_wrong(haul_means(log, 5, 1), "before its end")
 })

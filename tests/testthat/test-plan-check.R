@@ -13,20 +13,6 @@ test_that("former names of fields and values are errors that give the present na
     "midwater_trawl")
 })
 
-test_that("check names a wrong field, its value and allowed values", {
-  error <- plan_error("length: 100 m", "length: -5 m")
-  expect_match(
-    error$message,
-    "Plan field `ropes.warp.length` is -5 m; it must be a length greater than 0 m", fixed = TRUE
-  )
-  error <- plan_error("length: 100 m", "lenght: 5 m")
-  expect_match(
-    error$message,
-    "Plan field `ropes.warp.lenght` is not known; did you mean `length`? Known here: from, to",
-    fixed = TRUE
-  )
-})
-
 test_that("check rejects every kind of wrong quantity", {
   wrong <- c(
     "0", "5 kg", ".nan", ".inf", "NA", "", "1_000", "2020-01-01", "yes", "0x1F", "'1,5 m'",
@@ -37,10 +23,6 @@ test_that("check rejects every kind of wrong quantity", {
     expect_identical(error$path, "ropes.warp.length", label = value)
     expect_match(error$message, "must be a length greater than 0 m", fixed = TRUE)
   }
-})
-
-test_that("messages show braces of a value unchanged", {
-  expect_match(plan_error("PA", "'{cli::ansi_nchar}'")$message, "{cli::ansi_nchar}", fixed = TRUE)
 })
 
 test_that("schema uses only keywords that the checker knows", {

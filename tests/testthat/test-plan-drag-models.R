@@ -44,9 +44,3 @@ test_that("engine limits each screen model to the range in findings", {
     }
   }
 })
-
-test_that("unknown netting element is rejected", {
-  expect_error(settle(read_gear("flat_panel"), nodes = 100, netting = "triangles"),
-    "it must be .*cells.*bars", class = "codend_error")
-  expect_refused(update(read_gear("flat_panel"), netting = "triangles"), "one of cells, bars")
-})

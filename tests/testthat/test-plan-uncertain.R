@@ -63,27 +63,6 @@ test_that("relative uncertainty of a value changed to 0 is 0", {
   expect_identical(uncertain_numbers(gear$plan)["bridles.upper.setback", "share"], 0)
 })
 
-test_that("invalid uncertainty throws an error that names the field", {
-  said <- function(text) {
-    error <- tryCatch(uncertain_warp(text), codend_error_plan = identity)
-    c(error$path, gsub("\\s+", " ", conditionMessage(error)))
-  }
-  expect_match(said("{value: 100 m, uncertainty: 10 kg}"), "ropes.warp.length", all = FALSE)
-  expect_match(said("{value: 100 m, uncertainty: about 3 m}"), "standard uncertainty", all = FALSE)
-  expect_match(said("{uncertainty: 3 m}"), "`value` with an `uncertainty`", all = FALSE)
-  expect_match(said("{range: [90 m, 110 m, 120 m]}"), "`range` such as", all = FALSE)
-  expect_match(said("{value: 100 m, range: [103 m, 97 m]}"), "smaller to a larger", all = FALSE)
-  expect_match(said("{value: 100 m, range: [101 m, 105 m]}"), "contains the value 100 m",
-    all = FALSE)
-  # an invalid number gives its own error
-  expect_match(said("{value: 100 kg, uncertainty: 10 %}"), "a length", all = FALSE)
-  wrong <- tryCatch(
-    read_text(paste0(small_plan, "uncertain: {ropes.wrap.length: 10 %}\n")),
-    codend_error_plan = identity
-  )
-  expect_identical(wrong$path, "uncertain.ropes.wrap.length")
-})
-
 test_that("multipliers scale only their own force component", {
   plan <- towed_sphere_plan()
   one <- settle(as_gear(plan))

@@ -42,7 +42,3 @@ test_that("invalid argument strings throw an error with the nearest choice", {
   expect_wrong(chosen_some(c("a_kN", "b_kM"), c("a_kN", "b_kN")), "Did you mean \"b_kN\"")
   expect_identical(chosen_some(NULL, c("a", "b")), c("a", "b"))
 })
-
-test_that("update() rejects a state and suggests its gear", {
-  expect_wrong(update(settled("towed_cable"), towing.speed = 2), "settle\\(update\\(state\\$gear")
-})

@@ -165,11 +165,3 @@ test_that("find_value() throws if it does not converge", {
   expect_error(with_package_value("settle_point", function(...) NULL, find()),
     "does not settle with towing.speed =", class = "codend_error_not_converged")
 })
-
-test_that("optimise_gear() refuses abs() and refers to find_value()", {
-  skip_if_not_installed("nloptr")
-  expect_wrong(
-    optimise_gear(towed_sphere(), ~ abs(depth - "9 m"), change = list(towing.speed = c(1, 6))),
-    "find_value"
-  )
-})

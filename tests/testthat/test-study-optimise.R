@@ -188,17 +188,6 @@ test_that("optima have a print, a summary and plots", {
   expect_error(plot(found, file = "a.txt"), class = "codend_error_file")
 })
 
-test_that("optimise_gear() rejects constant and undefined objectives once", {
-  change <- list(ropes.cable.length = c("600 m", "1200 m"))
-  wrong <- function(objective, said) {
-    expect_no_warning(expect_wrong(optimise_gear("towed_cable", objective, change = change,
-      nodes = 50),
-      said))
-  }
-  wrong(~1, "does not depend")
-  wrong(~ log(-total_drag_kN), "NaN")
-})
-
 test_that("trade_off() follows the analytical curve", {
   # For a sphere that is towed fast and deep, the largest mass is best at every speed. Its depth is
   # L W / sqrt(W^2 + D^2). Speed alone leaves the mass undetermined. Ends may deviate by 0.1 %.

@@ -212,16 +212,3 @@ test_that("study command creates and runs a study from the shell", {
   expect_identical(run("run", store, "--task", "3", "--of", "2")$status, 2L)
   expect_identical(run("run", file.path(folder, "none"))$status, 1L)
 })
-
-test_that("invalid store throws one error that names it", {
-  skip_if_not_installed("RNetCDF")
-  wrong <- function(store, said, class) {
-    expect_no_warning(expect_error(vary("towed_cable", towing.speed = "3 knot", nodes = 50,
-      store = store), said, class = class))
-  }
-  wrong(7, "`store`", "codend_error_argument")
-  wrong("", "`store`", "codend_error_argument")
-  wrong(file.path(tempfile("nowhere"), "a.study"), "must be in a writable folder",
-    "codend_error_file")
-  expect_wrong(vary("towed_cable", data.frame(), store = tempfile(), tasks = 0), "`designs`")
-})

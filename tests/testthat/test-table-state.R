@@ -85,7 +85,3 @@ test_that("number columns end in their unit", {
     expect_true(all(grepl("_(m|kN)$", numbers)), info = what)
   }
 })
-
-test_that("as.data.frame() names the argument for a table", {
-  expect_wrong(as.data.frame(settled("towed_cable"), "nodes"), "`what = \"nodes\"`")
-})

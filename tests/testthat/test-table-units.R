@@ -47,14 +47,3 @@ test_that("units of prints follow the option codend.units", {
   found <- measures(settle("crossing_cables"))
   expect_snapshot(print(found))
 })
-
-test_that("in_units() rejects unknown quantities and units", {
-  found <- measures(settle("crossing_cables"))
-  expect_error(in_units(found, speed = "kN"), "km/h", class = "codend_error_argument")
-  expect_error(in_units(found, weight = "kg"), "mass", class = "codend_error_argument")
-  expect_error(in_units(found, "knot"), "by quantity", class = "codend_error_argument")
-  expect_error(in_units(1, force = "kN"), "measures", class = "codend_error_argument")
-  kept <- options(codend.units = c(force = "kilo"))
-  on.exit(options(kept))
-  expect_error(print(found), "options\\(codend.units\\)", class = "codend_error_argument")
-})

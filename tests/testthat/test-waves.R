@@ -47,21 +47,6 @@ test_that("wave seed determines the sea", {
   expect_lt(max(abs(table(cut(drawn_numbers(1, 4000), 0:4 / 4)) - 1000)), 4 * sqrt(750))
 })
 
-test_that("check rejects breaking waves and a vessel response without waves", {
-  error <- expect_refused(buoy(water = list(waves = list(height = "5 m", period = "4 s"))))
-  expect_identical(error$path, "water.waves.height")
-  # 0.142 of 1.56 T^2
-  expect_match(conditionMessage(error), "at most 3.55 m")
-  expect_wrong(
-    tow("towed_cable", until = 2,
-      schedule = tow_schedule(vessel_motion = list(response = data.frame(period = 6)))),
-    "has no `water.waves`"
-  )
-  expect_wrong(tow("towed_cable", until = 2,
-    schedule = tow_schedule(vessel_motion = list(record = data.frame(time = 1:3)))),
-    "start at time 0")
-})
-
 test_that("settle() uses the mean of the waves and reports it", {
   still <- settle(buoy(water = list(free_surface = TRUE)))
   mean <- settle(buoy(water = long_waves()))
