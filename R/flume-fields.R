@@ -1,8 +1,8 @@
 # The controls of the flume tank for fields of a plan.
 
-# A control is list(label, help, paths (fields that change together), must (allowed values, in
-# words), required (TRUE if the plan must give the field), kind, value). Further elements depend on
-# the kind.
+# A control is list(help, paths (fields that change together), must (allowed values, in words),
+# required (TRUE if the plan must give the field), kind, value). The page adds a label. Further
+# elements depend on the kind.
 #   `number`: unit (as displayed), factor (to SI), dimension (or NULL), whole, and the slider's low,
 #   high and step. If a draft has no number here, `typed` replaces the value.
 #   `choice`: choices.
@@ -10,45 +10,34 @@
 #   `word`: a string, with `suggest` (strings to choose from).
 #   `yaml`: any other value, as YAML on one line.
 
-# Returns the controls at the top of the form. marked: paths that the user added; paths that are not
-# in the plan are skipped. `say`: translator from make_translator().
-plan_controls <- function(plan, marked = list(), say = make_translator()) {
-  usual <- lapply(usual_of_plan(plan), function(ask) {
-    ask$label <- label_of_fields(say, ask$label, ask$paths[1])
-    ask
-  })
-  asked <- Map(list, label = marked_labels(marked, say), paths = marked)
+# Returns the controls at the top of the form, with labels: empty without one, and in English for
+# `usual` fields. marked: paths that the user added; paths that are not in the plan are skipped.
+plan_controls <- function(plan, marked = list()) {
+  labels <- first_of(names(marked), character(length(marked)))
+  asked <- Map(list, label = labels, paths = marked, usual = FALSE)
   seen <- vapply(asked, function(ask) ask$paths[1], "")
-  usual <- Filter(function(ask) !ask$paths[1] %in% seen, usual)
-  controls <- lapply(unname(c(usual, asked)), function(ask) {
+  usual <- Filter(function(ask) !ask$paths[1] %in% seen, usual_of_plan(plan))
+  controls <- lapply(unname(c(lapply(usual, c, usual = TRUE), asked)), function(ask) {
     found <- lapply(ask$paths, function(path) plan_field(plan, path))
     if (any(vapply(found, is.null, NA))) return(NULL)
-    simple_control(ask$label, ask$paths, found[[1]])
+    control <- simple_control(ask$paths, found[[1]])
+    if (!is.null(control)) c(ask[c("label", "usual")], control)
   })
   Filter(Negate(is.null), controls)
 }
 
-# The default label of "otter_boards.lift_coefficient" is "Otter boards: lift coefficient".
-marked_labels <- function(marked, say) {
-  given <- names(marked)
-  if (is.null(given)) given <- character(length(marked))
-  vapply(seq_along(marked), function(k) {
-    if (nzchar(given[k])) given[k] else label_of_path(say, marked[[k]][1])
-  }, "")
-}
-
 # Returns NULL for a field that is not a number, a choice or a logical value.
-simple_control <- function(label, paths, field) {
+simple_control <- function(paths, field) {
   if (is.null(field$node)) return(NULL)
-  control <- new_control(label, paths, field)
+  control <- new_control(paths, field)
   if (control$kind %in% c("number", "choice", "truth")) control
 }
 
 # field: list(node, value, given) from plan_field().
-new_control <- function(label, paths, field, required = TRUE) {
+new_control <- function(paths, field, required = TRUE) {
   node <- field$node
   about <- list(
-    label = label, paths = I(as.character(paths)), help = first_of(node$description, ""),
+    paths = I(as.character(paths)), help = first_of(node$description, ""),
     must = describe(node), required = required
   )
   value <- first_of(field$value, FALSE)
@@ -128,7 +117,7 @@ round_step <- function(x) {
 markable_fields <- function(plan) {
   Filter(function(path) {
     field <- plan_field(plan, path)
-    !is.null(field) && !is.null(simple_control("", path, field))
+    !is.null(field) && !is.null(simple_control(path, field))
   }, given_paths(plan))
 }
 
@@ -150,7 +139,7 @@ check_marked <- function(marked, plan) {
       abort_argument("{.arg fields} has {.val {path}}, but this plan does not have that
         field{suggestion}")
     }
-    if (is.null(simple_control("", path, field))) {
+    if (is.null(simple_control(path, field))) {
       abort_argument(
         "{.arg fields} has {.val {path}}, but the flume tank has no control for that field. Use
         fields with one number, one choice, or yes and no."

@@ -37,24 +37,23 @@ form_sections <- list(
 # Users edit these fields in the plan text.
 form_leaves <- c("codend", "kind", "notes", "sources", "uncertain")
 
-# Returns a list of groups, each list(title, words (translated title), parts, open, absent). A part
-# is list(path, title, help, fields (controls), picks, absent, open, named, required). `absent`
-# lists fields that can be added; `open` is TRUE if there are any. `named` parts have names from the
-# plan.
-plan_form <- function(plan, say = make_translator()) {
+# Returns a list of groups, each list(title, parts, open, absent). A part is list(path, help, fields
+# (controls), picks, absent, open, named, required). `absent` lists fields that can be added; `open`
+# is TRUE if there are any. `named` parts have names from the plan.
+plan_form <- function(plan) {
   node <- plan_node(plan)
   lapply(names(form_sections), function(title) {
     names <- intersect(names(plan), form_sections[[title]])
     single <- Filter(function(name) !is_part(plan[[name]]), names)
-    fields <- form_fields(plan[single], node, "", "", say)
-    own <- if (length(fields)) list(list(path = "", title = title, fields = fields))
+    fields <- form_fields(plan[single], node, "")
+    own <- if (length(fields)) list(list(path = "", fields = fields))
     parts <- lapply(setdiff(names, single), function(name) {
-      form_parts(plan[[name]], child_node(node, name), name, name %in% node$required, say = say)
+      form_parts(plan[[name]], child_node(node, name), name, name %in% node$required)
     })
     absent <- setdiff(intersect(form_sections[[title]], names(node$properties)), names(plan))
     list(
-      title = title, words = say(paste0("room.", title)),
-      parts = unname(c(own, do.call(c, parts))), open = length(absent) > 0L, absent = I(absent)
+      title = title, parts = unname(c(own, do.call(c, parts))), open = length(absent) > 0L,
+      absent = I(absent)
     )
   })
 }
@@ -66,17 +65,16 @@ is_part <- function(value) {
 
 # Maps within a top-level map, and within a gear of a rig, are parts of their own. Fields of deeper
 # maps belong to their part.
-form_parts <- function(value, node, path, required, is_named = FALSE, say) {
+form_parts <- function(value, node, path, required, is_named = FALSE) {
   node <- meant_node(value, node)
   if (is.null(node)) return(list())
   named <- !is.null(node$additionalProperties)
   steps <- length(path_steps(path))
   inner <- Filter(is_part, value)
   apart <- if (steps == 1L || steps == 2L && startsWith(path, "gears.")) names(inner)
-  fields <- form_fields(value[setdiff(names(value), apart)], node, path, "", say)
   part <- list(list(
-    path = path, title = label_of_path(say, path), help = first_of(node$description, ""),
-    fields = fields,
+    path = path, help = first_of(node$description, ""),
+    fields = form_fields(value[setdiff(names(value), apart)], node, path),
     picks = part_picks(value, node, path),
     absent = I(as.character(absent_fields(value, node, path))),
     open = length(setdiff(names(node$properties), names(value))) > 0L,
@@ -84,7 +82,7 @@ form_parts <- function(value, node, path, required, is_named = FALSE, say) {
   ))
   others <- lapply(apart, function(name) {
     form_parts(value[[name]], child_node(node, name), join(path, name), name %in% node$required,
-      named && is.null(node$properties[[name]]), say)
+      named && is.null(node$properties[[name]]))
   })
   c(part, do.call(c, others))
 }
@@ -111,25 +109,20 @@ part_picks <- function(value, node, path) {
   Filter(Negate(is.null), picks)
 }
 
-# The label of a field in an inner map begins with the map's name.
-form_fields <- function(value, node, path, ahead, say) {
+form_fields <- function(value, node, path) {
   found <- lapply(names(value), function(name) {
     at <- join(path, name)
     inner <- meant_node(value[[name]], child_node(node, name))
-    label <- paste0(ahead, label_of_field(say, name))
     if (is.null(inner)) return(NULL)
-    if (is_part(value[[name]])) {
-      return(form_fields(value[[name]], inner, at, paste0(label, ": "), say))
-    }
-    field <- list(node = inner, value = value[[name]])
-    list(new_control(capital(label), at, field, name %in% node$required))
+    if (is_part(value[[name]])) return(form_fields(value[[name]], inner, at))
+    list(new_control(at, list(node = inner, value = value[[name]]), name %in% node$required))
   })
   do.call(c, found)
 }
 
 # Returns controls for fields that can be added to a part, or to the group `title` if `path` is
 # empty. Their values are defaults of the schema.
-form_offers <- function(plan, path, title, say = make_translator()) {
+form_offers <- function(plan, path, title) {
   node <- plan_node(plan)
   given <- plan
   if (nzchar(path)) {
@@ -148,18 +141,14 @@ form_offers <- function(plan, path, title, say = make_translator()) {
       if (length(number)) inner <- utils::modifyList(number[[1]], inner["description"])
     }
     plain <- is.atomic(inner$default) && length(inner$default) == 1L
-    new_control(
-      capital(label_of_field(say, name)), join(path, name),
-      list(node = inner, value = if (plain) inner$default), FALSE
-    )
+    new_control(join(path, name), list(node = inner, value = if (plain) inner$default), FALSE)
   })
 }
 
 # Returns the data from which a page builds its controls. turn: number of the last opened gear.
-form_message <- function(plan, marked, turn, say = make_translator()) {
+form_message <- function(plan, marked, turn) {
   list(
-    turn = turn, kind = first_of(plan$kind, "assembly"),
-    quick = plan_controls(plan, marked, say),
-    groups = plan_form(plan, say), units = offered_units()
+    turn = turn, kind = first_of(plan$kind, "assembly"), quick = plan_controls(plan, marked),
+    groups = plan_form(plan), units = offered_units()
   )
 }

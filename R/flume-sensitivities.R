@@ -18,11 +18,6 @@ with_derivatives <- function(known, found) {
   rbind(known[!known$field %in% found$field, ], found)
 }
 
-sensitivity_label <- function(field, say) {
-  vapply(strsplit(field, " + ", fixed = TRUE), function(paths) label_of_path(say, paths[1L]), "",
-    USE.NAMES = FALSE)
-}
-
 request_uncertainty <- function(page) {
   tank <- page$tank
   serial <- tank$serial
@@ -35,17 +30,16 @@ request_uncertainty <- function(page) {
 
 # Returns a list by field: paths, value, unit, an increase to start with, and for each measure its
 # change per unit of the field.
-sensitivities_message <- function(slopes, say = make_translator()) {
+sensitivities_message <- function(slopes) {
   lapply(unique(slopes$field), function(field) {
     rows <- slopes[slopes$field == field & is.finite(slopes$derivative), ]
     unit <- sensitivity_units(rows)
     value <- rows$value[1L]
     whole <- grepl("[.]number$", field)
     list(
-      paths = I(strsplit(field, " + ", fixed = TRUE)[[1L]]), words = sensitivity_label(field, say),
-      value = value, unit = rows$unit[1L],
+      paths = I(strsplit(field, " + ", fixed = TRUE)[[1L]]), value = value, unit = rows$unit[1L],
       more = if (whole) max(1, round_step(abs(value) / 4)) else round_step(abs(value) / 20),
-      measures = I(label_of_measure(say, label_of(rows$measure, unit))),
+      measures = I(label_of(rows$measure, unit)),
       units = I(unit), slope = I(rows$derivative), below = I(rows$secant_below),
       above = I(rows$secant_above), smooth = I(rows$smooth), elasticity = I(rows$elasticity)
     )
@@ -64,7 +58,7 @@ flume_sensitivities <- function(page) {
     page$request_slow_worker("slopes", as.list(given)$paths, function(found) {
       if (tank$serial != serial) return()
       tank$slopes <- with_derivatives(tank$slopes, found)
-      page$said("flume_sensitivities", fields = sensitivities_message(tank$slopes, page$say))
+      page$said("flume_sensitivities", fields = sensitivities_message(tank$slopes))
     })
   })
 }

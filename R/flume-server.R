@@ -56,14 +56,14 @@ flume_server <- function(
     }
     # what the functions for parts of the page use
     page <- list2env(list(
-      tank = tank, said = said, say = say, clerk = clerk, send_bytes = send_bytes,
+      tank = tank, said = said, clerk = clerk, send_bytes = send_bytes,
       closed = function() !open
     ))
 
     # The page keeps the list of measures until the list changes.
     listed <- NULL
     page$show_measures <- function() {
-      about <- measures_about(tank$measures, say)
+      about <- measures_about(tank$measures)
       now <- measures_numbers(tank$measures, if (tank$with_intervals) tank$uncertainty)
       send("flume_measures", c(if (!identical(about, listed)) list(about = about), now))
       listed <<- about
@@ -72,8 +72,7 @@ flume_server <- function(
     page$show <- function(answers = 0, passed = FALSE) {
       if (is.null(tank$gear)) return(said("flume_idle", answers = answers))
       send("flume_picture", c(list(
-        answers = answers, edited = tank$shown, said = spoken(tank$measures, say),
-        notes = I(tank$warnings()), towed = !is.null(tank$gear$plan$tow)
+        answers = answers, edited = tank$shown, notes = I(tank$warnings()), towed = !is.null(tank$gear$plan$tow)
       ), tank$picture(passed)))
       page$show_measures()
     }
@@ -283,7 +282,7 @@ flume_keeping <- function(page) {
           number = request_number(given),
           design = if (!is.null(found)) list(
             scene = picture_scene(found$state, found$drawing),
-            about = measures_about(found$measures, page$say),
+            about = measures_about(found$measures),
             numbers = measures_numbers(found$measures)
           )
         )
@@ -335,7 +334,7 @@ flume_display <- function(page) {
       make <- if (is_text(name)) tank_tables[[name]]
       tables <- NULL
       if (is.null(make)) return()
-      if (page$trying("table", tables <- make(tank, page$say, as.list(given)$kept))) {
+      if (page$trying("table", tables <- make(tank, as.list(given)$kept))) {
         said("flume_table", name = name, tables = tables)
       }
     },
@@ -362,9 +361,7 @@ flume_display <- function(page) {
       asked <- as.list(given)
       if (!is_text(asked$path) || !is_text(asked$title)) return()
       offers <- NULL
-      problem <- flume_problem(
-        offers <- form_offers(tank$draft$plan, asked$path, asked$title, page$say)
-      )
+      problem <- flume_problem(offers <- form_offers(tank$draft$plan, asked$path, asked$title))
       if (is.null(problem)) {
         said("flume_offers", path = asked$path, title = asked$title, offers = offers)
       }

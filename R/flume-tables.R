@@ -1,30 +1,17 @@
-# The tables of the flume tank, as strings and numbers that the page lays out.
+# The data of the tables of the flume tank, which the page writes.
 
-# Returns a table for the page. numbers: columns that are aligned as numbers; foot: last row; note:
-# a sentence below the table; parts: names of the gear's parts in each row.
-page_table <- function(
-  caption, head, rows, numbers = seq_along(head)[-1], foot = NULL, note = NULL, parts = NULL
-) {
-  list(
-    caption = caption, head = I(head), rows = lapply(rows, function(row) I(as.character(row))),
-    numbers = I(seq_along(head) %in% numbers), foot = if (!is.null(foot)) I(as.character(foot)),
-    note = note, parts = lapply(unname(parts), I)
-  )
+# columns: list of strings and numbers; parts: names of the gear's parts in each row.
+page_table <- function(columns, parts = NULL) {
+  list(columns = lapply(unname(as.list(columns)), I), parts = lapply(unname(parts), I))
 }
 
-text_rows <- function(table) {
-  lapply(seq_len(nrow(table)), function(k) unname(as.list(table[k, , drop = FALSE])))
-}
-
-# Returns a list by measure: name, words (translated), label (in English), unit, definition, and
-# `key`, TRUE for key measures. `say`: translator from make_translator(), here and below.
-measures_about <- function(measures, say = make_translator()) {
+# Returns a list by measure: name, label (in English), unit, definition, and `key`, TRUE for key
+# measures.
+measures_about <- function(measures) {
   unit <- unname(attr(measures, "unit"))
-  label <- label_of(names(measures), unit)
-  unname(Map(
-    list, name = names(measures), words = label_of_measure(say, label), label = label, unit = unit,
-    definition = definitions_of(measures), key = names(measures) %in% key_names(names(measures))
-  ))
+  names <- names(measures)
+  unname(Map(list, name = names, label = label_of(names, unit), unit = unit,
+    definition = definitions_of(measures), key = names %in% key_names(names)))
 }
 
 # Returns the numbers of measures: now, error, and with an uncertainty its level and the lower and
@@ -75,75 +62,49 @@ ranked_tensions <- function(state) {
   rows
 }
 
-tension_tables <- function(state, say = make_translator()) {
+# Functions of tank and a stored design that return the tables of a tab, by name.
+tank_tables <- list(
+  tensions = function(tank, kept) tension_tables(tank$state),
+  drag = function(tank, kept) drag_tables(tank$state),
+  differences = function(tank, kept) difference_tables(gear_of_words(kept), tank$gear)
+)
+
+# Ropes [kN] with the margin to the breaking load, and netting [N].
+tension_tables <- function(state) {
   ranked <- ranked_tensions(state)
-  margin <- ifelse(
-    is.finite(ranked$margin),
-    paste0("\u00d7 ", formatC(ranked$margin, format = "f", digits = 1)), ""
+  rope <- ranked[ranked$kind == "rope", ]
+  net <- ranked[ranked$kind == "netting", ]
+  list(
+    page_table(rope[c("part", "highest_kN", "mean_kN", "strength_kN", "margin")], rope$parts),
+    page_table(list(net$part, 1000 * net$highest_kN, 1000 * net$mean_kN), net$parts)
   )
-  table <- function(kind, caption, unit, highest, with_strength) {
-    shown <- function(force) trimws(column_figures(in_unit(from_unit(force, "kN"), unit)))
-    rows <- ranked[ranked$kind == kind, ]
-    if (!nrow(rows)) return(NULL)
-    cells <- data.frame(rows$part, shown(rows$highest_kN), shown(rows$mean_kN))
-    head <- c(say("part"), highest)
-    if (with_strength) {
-      cells <- cbind(cells, ifelse(is.na(rows$strength_kN), say("not_known"),
-        trimws(column_figures(rows$strength_kN))), margin[ranked$kind == kind])
-      head <- c(head, say("breaking_load_kn"), say("margin"))
-    }
-    page_table(caption, head, text_rows(cells), note = if (with_strength) say("margin_note"),
-      parts = rows$parts)
-  }
-  Filter(Negate(is.null), list(
-    table("rope", say("ropes_by_tension"), "kN", c(say("largest_kn"), say("mean_kn")), TRUE),
-    table("netting", say("netting_by_tension"), "N", c(say("tenth_n"), say("mean_n")), FALSE)
-  ))
 }
 
-drag_tables <- function(state, say = make_translator()) {
+# Drag by group and by part, with its percentage of the total.
+drag_tables <- function(state) {
   drag <- drag_table(state)
   totals <- drag_totals(drag)
-  total <- totals$drag_kN[nrow(totals)]
-  cells <- function(name, drag, side, lift) {
-    data.frame(name, trimws(column_figures(drag)), share_text(drag, total),
-      trimws(column_figures(side)), trimws(column_figures(lift)))
+  table <- function(names, sums, parts = NULL) {
+    share <- 100 * sums$drag_kN / totals$drag_kN[nrow(totals)]
+    page_table(list(names, sums$drag_kN, share, sums$side_kN, sums$lift_kN), parts)
   }
-  last <- nrow(totals)
-  of_groups <- text_rows(cells(totals$group, totals$drag_kN, totals$side_kN, totals$lift_kN))
   groups <- by_role(drag)
-  sums <- function(column) vapply(groups, function(group) sum(group[[column]]), 0)
-  order <- order(-sums("drag_kN"))
-  of_parts <- text_rows(cells(names(groups), sums("drag_kN"), sums("side_kN"),
-    sums("lift_kN"))[order, ])
-  head <- c(say("drag_kn"), say("share"), say("to_starboard_kn"), say("lift_kn"))
+  forces <- c("drag_kN", "side_kN", "lift_kN")
+  sums <- as.data.frame(t(vapply(groups, function(group) colSums(group[forces]), numeric(3))))
+  order <- order(-sums$drag_kN)
   list(
-    page_table(say("drag_by_group"), c(say("group"), head), of_groups[-last],
-      foot = of_groups[[last]]),
-    page_table(say("drag_by_part"), c(say("part"), head), of_parts,
-      parts = lapply(groups[order], `[[`, "part"))
+    table(totals$group, totals),
+    table(names(groups)[order], sums[order, ], lapply(groups[order], `[[`, "part"))
   )
 }
 
-difference_tables <- function(kept, now, say = make_translator()) {
+# Values of fields as strings, NA without one.
+difference_tables <- function(kept, now) {
   found <- plan_changes(kept$plan, now$plan)
-  shown <- function(value) if (is.null(value)) say("none") else show_value(value)
-  listed <- utils::head(found, 60L)
-  note <- if (!length(found)) {
-    say("no_difference")
-  } else if (length(found) > length(listed)) {
-    say("and_more", n = length(found) - length(listed))
+  column <- function(name) {
+    vapply(found, function(one) {
+      if (is.null(one[[name]])) NA_character_ else show_value(one[[name]])
+    }, "")
   }
-  list(page_table(
-    say("fields_differ"), c(say("field"), say("kept"), say("now")),
-    lapply(listed, function(d) list(d$path, shown(d$was), shown(d$value))), numbers = integer(),
-    note = note
-  ))
+  list(page_table(list(vapply(found, `[[`, "", "path"), column("was"), column("value"))))
 }
-
-# Functions of tank, translator and a stored design that return the tables of a tab, by name.
-tank_tables <- list(
-  tensions = function(tank, say, kept) tension_tables(tank$state, say),
-  drag = function(tank, say, kept) drag_tables(tank$state, say),
-  differences = function(tank, say, kept) difference_tables(gear_of_words(kept), tank$gear, say)
-)

@@ -22,7 +22,7 @@ new_tank <- function(start, marked, nodes, say = make_translator()) {
   tank$form <- function() {
     plan <- tank$draft$plan
     tank$laid_out <- paths_of(plan)
-    form_message(plan, marked_of(marked, plan), tank$turn, say)
+    form_message(plan, marked_of(marked, plan), tank$turn)
   }
   # The next message rebuilds the form, even if its fields are the same.
   tank$lay_out <- function() tank$laid_out <- NULL
@@ -98,15 +98,4 @@ with_picture <- function(start) {
   if (is.null(start$drawing)) start$drawing <- flume_drawing(start$state)
   if (is.null(start$measures)) start$measures <- measures(start$state)
   start
-}
-
-# Returns the main measures as a sentence for screen readers.
-spoken <- function(measures, say = make_translator()) {
-  shown <- intersect(unique(c(utils::head(names(measures), 3L), "total_drag_kN")), names(measures))
-  said <- measure_labels(measures[shown])
-  text <- trimws(paste(
-    label_of_measure(say, said$words), figures(plain_measures(measures[shown])),
-    label_of_unit(say, said$unit), said$error
-  ))
-  say("settled_said", measures = paste(text, collapse = ", "))
 }

@@ -65,8 +65,7 @@ flume_targets <- function(page) {
     serial <- tank$serial
     page$request_slow_worker("target", as.list(given), function(found) {
       if (tank$serial != serial) return()
-      found$words <- label_of_path(page$say, found$paths[1L])
-      found$measure <- label_of_measure(page$say, label_of(found$measure, found$measure_unit))
+      found$measure <- label_of(found$measure, found$measure_unit)
       found$paths <- I(found$paths)
       do.call(page$said, c("flume_target", found))
     })

@@ -56,53 +56,8 @@ page_language <- function(query, accept) {
   if (length(found)) found[1L] else "en"
 }
 
-# ---- terms of the trade --------------------------------------------------------------------------
-
-# Returns "Otter boards: lift coefficient" for "otter_boards.lift_coefficient".
-label_of_path <- function(say, path) {
-  usual <- say(paste0("usual.", path), otherwise = "")
-  if (nzchar(usual)) return(usual)
-  words <- vapply(strsplit(path, ".", fixed = TRUE)[[1]], function(step) label_of_field(say, step),
-    "")
-  last <- length(words)
-  capital(if (last == 1L) words else {
-    paste0(paste(words[-last], collapse = " "), ": ", words[last])
-  })
-}
-
-label_of_field <- function(say, name) {
-  say(paste0("field.", name), otherwise = gsub("_", " ", name, fixed = TRUE))
-}
-
-# label: English label of a field.
-label_of_fields <- function(say, label, path) {
-  if (attr(say, "language") == "en") label else label_of_path(say, path)
-}
-
-# Translates English measures such as "door spread" or "hook 3 depth", also after the name of a gear
-# in a rig: "port door spread".
-label_of_measure <- function(say, words) {
-  vapply(words, function(word) first_of(translated_measure(say, word), word), "", USE.NAMES = FALSE)
-}
-
-# Returns the translation of one measure, NULL without one.
-translated_measure <- function(say, word) {
-  number <- regmatches(word, regexpr("[0-9]+", word))
-  said <- say(paste0("measure.", gsub(" ", "_", sub("[0-9]+", "#", word))), otherwise = "")
-  if (nzchar(said)) return(if (length(number)) sub("#", number, said, fixed = TRUE) else said)
-  if (!grepl(" ", word, fixed = TRUE)) return(NULL)
-  of_gear <- translated_measure(say, sub("^[^ ]+ ", "", word))
-  if (!is.null(of_gear)) paste0(sub(" .*", "", word), ": ", of_gear)
-}
-
-label_of_unit <- function(say, unit) {
-  vapply(unit, function(one) say(paste0("unit.", one), otherwise = one), "", USE.NAMES = FALSE)
-}
-
 # Returns a translator of findings for fill_template().
 translated_finding <- function(say) function(text) say(paste0("finding.", text), otherwise = text)
-
-# ---- data for the page ---------------------------------------------------------------------------
 
 # Returns list(words, sought): the strings of the language by key, and all names of each field in
 # all languages, for searches.

@@ -17,9 +17,9 @@ requested_field <- function(plan, paths) {
 }
 
 # Checks a request: `said` = list(paths (fields that change together), unit, from, to (as typed, a
-# bare number in `unit`), number (of values)). Returns list(paths, words, unit, values, now (value
-# of the first field)), with values in this unit.
-varied_field <- function(plan, said, say = make_translator()) {
+# bare number in `unit`), number (of values)). Returns list(paths, unit, values, now (value of the
+# first field)), with values in this unit.
+varied_field <- function(plan, said) {
   asked <- requested_field(plan, said$paths)
   paths <- asked$paths
   path <- paths[1L]
@@ -45,7 +45,7 @@ varied_field <- function(plan, said, say = make_translator()) {
   values <- seq(ends[1L], ends[2L], length.out = number)
   if (field$node$shape == "integer") values <- unique(round(values))
   list(
-    paths = paths, words = label_of_path(say, path), unit = unit, values = signif(values, 10L),
+    paths = paths, unit = unit, values = signif(values, 10L),
     now = quantity_si(field$value, dimension) / per_unit
   )
 }
@@ -79,14 +79,14 @@ varied_table <- function(varied) {
 }
 
 # Returns the results for the page, with key measures first.
-varied_message <- function(varied, say = make_translator()) {
+varied_message <- function(varied) {
   table <- varied_table(varied)
   settled <- varied$found[table$settled]
   units <- unlist(lapply(settled, attr, "unit"))
   names <- setdiff(names(table)[-1L], c("settled", "problem"))
   names <- union(key_names(names), names)
   list(
-    words = varied$words, unit = varied$unit, now = varied$now, of = length(varied$values),
+    path = varied$paths[1L], unit = varied$unit, now = varied$now, of = length(varied$values),
     range = I(range(varied$values)),
     values = I(varied$values[seq_along(varied$found)]), problems = I(table$problem),
     measures = lapply(names, function(name) {
@@ -94,7 +94,7 @@ varied_message <- function(varied, say = make_translator()) {
         if (is.numeric(one)) first_of(attr(one, "error")[name], NA_real_) else NA_real_
       }, 0)
       list(
-        words = label_of_measure(say, label_of(name, units[[name]])), unit = units[[name]],
+        words = label_of(name, units[[name]]), unit = units[[name]],
         values = I(table[[name]]), errors = I(unname(error))
       )
     })
@@ -112,7 +112,7 @@ flume_varies <- function(page) {
   start_varying <- function(given) {
     if (is.null(tank$gear)) return()
     varied <- NULL
-    good <- page$trying("vary", varied <- varied_field(tank$gear$plan, as.list(given), page$say))
+    good <- page$trying("vary", varied <- varied_field(tank$gear$plan, as.list(given)))
     if (!good) return()
     turn <<- turn + 1L
     mine <- turn
@@ -144,6 +144,5 @@ show_varied <- function(
   page, running = length(page$tank$varied$found) < length(page$tank$varied$values)
 ) {
   tank <- page$tank
-  page$said("flume_varied", running = running,
-    varied = varied_message(tank$varied, page$say))
+  page$said("flume_varied", running = running, varied = varied_message(tank$varied))
 }

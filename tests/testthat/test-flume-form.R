@@ -70,9 +70,9 @@ test_that("plan_form() describes valid values and offers missing fields", {
     form_controls(plan_form(plan)))[[1]]
   expect_match(warp$must, "a length greater than 0 m", fixed = TRUE)
   offers <- form_offers(plan, "warps", "Rig")
-  labels <- vapply(offers, `[[`, "", "label")
-  expect_true("Strumming" %in% labels)
-  expect_false("Length" %in% labels)
+  paths <- vapply(offers, function(one) one$paths[1], "")
+  expect_true("warps.strumming" %in% paths)
+  expect_false("warps.length" %in% paths)
   of_group <- form_offers(plan, "", "Netting")
   expect_true(all(vapply(of_group, function(one) one$paths[1], "") %in% form_sections$Netting))
   expect_error(form_offers(plan, "warps.lenght", "Rig"), class = "codend_error_argument")

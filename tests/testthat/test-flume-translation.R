@@ -118,13 +118,6 @@ test_that("every language translates the most visible strings", {
     ignore_attr = TRUE)
 })
 
-test_that("label_of_measure() translates measures of gears in a rig", {
-  say <- make_translator("fr")
-  words <- c("port headline height", "stern trawl door spread", "odd")
-  expect_identical(label_of_measure(say, words),
-    c("port: hauteur de la corde de dos", "stern: trawl: \u00e9cartement des panneaux", "odd"))
-})
-
 test_that("translations keep the placeholders of the English strings", {
   table <- word_table()
   places <- function(texts) lapply(texts, function(text) sort(found_in(text, "[{]([a-z]+)[}]")))
@@ -142,12 +135,6 @@ test_that("missing translations fall back to English and placeholders are filled
   expect_identical(say("fields_many", n = 3), "3 champs")
   expect_identical(say("field.nothing", otherwise = "nothing"), "nothing")
   expect_error(say("nothing"), "no words")
-  expect_identical(label_of_path(say, "otter_boards.lift_coefficient"),
-    "Panneaux: coefficient de portance")
-  expect_identical(label_of_path(make_translator(), "otter_boards.lift_coefficient"),
-    "Otter boards: lift coefficient")
-  expect_identical(label_of_measure(say, c("door spread", "hook 3 depth", "my own")),
-    c("\u00e9cartement des panneaux", "profondeur de l'hame\u00e7on 3", "my own"))
 })
 
 test_that("findings appear in the language of the page", {
@@ -180,7 +167,7 @@ test_that("page_language() prefers the address, then the browser, then English",
   }
 })
 
-test_that("page and tables use its language and mark machine translations", {
+test_that("page uses its language and mark machine translations", {
   begin <- function(language) {
     jsonlite::parse_json(message_json("begin", begin_message(make_translator(language), TRUE,
       TRUE)))$begin
@@ -190,9 +177,6 @@ test_that("page and tables use its language and mark machine translations", {
   expect_identical(norwegian$language, "no")
   expect_false(norwegian$checked)
   expect_true(begin("en")$checked)
-  now <- measures(settled("towed_cable"))
-  words <- vapply(measures_about(now, make_translator("fr")), `[[`, "", "words")
-  expect_match(words, "^profondeur", all = FALSE)
 })
 
 test_that("search finds fields by the words of the trade", {

@@ -11,9 +11,9 @@ export interface Edit {
 }
 export type Edits = Record<string, Edit>;
 
-// A control of the form; R/flume-fields.R describes it.
+// A control of the form; R/flume-fields.R describes it. The page adds labels and titles, here and below.
 export interface Field {
-  label: string; paths: string[]; help: string; must: string | null; required: boolean;
+  label: string; usual?: boolean; paths: string[]; help: string; must: string | null; required: boolean;
   kind: 'number' | 'choice' | 'truth' | 'word' | 'yaml'; value: string | number | boolean | null;
   unit: string; factor: number; dimension: string | null; whole: boolean; low?: number; high?: number; step?: number;
   typed: string | null; choices: string[]; suggest: string[];
@@ -50,14 +50,12 @@ export interface SharedDesign { author: string; name: string; changed: string }
 
 // The effect of a field on the measures; R/flume-sensitivities.R describes it.
 export interface Sensitivity {
-  paths: string[]; words: string; value: number; unit: string; more: number; measures: string[]; units: string[];
+  paths: string[]; value: number; unit: string; more: number; measures: string[]; units: string[];
   slope: number[]; below: (number | null)[]; above: (number | null)[]; smooth: boolean[];
   elasticity: (number | null)[];
 }
-// A measure: its translated name, its English name, and true for key measures.
-export interface MeasureAbout {
-  name: string; words: string; label: string; unit: string; definition: string; key: boolean;
-}
+// A measure; `key` is true for key measures. Labels of measures are in English.
+export interface MeasureAbout { name: string; label: string; unit: string; definition: string; key: boolean }
 type Maybe = number | null;
 // Numbers in the order of the measures. Intervals have a level, and `spread` is half their width or more.
 export interface MeasureNumbers {
@@ -66,18 +64,15 @@ export interface MeasureNumbers {
 export interface Measures extends MeasureNumbers { about: MeasureAbout[] }
 // Measures over a field; R/flume-vary.R describes them.
 export interface Varied {
-  words: string; unit: string; now: number | null; of: number; range: number[]; values: number[]; problems: string[];
+  path: string; unit: string; now: number | null; of: number; range: number[]; values: number[]; problems: string[];
   measures: (Measured & { unit: string })[];
 }
 
 // A change of speed, course or warp, as typed.
 export interface Change { from: string; over: string; to?: string; by?: string }
 
-// A table as strings. `numbers` is true for columns of numbers, `parts` names the gear's parts in each row.
-export interface Table {
-  caption: string; head: string[]; rows: string[][]; numbers: boolean[]; foot: string[] | null; note: string | null;
-  parts?: string[][];
-}
+// A table by columns. `parts` names the gear's parts in each row.
+export interface Table { columns: (string | number | null)[][]; parts: string[][] }
 
 // Messages from R. `answers` is the number of a request, 0 without one.
 export interface FromR {
@@ -105,7 +100,6 @@ export interface FromR {
   flume_picture: {
     answers: number;
     edited: number;
-    said: string;
     notes: string[];
     towed: boolean;
     scene: Partial<Scene>;
@@ -187,7 +181,6 @@ export interface FromR {
   };
   flume_target: {
     paths: string[];
-    words: string;
     value: number;
     unit: string;
     low: number;

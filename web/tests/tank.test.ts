@@ -45,3 +45,16 @@ test('with_edits() replaces earlier values of a field and keeps the order of oth
   assert.deepEqual(three.edits, [{ b: value(2), a: value(3) }, { c: { like: 'a' } }, { a: value(4) }]);
   assert.deepEqual(one.edits, [{ a: value(1), b: value(2) }]);
 });
+
+test('labels of measures and fields are translated', async () => {
+  const { say_field_of, say_measure, say_path, set_words } = await import('../src/tank/words');
+  set_words({ sought: {}, words: {
+    'measure.door_spread': '\u00e9cartement', 'measure.hook_#_depth': 'profondeur de l\u2019hame\u00e7on #',
+    'field.otter_boards': 'panneaux', 'usual.warps.length': 'Fune fil\u00e9e'
+  } });
+  assert.deepEqual(['port door spread (m)', 'stern trawl door spread', 'hook 3 depth', 'odd'].map(say_measure),
+    ['port: \u00e9cartement (m)', 'stern: trawl: \u00e9cartement', 'profondeur de l\u2019hame\u00e7on 3', 'odd']);
+  assert.deepEqual(['otter_boards.lift_coefficient', 'warps.length', 'name'].map(say_path),
+    ['Panneaux: lift coefficient', 'Fune fil\u00e9e', 'Name']);
+  assert.equal(say_field_of('sections.body', 'sections.body.twine.diameter'), 'Twine: diameter');
+});

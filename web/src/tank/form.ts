@@ -12,7 +12,7 @@ import { new_group, open_later, tool_row, unfold } from './parts';
 import * as Predict from './predict';
 import { send as send_to_r } from './server';
 import * as Talk from './talk';
-import { bare, say, say_field, say_path, sought } from './words';
+import { bare, say, say_field, say_field_of, say_path, sought } from './words';
 
 // A field in its displayed unit.
 export type ShownField = Pick<Field, 'label' | 'kind' | 'choices' | 'unit' | 'value' | 'low' | 'high'>;
@@ -33,6 +33,17 @@ let problems: Problem[] = [];
 export function show(message: Form): void {
   if (form && form.turn !== message.turn) unsent = {};
   form = message;
+  // R labels fields at the top in English; users label their own.
+  form.quick.forEach((field) => {
+    if (!field.label || field.usual && document.documentElement.lang !== 'en') field.label = say_path(field.paths[0]);
+  });
+  form.groups.forEach((group) => {
+    group.words = say('room.' + group.title);
+    group.parts?.forEach((part) => {
+      part.title = part.path ? say_path(part.path) : group.words;
+      part.fields?.forEach((field) => { field.label = say_field_of(part.path, field.paths[0]); });
+    });
+  });
   entries = message.groups.flatMap((group) => (group.parts ?? []).flatMap((part) =>
     (part.fields ?? []).map((field) => ({ group, part, field }))));
   last = null;
@@ -345,6 +356,7 @@ function ask_name(button: HTMLElement, path: string, act: string) {
 // Lists the fields that can be added. The chosen field becomes a control.
 export function offers(message: FromR['flume_offers']): void {
   const button = adding, fields = message.offers;
+  fields.forEach((field) => { field.label = say_field_of(message.path, field.paths[0]); });
   if (!button?.isConnected || button.dataset.path !== message.path || button.dataset.title !== message.title) return;
   const select = element('select', 'offered', undefined,
     { 'aria-label': say('field_to_add') });

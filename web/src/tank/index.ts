@@ -32,13 +32,7 @@ import { say, set_words } from './words';
 
 export { Designs, Form, Tabs, Talk, Tank, Tow, send, sending };
 
-let speaking: number | undefined, wanted: number | undefined;
-
-// After a series of changes, screen readers announce the last one only.
-function read_out(words: string) {
-  window.clearTimeout(speaking);
-  speaking = window.setTimeout(() => { find('said').textContent = words; }, 700);
-}
+let wanted: number | undefined;
 
 // The page is loaded again in another language, with the same design.
 on('change', (target) => {
@@ -89,7 +83,6 @@ function picture(message: FromR['flume_picture']) {
   find('gear_conditions').textContent = message.conditions;
   find('noted').replaceChildren(...message.notes.map((one) => element('li', '', one)));
   find('worth').hidden = !message.notes.length;
-  read_out(message.said);
   answer(message.answers);
   Designs.moved();
   Slopes.stale();

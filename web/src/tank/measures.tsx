@@ -1,7 +1,7 @@
 // The tables of measures: R sends numbers, the page writes and updates the tables.
 
 import { render, type ComponentChildren } from 'preact';
-import { decimals_of, error_digits, fixed_decimals, signed, sure_digits } from '../numbers';
+import { decimals_of, error_digits, figures, fixed_decimals, signed, sure_digits } from '../numbers';
 import type { FromR, MeasureAbout, Measures } from '../protocol';
 import { find } from '../view';
 import { on } from './events';
@@ -11,10 +11,10 @@ import * as Saves from './saves';
 import { send } from './server';
 import { note, table, text_table } from './table';
 import { shown_unit } from './units';
-import { say, say_unit } from './words';
+import { say, say_measure, say_unit } from './words';
 
 const none: Measures = { about: [], now: [], error: [] };
-let shown: Measures | null = null;
+let shown: Measures | null = null, speaking: number | undefined;
 
 // Returns the measures of the design on screen.
 export function now(): Measures | null { return shown; }
@@ -27,7 +27,9 @@ function number_of(measures: Measures, name: string, of: 'now' | 'error' = 'now'
 function union(...all: Measures[]): MeasureAbout[] {
   return [...new Map(all.flatMap(({ about }) => about).map((one) => [one.name, one])).values()];
 }
-function label({ words, unit }: MeasureAbout) { return words + ' (' + say_unit(shown_unit(unit).unit) + ')'; }
+function label({ label, unit }: MeasureAbout) {
+  return say_measure(label) + ' (' + say_unit(shown_unit(unit).unit) + ')';
+}
 
 function interval({ level, spread, lower, upper }: Measures, k: number, factor: number): string {
   const error = spread?.[k];
@@ -55,7 +57,7 @@ function row(one: MeasureAbout, measures: Measures, kept: Measures, compares: bo
 
 function of_measures(caption: string, compares: boolean, rows: ComponentChildren) {
   const head = [say('measure'), say('now'), ...compares ? [say('kept'), say('change'), '%'] : []];
-  return table({ caption, head, numbers: head.map((_, k) => k > 0), foot: null }, rows);
+  return table(caption, head, rows);
 }
 
 // Stores the numbers of the design on screen. R sends the names only if they changed.
@@ -63,6 +65,17 @@ export function show({ about, ...numbers }: FromR['flume_measures']): void {
   shown = { about: about ?? shown?.about ?? [], ...numbers };
   Kept.complete();
   write();
+  window.clearTimeout(speaking);
+  speaking = window.setTimeout(() => { find('said').textContent = spoken(shown ?? none); }, 700);
+}
+// Returns the main measures as a sentence. After a series of changes, screen readers announce the last
+// one only.
+function spoken(measures: Measures): string {
+  const main = measures.about.filter(({ name }, k) => k < 3 || name === 'total_drag_kN').map((one) => {
+    const { unit, factor } = shown_unit(one.unit);
+    return [say_measure(one.label), figures(number_of(measures, one.name) * factor), say_unit(unit)].join(' ');
+  });
+  return say('settled_said', { measures: main.join(', ') });
 }
 
 // Writes the numbers of the design on screen and of the reference.

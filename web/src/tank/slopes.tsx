@@ -13,7 +13,7 @@ import { note, table, text_table } from './table';
 import * as Tabs from './tabs';
 import * as Talk from './talk';
 import { shown_unit } from './units';
-import { say, say_unit } from './words';
+import { say, say_measure, say_path, say_unit } from './words';
 
 const amounts: Record<string, number> = {};
 let found: Record<string, Sensitivity> = {}, timer: number | undefined;
@@ -58,7 +58,7 @@ function row(one: Sensitivity, k: number, more: number) {
     slope === null ? '' : figures(sign * slope * more * factor, change);
   const tip = () => say('kink_tip', { below: of_kink(one.below[k], -1), above: of_kink(one.above[k], 1) });
   return <tr>
-    <th scope="row">{one.measures[k] + ' (' + say_unit(unit) + ')'}</th>
+    <th scope="row">{say_measure(one.measures[k]) + ' (' + say_unit(unit) + ')'}</th>
     <td class="number">{figures(change, change)}
       {!one.smooth[k] && <abbr class="kink" title={tip()}>{' ' + say('kink')}</abbr>}</td>
   </tr>;
@@ -77,7 +77,7 @@ export function write(): void {
   const head = [say('measure'), say('change')], rows = one.measures.map((_, k) => row(one, k, more));
   const kinks = rows.some((cells, k) => cells && !one.smooth[k]);
   render([
-    table({ caption: say('would_do'), head, numbers: [false, true], foot: null }, rows),
+    table(say('would_do'), head, rows),
     note(say('slope_at', { value: (Number(one.value.toPrecision(6)) + ' ' + one.unit).trim() }) +
       (kinks ? ' ' + say('kink_note') : ''))
   ], place);
@@ -85,9 +85,9 @@ export function write(): void {
 
 // Writes the table of all known fields: changes in percent of the measure for 10 % more of the field.
 export function write_all(): void {
-  const fields = Object.values(found), head = [say('measure'), ...fields.map(({ words }) => words)];
+  const fields = Object.values(found), head = [say('measure'), ...fields.map(({ paths }) => say_path(paths[0]))];
   const measures = [...new Set(fields.flatMap((one) => one.measures))];
-  const rows = measures.map((words) => [words, ...fields.map(({ measures, elasticity, smooth }) => {
+  const rows = measures.map((words) => [say_measure(words), ...fields.map(({ measures, elasticity, smooth }) => {
     const k = measures.indexOf(words), share = elasticity[k] ?? NaN;
     const text = signed(10 * share, Math.abs(share) < 0.1 ? 2 : 1);
     return text && text !== '0' && !smooth[k] ? text + ' *' : text;

@@ -9,8 +9,9 @@ import * as Kept from './kept';
 import * as Measures from './measures';
 import { send } from './server';
 import * as Slopes from './slopes';
-import { note, rows_of, table } from './table';
+import { note, table_of_r } from './table';
 import * as Talk from './talk';
+import { say } from './words';
 
 let timer: number | undefined, stale = false, awaited = 0;
 const tables: Record<string, Told['table_wanted']['name']> = {
@@ -62,11 +63,24 @@ export function changed(): void { stale = true; want(); }
 export function waits(): boolean { return stale || timer !== undefined || awaited > 0; }
 export function lost(): void { awaited = 0; }
 
+// Caption and heads of the tables of each tab, and a note below a table, or without rows.
+const about: Record<string, { words: string[]; note?: string; empty?: string }[]> = {
+  tensions: [
+    { words: ['ropes_by_tension', 'part', 'largest_kn', 'mean_kn', 'breaking_load_kn', 'margin'], note: 'margin_note' },
+    { words: ['netting_by_tension', 'part', 'tenth_n', 'mean_n'] }
+  ],
+  drag: ['group', 'part'].map((by) =>
+    ({ words: ['drag_by_' + by, by, 'drag_kn', 'share', 'to_starboard_kn', 'lift_kn'] })),
+  differences: [{ words: ['fields_differ', 'field', 'kept', 'now'], empty: 'no_difference' }]
+};
 const shown: Record<string, FromR['flume_table']['tables']> = {};
 let chosen: string[] = [];
 function write(name: string) {
-  render(shown[name].map((one) => [one.rows.length > 0 && table(one, rows_of(one, chosen)), note(one.note)]),
-    find(name));
+  render(shown[name].map((one, k) => {
+    const { words, note: below, empty } = about[name][k], [caption, ...head] = words.map((key) => say(key));
+    const made = table_of_r(one, caption, head, chosen), said = made ? below : empty;
+    return [made, note(said ? say(said) : null)];
+  }), find(name));
 }
 export function show({ name, tables }: FromR['flume_table']): void {
   awaited -= 1;

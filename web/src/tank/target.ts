@@ -9,7 +9,7 @@ import * as Form from './form';
 import { tell } from './notices';
 import { send } from './server';
 import { shown_unit } from './units';
-import { say, say_unit } from './words';
+import { say, say_measure, say_path, say_unit } from './words';
 
 let measure: DOMStringMap = {};
 const field = () => find<HTMLSelectElement>('target_field'), value = () => find<HTMLInputElement>('target_value');
@@ -51,7 +51,8 @@ export function show(found: FromR['flume_target']): void {
   const in_words = (value: number) => (figures(value * factor) + ' ' + say_unit(unit)).trim();
   const of_field = (value: number) => (value + ' ' + found.unit).trim();
   answer('', say(found.reached ? 'target_reached' : 'target_nearest', {
-    field: found.words, value: of_field(found.value), measure: found.measure, result: in_words(found.result),
+    field: say_path(found.paths[0]), value: of_field(found.value), measure: say_measure(found.measure),
+    result: in_words(found.result),
     low: of_field(found.low), high: of_field(found.high), target: in_words(found.target)
   }));
   if (!found.reached) return;

@@ -8,7 +8,7 @@ import { new_graphs } from './graphs';
 import { tell } from './notices';
 import { send } from './server';
 import { shown_unit } from './units';
-import { say, say_unit } from './words';
+import { say, say_measure, say_path, say_unit } from './words';
 
 let graphs: ReturnType<typeof new_graphs> | null = null, field = '', last: FromR['flume_varied'] | null = null;
 const input = (id: string) => find<HTMLInputElement>(id);
@@ -50,11 +50,12 @@ export function write(): void {
     const { unit, factor } = shown_unit(one.unit);
     const scaled = (values: Measured['values'] = []) =>
       values.map((value) => typeof value === 'number' ? value * factor : value);
-    return { words: one.words + ' (' + say_unit(unit) + ')', values: scaled(one.values), errors: scaled(one.errors) };
+    const words = say_measure(one.words) + ' (' + say_unit(unit) + ')';
+    return { words, values: scaled(one.values), errors: scaled(one.errors) };
   });
   drawn.show(measures, {
     times: varied.values, range: varied.range, unit: varied.unit,
-    axis: varied.words + (varied.unit ? ' (' + varied.unit + ')' : ''),
+    axis: say_path(varied.path) + (varied.unit ? ' (' + varied.unit + ')' : ''),
     drawn: () => drawn.each((graph) => { if (now !== null) graph.mark(now); })
   });
 }

@@ -19,7 +19,16 @@ translate_by((words, values) => has_word('view.' + words) ? say('view.' + words,
 export function say_field(name: string): string {
   return has_word('field.' + name) ? say('field.' + name) : name.replace(/_/g, ' ');
 }
-export function say_path(path: string): string { return path.split('.').map(say_field).join(' '); }
+// Returns "Otter boards: lift coefficient" for "otter_boards.lift_coefficient".
+export function say_path(path: string): string {
+  if (has_word('usual.' + path)) return say('usual.' + path);
+  const steps = path.split('.').map(say_field), last = steps.pop() ?? '';
+  return capital(steps.length ? steps.join(' ') + ': ' + last : last);
+}
+// Returns the label of a field in a part.
+export function say_field_of(part: string, path: string): string {
+  return capital(path.slice(part ? part.length + 1 : 0).split('.').map(say_field).join(': '));
+}
 export function say_unit(unit: string): string { return has_word('unit.' + unit) ? say('unit.' + unit) : unit; }
 
 // Also after the name of a gear in a rig: "port door spread". Empty without a translation.
