@@ -163,7 +163,7 @@ export function picture(part: Partial<Scene>, number = 0): void {
   const { told, points, at, corners } = viewer.gear();
   about = told;
   const ahead = part.points &&
-    Predict.settle(number, { points: points.slice(), places: at.slice(), boards: corners.slice() }, !part.ropes);
+    Predict.settle(number, { points, places: at, boards: corners }, !part.ropes);
   complete = { ...told, scales: own_scales, ...Predict.last() };
   if (ahead?.points) moved(ahead);
   repaint_planes();
