@@ -62,15 +62,16 @@ shared_body <- function(state, model, moves) {
           "Play the tow")),
       tag$section(class = "sliders", `aria-labelledby` = "sliders-heading",
         tag$h2(id = "sliders-heading", "Change the gear"),
-        tag$div(id = "sliders", lapply(seq_along(model$fields), function(k) {
-          slider_tags(model$fields[[k]], k)
-        })),
+        tag$div(id = "sliders"),
         tag$button(type = "button", id = "reset", disabled = NA, "Back to the gear as shared"),
         tag$p(id = "told", role = "status", `aria-live` = "polite", "The engine starts.")),
       tag$section(class = "measured", `aria-labelledby` = "measures-heading",
         tag$h2(id = "measures-heading", "Measures"),
         tag$ul(id = "warnings", `aria-live` = "polite", hidden = NA),
-        shared_measure_table(model$programs)),
+        tag$table(
+          tag$thead(tag$tr(lapply(c("Measure", "Now", "Computed to", "Change"), tag$th,
+            scope = "col"))),
+          tag$tbody(id = "measures"))),
       tag$section(class = "more", `aria-label` = "More of the gear",
         if (nrow(found)) tag$details(open = NA,
           tag$summary("Warnings, for the gear as shared"),
@@ -96,30 +97,5 @@ shared_body <- function(state, model, moves) {
           tag$pre(tabindex = "0", `aria-label` = "The plan", format(state$gear))))
     ),
     tag$noscript("This page needs scripts to settle the gear; this browser does not run them.")
-  )
-}
-
-slider_tags <- function(field, k) {
-  id <- paste0("slider-", k)
-  shown <- trimws(paste(format(field$value, digits = 6), field$unit))
-  tag$div(class = "slider",
-    tag$label(`for` = id, field$label), tag$output(`for` = id, id = paste0(id, "-value"), shown),
-    tag$input(type = "range", id = id, min = format(field$lower, digits = 15),
-      max = format(field$upper, digits = 15), step = "any",
-      value = format(field$value, digits = 15), `aria-valuetext` = shown, disabled = NA))
-}
-
-shared_measure_table <- function(programs) {
-  tag$table(
-    tag$thead(tag$tr(tag$th(scope = "col", "Measure"), tag$th(scope = "col", "Now"),
-      tag$th(scope = "col", "Computed to"), tag$th(scope = "col", "Change"))),
-    tag$tbody(id = "measures", lapply(names(programs), function(name) {
-      one <- programs[[name]]
-      tag$tr(tag$th(scope = "row", one$words),
-        tag$td(class = "now", paste(figures(one$value), one$unit)),
-        tag$td(class = "error",
-          if (!is.null(one$error)) error_text(one$error * abs(one$value)) else ""),
-        tag$td(class = "change", ""))
-    }))
   )
 }

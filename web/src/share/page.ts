@@ -32,20 +32,27 @@ function failed(error: unknown) {
 const moving = ['points', 'places', 'boards', 'rope_tension', 'u', 'v', 'drag', 'opening', 'angle'] as const;
 
 function start(scene: View.Scene, page: SharedGear) {
-  const viewer = window.codendView.new_viewer(by_id('tank'));
+  const { element, new_viewer } = window.codendView, viewer = new_viewer(by_id('tank'));
   viewer?.show(scene);
   state.times.picture = performance.now();
 
   // ---- sliders ----------------------------------------------------------------------------------
 
   const fields = page.fields, own = fields.map((field) => field.value), values = own.slice();
-  const inputs = fields.map((_, k) => by_id<HTMLInputElement>('slider-' + (k + 1)));
+  const outputs: HTMLOutputElement[] = [], inputs = fields.map(({ label, lower, upper }, k) => {
+    const box = element('div', 'slider'), id = 'slider-' + (k + 1);
+    const about = { type: 'range', id, min: lower, max: upper, step: 'any', disabled: '' };
+    const input = element('input', '', undefined, about);
+    outputs.push(element('output', '', undefined, { for: id }));
+    box.append(element('label', '', label, { for: id }), outputs[k], input);
+    by_id('sliders').appendChild(box);
+    return input;
+  });
   const reset = by_id<HTMLButtonElement>('reset');
   function with_unit(k: number, value: number) { return (Number(value.toPrecision(6)) + ' ' + fields[k].unit).trim(); }
   function tell_slider(k: number) {
-    const words = with_unit(k, values[k]);
-    by_id('slider-' + (k + 1) + '-value').textContent = words;
-    inputs[k].setAttribute('aria-valuetext', words);
+    outputs[k].value = with_unit(k, values[k]);
+    inputs[k].setAttribute('aria-valuetext', outputs[k].value);
   }
   // Returns the sliders that stopped early, each with the reached and the requested value.
   function met(at: number[]) {
@@ -70,7 +77,6 @@ function start(scene: View.Scene, page: SharedGear) {
     ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10
   };
   inputs.forEach((input, k) => {
-    input.step = 'any';
     input.addEventListener('input', () => slide(k, Number(input.value)));
     // A key moves the slider by one step or by ten.
     input.addEventListener('keydown', (event) => {
@@ -88,23 +94,23 @@ function start(scene: View.Scene, page: SharedGear) {
       tell_slider(k);
     });
   }
+  set(own);
   reset.addEventListener('click', () => { set(own); move(); });
   state.move = (to) => { set(to); move(); };
 
   // ---- results ----------------------------------------------------------------------------------
 
-  const names = Object.keys(page.programs), rows = Array.from(by_id<HTMLTableSectionElement>('measures').rows);
-  names.forEach((name) => { state.sizes[name] = page.programs[name].size; });
+  const names = Object.keys(page.programs), rows = names.map((name) => {
+    const row = by_id<HTMLTableSectionElement>('measures').insertRow(), { size, words } = page.programs[name];
+    state.sizes[name] = size;
+    row.append(element('th', '', words, { scope: 'row' }),
+      ...['now', 'error', 'change'].map((kind) => element('td', kind)));
+    return row;
+  });
   function busy(is: boolean) { document.body.classList.toggle('busy', is); }
-  function show(shape: Shape) {
-    const fixed: Partial<View.Scene> = { flow: shape.flow };
-    moving.forEach((name) => {
-      const floats = shape.moved[name];
-      if (floats) fixed[name] = { floats };
-    });
-    viewer?.pass(fixed);
+  function write(measures: Record<string, number>) {
     names.forEach((name, k) => {
-      const of = page.programs[name], now = shape.measures[name] / of.size, cells = rows[k].cells;
+      const of = page.programs[name], now = measures[name] / of.size, cells = rows[k].cells;
       cells[1].textContent = figures(now) + ' ' + of.unit;
       cells[2].textContent = of.error ? error_digits(of.error * Math.abs(now)) : '';
       const change = now - of.value, size = Math.max(Math.abs(of.value), 1e-12);
@@ -113,9 +119,19 @@ function start(scene: View.Scene, page: SharedGear) {
       cells[3].textContent = words;
       cells[3].className = 'change' + (words ? change > 0 ? ' more' : ' less' : '');
     });
+  }
+  write(Object.fromEntries(names.map((name) => [name, page.programs[name].value * page.programs[name].size])));
+  function show(shape: Shape) {
+    const fixed: Partial<View.Scene> = { flow: shape.flow };
+    moving.forEach((name) => {
+      const floats = shape.moved[name];
+      if (floats) fixed[name] = { floats };
+    });
+    viewer?.pass(fixed);
+    write(shape.measures);
     by_id('conditions').textContent = shape.conditions;
     const list = by_id('warnings');
-    list.replaceChildren(...shape.warnings.map((words) => window.codendView.element('li', '', words)));
+    list.replaceChildren(...shape.warnings.map((words) => element('li', '', words)));
     list.hidden = !shape.warnings.length;
     state.shown = { measures: shape.measures, values: shape.values };
   }
@@ -168,7 +184,7 @@ function start(scene: View.Scene, page: SharedGear) {
   drawing.addEventListener('toggle', async () => {
     if (!drawing.open || !('drawing' in packed)) return;
     const svg = new Blob([await bytes('drawing')], { type: 'image/svg+xml' });
-    place.appendChild(window.codendView.element('img', '', undefined, {
+    place.appendChild(element('img', '', undefined, {
       alt: 'The net laid flat with meshes, mesh sizes, twines and cutting rates, and its rigging. ' +
         'The plan as text is at the end of this page.',
       src: URL.createObjectURL(svg)
