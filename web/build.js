@@ -16,6 +16,8 @@ const common = {
 const few_shaders = {
   name: 'few-shaders',
   setup(build) {
+    build.onResolve({ filter: /^three$/ }, ({ resolveDir, kind }) =>
+      build.resolve('three/src/Three.js', { resolveDir, kind }));
     build.onLoad({ filter: /three\/src\/renderers\/shaders\/ShaderChunk\.js$/ }, ({ path }) => ({
       contents: `import colorspace_pars_fragment from './ShaderChunk/colorspace_pars_fragment.glsl.js';
         export const ShaderChunk = { colorspace_pars_fragment };`, resolveDir: path.replace(/[^/]*$/, '')
@@ -35,7 +37,7 @@ const viewer_outside = {
 
 const bundles = {
   'view/viewer.js': {
-    entryPoints: ['src/view/index.ts'], globalName: 'codendView', alias: { three: 'three/src/Three.js' },
+    entryPoints: ['src/view/index.ts'], globalName: 'codendView',
     plugins: [few_shaders], banner: { js: licences(['three', 'delaunator', 'fflate']) }
   },
   'view/report.js': { entryPoints: ['src/report.ts'] },

@@ -1,6 +1,7 @@
 // Shapes of boards, floats, weights and other components, and of vessels.
 
 import * as T from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 
 export type ShapeName = 'plate' | 'cloth' | 'ball' | 'float' | 'sinker' | 'clump' | 'runner' | 'bag' | 'ring' | 'hook' |
   'anchor' | 'hull' | 'box';
@@ -38,22 +39,6 @@ function hull() {
   return made;
 }
 
-function joined(all: T.BufferGeometry[]) {
-  const corners: number[] = [], normals: number[] = [], index: number[] = [];
-  all.forEach((one) => {
-    const from = corners.length / 3, count = one.getAttribute('position').count;
-    corners.push(...one.getAttribute('position').array);
-    normals.push(...one.getAttribute('normal').array);
-    for (let i = 0; i < (one.index ? one.index.count : count); i++) {
-      index.push(from + (one.index ? one.index.array[i] : i));
-    }
-  });
-  const made = new T.BufferGeometry();
-  made.setAttribute('position', new T.BufferAttribute(Float32Array.from(corners), 3));
-  made.setAttribute('normal', new T.BufferAttribute(Float32Array.from(normals), 3));
-  made.setIndex(index);
-  return made;
-}
 function box(x: number, y: number, z: number, wide: number, tall: number, deep: number) {
   return new T.BoxGeometry(wide, tall, deep).translate(x, y, z);
 }
@@ -66,7 +51,7 @@ function board() {
   function foil(x: number, wide: number, bend: number) {
     return plate(bend, 0.035).scale(wide, 0.94, 1).translate(x, 0.02, 0);
   }
-  return joined([
+  return mergeGeometries([
     foil(-0.33, 0.3, 0.035).rotateY(0.10), foil(0.16, 0.66, 0.075),
     box(0, 0.49, 0.03, 0.98, 0.03, 0.12), box(0, 0.02, 0.015, 0.92, 0.03, 0.09),
     box(0, -0.475, 0.03, 1, 0.06, 0.16)
@@ -74,25 +59,26 @@ function board() {
 }
 // Returns a float with its seam and two ears.
 function float() {
-  return joined([
+  return mergeGeometries([
     new T.SphereGeometry(1, 18, 12), ring(1, 0.06).rotateX(Math.PI / 2),
     ring(0.2, 0.07).translate(1.12, 0, 0), ring(0.2, 0.07).translate(-1.12, 0, 0)
   ]);
 }
 // Returns a drum with rounded ends and an eye.
 function sinker() {
-  return joined([
+  return mergeGeometries([
     new T.CylinderGeometry(0.72, 0.72, 0.9, 16), new T.CylinderGeometry(0.45, 0.72, 0.28, 16).translate(0, 0.59, 0),
     new T.CylinderGeometry(0.72, 0.45, 0.28, 16).translate(0, -0.59, 0), ring(0.26, 0.09).translate(0, 0.95, 0)
   ]).rotateX(Math.PI / 2);
 }
 // Returns a heap of chain links.
 function clump() {
-  return joined([0, 1, 2, 3, 4, 5, 6].map((k) => ring(0.5, 0.19).scale(1, 1.5, 1).rotateZ(k * 1.1).rotateX(k * 0.9)
+  return mergeGeometries([0, 1, 2, 3, 4, 5, 6].map((k) =>
+    ring(0.5, 0.19).scale(1, 1.5, 1).rotateZ(k * 1.1).rotateX(k * 0.9)
       .translate(0.35 * Math.cos(2.4 * k), 0.35 * Math.sin(2.4 * k), 0.2 * k - 0.6)));
 }
 function hook() {
-  return joined([
+  return mergeGeometries([
     new T.CylinderGeometry(0.09, 0.09, 1.5, 6).rotateX(Math.PI / 2).translate(0.5, 0, -0.6),
     ring(0.5, 0.09, Math.PI).rotateX(-Math.PI / 2).translate(0, 0, -1.35),
     new T.CylinderGeometry(0.09, 0.02, 0.5, 6).rotateX(Math.PI / 2).translate(-0.5, 0, -1.15)
@@ -100,7 +86,7 @@ function hook() {
 }
 // Returns the end of a beam trawl's shoe: a runner that is turned up at the front.
 function runner() {
-  return joined([box(0, 0, -0.5, 1.6, 0.9, 0.2), box(-1.1, 0, -0.25, 0.8, 0.9, 0.2).rotateY(0.25)]);
+  return mergeGeometries([box(0, 0, -0.5, 1.6, 0.9, 0.2), box(-1.1, 0, -0.25, 0.8, 0.9, 0.2).rotateY(0.25)]);
 }
 // Returns a full bag, longer than wide, with lobes between its lines.
 function bag() {

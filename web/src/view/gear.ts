@@ -1,4 +1,5 @@
 import * as T from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import Delaunator from 'delaunator';
 import { shapes_once, type ShapeName } from './bodies';
 import { floats, integers, places, values, type PlaceSource, type ValueSource } from './decode';
@@ -144,45 +145,23 @@ export function new_gear(materials: Materials): Gear {
     });
   }
 
-  function attribute(geometry: T.BufferGeometry, name: string, size: number, count: number, instanced?: boolean) {
-    const Kind = instanced ? T.InstancedBufferAttribute : T.BufferAttribute;
-    const made = new Kind(new Float32Array(size * count), size);
+  function attribute(geometry: T.BufferGeometry, name: string, size: number, count: number) {
+    const made = new T.BufferAttribute(new Float32Array(size * count), size);
     geometry.setAttribute(name, made);
     return made;
   }
 
-  // Above this number of lines, tubes are instances. Renderers without a graphics card draw
-  // instances one by one, so fewer lines have their tubes in the buffer.
-  const mostWritten = 1000;
-
-  // Builds the tubes of ropes. `values` contains the shader inputs of each line by name.
+  // Builds the tubes of ropes in one buffer, because software renderers draw instances one by one.
+  // `values` contains the shader inputs of each line by name.
   function tubes_of(ends: Int32Array, part: Int32Array, thickness: number[]): Tubes {
     const lines = ends.length / 2, tube = new T.CylinderGeometry(1, 1, 1, 8, 1, true);
-    const index = tube.index as T.BufferAttribute;
-    let made;
     tube.rotateX(Math.PI / 2);
     tube.translate(0, 0, 0.5);
-    const corner = tube.getAttribute('position').array, corners = corner.length / 3;
-    const written = lines <= mostWritten ? corners : 1;
-    if (written > 1) {
-      const of_tube = index.array, at = new Float32Array(3 * corners * lines);
-      const all = new Uint32Array(of_tube.length * lines);
-      for (let l = 0; l < lines; l++) {
-        at.set(corner, 3 * corners * l);
-        for (let i = 0; i < of_tube.length; i++) all[of_tube.length * l + i] = corners * l + of_tube[i];
-      }
-      made = new T.BufferGeometry();
-      made.setIndex(new T.BufferAttribute(all, 1));
-      made.setAttribute('position', new T.BufferAttribute(at, 3));
-    } else {
-      const instanced = made = new T.InstancedBufferGeometry();
-      instanced.index = index;
-      instanced.setAttribute('position', tube.getAttribute('position'));
-      instanced.instanceCount = lines;
-    }
+    const corners = tube.getAttribute('position').count;
+    const made = lines ? mergeGeometries(Array.from({ length: lines }, () => tube)) : new T.BufferGeometry();
     const values = {} as Record<TubeInput, Float32Array>, read = {} as Record<TubeInput, T.BufferAttribute>;
     for (const name of ['from', 'to', 'wayFrom', 'wayTo', 'colour', 'about'] as const) {
-      read[name] = attribute(made, name, 3, written * lines, written === 1);
+      read[name] = attribute(made, name, 3, corners * lines);
       values[name] = new Float32Array(3 * lines);
     }
     for (let k = 0; k < lines; k++) values.about[3 * k] = thickness[part[k]] / 2;
@@ -190,7 +169,7 @@ export function new_gear(materials: Materials): Gear {
       names.forEach((name) => {
         const value = values[name], out = read[name].array;
         for (let from = 0, to = 0; from < value.length; from += 3) {
-          for (let c = 0; c < written; c++) {
+          for (let c = 0; c < corners; c++) {
             out[to++] = value[from];
             out[to++] = value[from + 1];
             out[to++] = value[from + 2];

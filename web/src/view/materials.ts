@@ -42,17 +42,29 @@ export function new_materials() {
     '  water = mix(water, ' + glsl(waters[2]) + ', max(2.0 * deep - 1.0, 0.0));',
     '  return mix(water, vec3(1.0), paper);',
     '}',
-    // Distant and deep points take the colour of the water. where: distance, height.
-    'vec3 inWater(vec3 colour, vec2 where) {',
-    '  vec3 seen = colour * (1.0 - 0.10 * (1.0 - paper) * depthShare(where.y));',
-    '  return mix(seen, waterAt(where.y), fogMost * smoothstep(fogNear, fogFar, where.x));',
-    '}'
+    // distance and height of a point
+    'varying vec2 vWhere;', ''
+  ].join('\n');
+  const vertex_head = head + [
+    // Returns the position of a point in the picture.
+    'vec4 seenAt(vec3 place) {',
+    '  vec4 seen = viewMatrix * vec4(place, 1.0);',
+    '  vWhere = vec2(-seen.z, place.z);',
+    '  return projectionMatrix * seen;',
+    '}', ''
+  ].join('\n');
+  const fragment_head = head + [
+    // Distant and deep points take the colour of the water.
+    'void paint(vec3 colour, float alpha) {',
+    '  vec3 seen = mix(colour, ghostColour, ghost) * (1.0 - 0.10 * (1.0 - paper) * depthShare(vWhere.y));',
+    '  gl_FragColor = vec4(mix(seen, waterAt(vWhere.y), fogMost * smoothstep(fogNear, fogFar, vWhere.x)), alpha);',
+    '}', ''
   ].join('\n');
 
   function material(vertex: string, fragment: string, more?: Settings) {
     const set = more || {};
     return new T.ShaderMaterial({
-      vertexShader: head + '\n' + vertex, fragmentShader: head + '\n' + fragment,
+      vertexShader: vertex_head + vertex, fragmentShader: fragment_head + fragment,
       uniforms: Object.assign({}, shared, set.uniforms), side: set.side === undefined ? T.FrontSide : set.side,
       transparent: !!set.transparent, depthWrite: set.depthWrite !== false,
       depthTest: set.depthTest !== false, polygonOffset: !!set.behind,
@@ -144,11 +156,10 @@ export function new_materials() {
   const ropeMaterial = material([
     // about: radius (m), slack (0 or 1) + 2 * form, distance along the rope (m)
     'attribute vec3 from, to, wayFrom, wayTo, colour, about;',
-    'varying vec3 vColour, vNormal, vAlong; varying vec2 vWhere; varying float vSlack, vForm;',
+    'varying vec3 vColour, vNormal, vAlong; varying float vSlack, vForm;',
     'void main() {',
     '  vec3 p = mix(from, to, position.z), way = mix(wayFrom, wayTo, position.z);',
-    '  vec4 seen = viewMatrix * vec4(p, 1.0);',
-    '  vWhere = vec2(-seen.z, p.z);',
+    '  seenAt(p);',
     '  float size = pixel * (flat_ > 0.5 ? 1.0 : max(vWhere.x, 0.0));',
     '  vSlack = mod(about.y, 2.0); vForm = floor(about.y / 2.0);',
     '  float own = about.x * (vForm == 1.0 ? 1.7 : 1.0);',
@@ -166,7 +177,7 @@ export function new_materials() {
     '  gl_Position = projectionMatrix * viewMatrix * vec4(p + radius * vNormal, 1.0);',
     '}'
   ].join('\n'), [
-    'varying vec3 vColour, vNormal, vAlong; varying vec2 vWhere; varying float vSlack, vForm;',
+    'varying vec3 vColour, vNormal, vAlong; varying float vSlack, vForm;',
     'void main() {',
     '  if (vSlack > 0.5 && fract(vAlong.x) > 0.6) discard;',
     '  vec3 n = normalize(vNormal);',
@@ -187,8 +198,7 @@ export function new_materials() {
     '  }',
     '  vec3 colour = vColour * grain * (0.66 + 0.36 * max(lit, 0.0) + 0.06 * n.z);',
     '  colour += 0.20 * pow(max(lit, 0.0), 22.0);',
-    '  colour = mix(colour, ghostColour, ghost);',
-    '  gl_FragColor = vec4(inWater(colour, vWhere), 1.0);',
+    '  paint(colour, 1.0);',
     '}'
   ].join('\n'));
 
@@ -202,19 +212,17 @@ export function new_materials() {
       // gap: distance between twines (m), at integer mesh and at integer drawn coordinates.
       // about: twine thickness in meshes, plus 1 if filled with catch; slack of both families.
       'attribute vec3 colourU, colourV; attribute vec2 mesh, drawn, gap; attribute vec3 about;',
-      'varying vec3 vU, vV, vNormal, vLines; varying vec2 vMesh, vWhere; varying vec4 vAbout;',
+      'varying vec3 vU, vV, vNormal, vLines; varying vec2 vMesh; varying vec4 vAbout;',
       'void main() {',
       '  vU = colourU; vV = colourV; vMesh = mesh; vNormal = normal;',
       '  float full = step(0.75, about.x), level = log2(spacing / gap.y);',
       '  vLines = level < 0.0 ? vec3(mesh, 0.0) : vec3(drawn, level);',
       '  vAbout = vec4((about.x - full) * (level < 0.0 ? 1.0 : gap.x / gap.y), about.yz, full);',
-      '  vec4 seen = viewMatrix * vec4(position, 1.0);',
-      '  vWhere = vec2(-seen.z, position.z);',
-      '  gl_Position = projectionMatrix * seen;',
+      '  gl_Position = seenAt(position);',
       '}'
     ].join('\n'), [
       '#define CORE ' + (core ? 1 : 0),
-      'varying vec3 vU, vV, vNormal, vLines; varying vec2 vMesh, vWhere; varying vec4 vAbout;',
+      'varying vec3 vU, vV, vNormal, vLines; varying vec2 vMesh; varying vec4 vAbout;',
       // Returns the covered fraction of a pixel and its shading. x: across the twines; w: pixel size.
       'vec2 cover(float x, float w, float thick, float along, float slack) {',
       '  float k = floor(vLines.z), f = vLines.z - k, step_ = exp2(k);',
@@ -261,13 +269,12 @@ export function new_materials() {
       '    colour = mix(silver, colour, alpha);',
       '    whole = 1.0;',
       '  }',
-      '  colour = mix(colour, ghostColour, ghost);',
       '#if CORE == 1',
       '  if (whole < 0.5) discard;',
-      '  gl_FragColor = vec4(inWater(colour, vWhere), 1.0);',
+      '  paint(colour, 1.0);',
       '#else',
       '  if (whole >= 0.5 || whole < 0.01) discard;',
-      '  gl_FragColor = vec4(inWater(colour, vWhere), whole);',
+      '  paint(colour, whole);',
       '#endif',
       '}'
     ].join('\n'), { side: T.DoubleSide, transparent: !core, depthWrite: core });
@@ -275,23 +282,21 @@ export function new_materials() {
   const nettingCore = netting(true), nettingEdge = netting(false);
 
   const solid = material([
-    'attribute vec3 colour; varying vec3 vNormal, vColour, vEye; varying vec2 vWhere;',
+    'attribute vec3 colour; varying vec3 vNormal, vColour, vEye;',
     'void main() {',
     '  vNormal = normal; vColour = colour;',
-    '  vec4 seen = viewMatrix * vec4(position, 1.0);',
-    '  vWhere = vec2(-seen.z, position.z);',
     '  vEye = flat_ > 0.5 ? -ahead : cameraPosition - position;',
-    '  gl_Position = projectionMatrix * seen;',
+    '  gl_Position = seenAt(position);',
     '}'
   ].join('\n'), [
-    'varying vec3 vNormal, vColour, vEye; varying vec2 vWhere;',
+    'varying vec3 vNormal, vColour, vEye;',
     'void main() {',
     '  vec3 n = normalize(vNormal);',
     '  if (!gl_FrontFacing) n = -n;',
     '  float lit = max(dot(n, light), 0.0);',
     '  float shine = pow(max(dot(n, normalize(light + normalize(vEye))), 0.0), 28.0);',
     '  vec3 c = vColour * (0.58 + 0.44 * lit + 0.10 * n.z) + 0.28 * shine;',
-    '  gl_FragColor = vec4(inWater(mix(c, ghostColour, ghost), vWhere), 1.0);',
+    '  paint(c, 1.0);',
     '}'
   ].join('\n'), { side: T.DoubleSide });
 
@@ -300,18 +305,16 @@ export function new_materials() {
   function sheet(ground: boolean, strength: number) {
     const colour = ground ? sands[0] : '#9CC6E0', line = ground ? sands[1] : '#6FA3C6';
     return material([
-      'varying vec2 vAt, vWhere;',
+      'varying vec2 vAt;',
       'void main() {',
       '  vAt = position.xy;',
-      '  vec4 seen = viewMatrix * vec4(position, 1.0);',
-      '  vWhere = vec2(-seen.z, position.z);',
-      '  gl_Position = projectionMatrix * seen;',
+      '  gl_Position = seenAt(position);',
       '}'
     ].join('\n'), [
       '#define GROUND ' + (ground ? 1 : 0),
       'uniform sampler2D grain, shadow; uniform vec3 colour, line, shadowAt;',
       'uniform float square, strength, reach; uniform vec2 middle;',
-      'varying vec2 vAt, vWhere;',
+      'varying vec2 vAt;',
       'void main() {',
       '  vec2 w = max(fwidth(vAt / square), vec2(1e-6));',
       '  vec2 d = abs(fract(vAt / square + 0.5) - 0.5) / w;',
@@ -334,11 +337,11 @@ export function new_materials() {
       '  float dark = 0.55 * textureLod(shadow, under, 1.0).a + 0.65 * textureLod(shadow, under, 3.5).a;',
       '  ground_ *= 1.0 - min(0.42 * dark, 0.34) * inside.x * inside.y;',
       '  ground_ = mix(ground_, line, 0.55 * on);',
-      '  gl_FragColor = vec4(inWater(ground_, vWhere), strength * fade);',
+      '  paint(ground_, strength * fade);',
       '#else',
       '  float wave = (1.0 - paper) * (0.6 * (near.r - 0.5) + 0.5 * (wide.r - 0.5));',
       '  ground_ = mix(mix(ground_, vec3(1.0), clamp(3.0 * wave, 0.0, 1.0)), line, on);',
-      '  gl_FragColor = vec4(inWater(ground_, vWhere), (strength + 0.5 * abs(wave) + on * 0.2) * fade);',
+      '  paint(ground_, (strength + 0.5 * abs(wave) + on * 0.2) * fade);',
       '#endif',
       '}'
     ].join('\n'), {
