@@ -40,7 +40,9 @@ draft_problems <- function(design, memory, problem) {
 
 # Products of the state on screen. These functions do not change the state.
 made_of_state <- list(
-  save = function(state, said) save_state(state, said),
+  save = function(state, said) {
+    tank_files()[[said$name]]$write(first_of(said$trajectory, state), said$file)
+  },
   # draws the consistent parts of a draft
   drawing = function(state, said) {
     drawing_svg(draft_gear(said$plan, state$gear)$gear, drawing_page)
@@ -49,8 +51,7 @@ made_of_state <- list(
   uncertainty = function(state, said) uncertainty(state),
   target = function(state, said) found_target(state, said),
   vary = function(state, said) varied_measures(state, said),
-  tow = function(state, said) requested_tow(state, said),
-  save_tow = function(state, said) save_tow(said)
+  tow = function(state, said) requested_tow(state, said)
 )
 
 # Settles the requested gear and stores its state. Returns list(gear, state, notes, worth, drawing,
@@ -110,16 +111,6 @@ complete_design <- function(found, shape = flume_shape(found$state)) {
 
 settled_start <- function(gear, nodes) {
   complete_design(c(list(gear = gear), settle_noted(gear, nodes, NULL)))
-}
-
-save_state <- function(state, said) {
-  if (said$format == "report") return(report(state, said$file))
-  if (said$format == "share") return(share(state, said$file))
-  if (said$format == "slopes") {
-    return(write_csv(as.data.frame(unclass(sensitivities(state))), said$file))
-  }
-  if (said$format == "drawing") return(plot(state$gear, file = said$file, page = drawing_page))
-  Find(function(format) format$name == said$format, formats_of("state"))$write(state, said$file)
 }
 
 # Settles from a state with the same parts, otherwise from scratch. Returns list(state, notes).

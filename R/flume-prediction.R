@@ -42,7 +42,6 @@ settled_near <- function(state, field, share) {
 flume_predicts <- function(page, worker, serial) {
   tank <- page$tank
   list(prediction_wanted = function(given) {
-    if (is.null(tank$gear)) return()
     paths <- as.list(given)$paths
     at <- NULL
     worker$ask("prediction", function() {

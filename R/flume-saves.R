@@ -1,64 +1,59 @@
-# Files that the flume tank's page saves. The slow worker writes files that take long.
+# Files that the flume tank's page saves.
 
-# Files that are written at once: list(ending of the file name, write(tank, file)).
-quick_files <- list(
-  plan = list(".yaml", function(tank, file) write_gear(tank$gear, file)),
-  vary = list("-varied.csv", function(tank, file) write_csv(varied_table(tank$varied), file)),
-  drag = list("-drag.csv", function(tank, file) {
-    write_csv(as.data.frame(tank$state, what = "drag"), file)
+drawing_page <- "A3"
+
+# Returns the files by name: list(ending of the file name, of, write(x, file)). `x` is the data of
+# the page (`of` is "tank"), or in the slow worker the state or the serialised trajectory.
+tank_files <- function() {
+  file <- function(of, ending, write) list(of = of, ending = ending, write = write)
+  of_state <- function(ending, write) file("state", ending, write)
+  formats <- lapply(formats_of("state"), function(format) {
+    of_state(paste0("-", format$name, format$extension), format$write)
   })
-)
-
-# Returns a file that the page requests by name: list(ending, write(file)), or list(ending, kind,
-# request), the request to the worker without the path of the file. NULL for an unknown name.
-tank_file <- function(name, tank) {
-  quick <- quick_files[[name]]
-  if (!is.null(quick)) {
-    return(list(ending = quick[[1L]], write = function(file) quick[[2L]](tank, file)))
-  }
-  if (name == "slopes" && !is.null(tank$slopes)) {
-    return(list(ending = "-slopes.csv", write = function(file) {
-      write_csv(as.data.frame(unclass(tank$slopes)), file)
-    }))
-  }
-  tow <- sub("^tow_", "", name)
-  if (tow != name) {
-    if (is.null(tow_saves[[tow]])) return(NULL)
-    return(list(
-      ending = paste0("-tow-", tow, ".", tow_saves[[tow]]$extension), kind = "save_tow",
-      request = list(name = tow, trajectory = tank$trajectory)
-    ))
-  }
-  of_state <- function(ending, format) {
-    list(ending = ending, kind = "save", request = list(format = format))
-  }
-  drawing <- sub("^drawing_", "", name)
-  if (drawing %in% drawing_formats) return(of_state(paste0("-drawing.", drawing), "drawing"))
-  endings <- c(slopes = "-slopes.csv", report = ".html", share = "-living.html")
-  if (name %in% names(endings)) return(of_state(endings[[name]], name))
-  format <- Find(function(format) format$name == name, formats_of("state"))
-  if (!is.null(format)) of_state(paste0("-", name, format$extension), name)
+  # drawings have the format of the file's extension
+  drawings <- lapply(c(drawing_svg = "svg", drawing_pdf = "pdf", drawing_dxf = "dxf"),
+    function(format) {
+      of_state(paste0("-drawing.", format), function(state, file) {
+        plot(state$gear, file = file, page = drawing_page)
+      })
+    })
+  tows <- Map(function(name, one) {
+    file("trajectory", paste0("-tow-", name, ".", one$extension), function(trajectory, file) {
+      one$write(unserialize(trajectory), file)
+    })
+  }, names(tow_saves), tow_saves)
+  c(list(
+    plan = file("tank", ".yaml", function(tank, file) write_gear(tank$gear, file)),
+    vary = file("tank", "-varied.csv", function(tank, file) {
+      write_csv(varied_table(tank$varied), file)
+    }),
+    drag = file("tank", "-drag.csv", function(tank, file) {
+      write_csv(as.data.frame(tank$state, what = "drag"), file)
+    }),
+    slopes = of_state("-slopes.csv", function(state, file) {
+      write_csv(as.data.frame(unclass(sensitivities(state))), file)
+    }),
+    report = of_state(".html", report), share = of_state("-living.html", share)
+  ), formats, drawings, stats::setNames(tows, paste0("tow_", names(tows))))
 }
 
-drawing_formats <- c("svg", "pdf", "dxf")
-
-# Sends the file of a name to the page.
+# Returns the handler that sends the file of a name to the page.
 flume_saves <- function(page) {
   tank <- page$tank
   list(save_wanted = function(given) {
-    one <- if (is_text(given) && !is.null(tank$gear)) tank_file(given, tank)
+    one <- if (is_text(given)) tank_files()[[given]]
     if (is.null(one)) return()
     name <- paste0(file_strings(tank$gear$plan$name), one$ending)
-    # drawings have the format of the file's extension
     file <- tempfile(fileext = sub(".*([.][a-z0-9]+)$", "\\1", one$ending))
     hand_over <- function(...) {
       on.exit(unlink(file))
       page$send_bytes(with_header(list(file = name), readBin(file, "raw", file.size(file))))
     }
-    if (is.null(one$request)) {
-      if (page$trying("save", one$write(file))) hand_over()
+    if (one$of == "tank") {
+      if (page$trying("save", one$write(tank, file))) hand_over()
     } else {
-      page$request_slow_worker(one$kind, c(one$request, list(file = file)), hand_over)
+      page$request_slow_worker("save", list(name = given, file = file,
+        trajectory = if (one$of == "trajectory") tank$trajectory), hand_over)
     }
   })
 }

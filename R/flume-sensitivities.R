@@ -18,16 +18,6 @@ with_derivatives <- function(known, found) {
   rbind(known[!known$field %in% found$field, ], found)
 }
 
-request_uncertainty <- function(page) {
-  tank <- page$tank
-  serial <- tank$serial
-  page$request_slow_worker("uncertainty", NULL, function(found) {
-    if (tank$serial != serial) return()
-    tank$uncertainty <- found
-    page$show_measures()
-  })
-}
-
 # Returns a list by field: paths, value, unit, an increase to start with, and for each measure its
 # change per unit of the field.
 sensitivities_message <- function(slopes) {
@@ -47,18 +37,3 @@ sensitivities_message <- function(slopes) {
 }
 
 sensitivity_units <- function(rows) sub(" per [^ ]*$", "", rows$derivative_unit)
-
-# Handles requests for the sensitivities to the fields `paths`, or to the fields that users change
-# first if there are no paths.
-flume_sensitivities <- function(page) {
-  tank <- page$tank
-  list(slopes_wanted = function(given) {
-    if (is.null(tank$gear)) return()
-    serial <- tank$serial
-    page$request_slow_worker("slopes", as.list(given)$paths, function(found) {
-      if (tank$serial != serial) return()
-      tank$slopes <- with_derivatives(tank$slopes, found)
-      page$said("flume_sensitivities", fields = sensitivities_message(tank$slopes))
-    })
-  })
-}

@@ -67,7 +67,11 @@ flume_server <- function(
       now <- measures_numbers(tank$measures, if (tank$with_intervals) tank$uncertainty)
       send("flume_measures", c(if (!identical(about, listed)) list(about = about), now))
       listed <<- about
-      if (tank$with_intervals && is.null(tank$uncertainty)) request_uncertainty(page)
+      if (!tank$with_intervals || !is.null(tank$uncertainty)) return()
+      page$request_slow_worker("uncertainty", NULL, function(found) {
+        tank$uncertainty <- found
+        page$show_measures()
+      })
     }
     page$show <- function(answers = 0, passed = FALSE) {
       if (is.null(tank$gear)) return(said("flume_idle", answers = answers))
@@ -208,10 +212,11 @@ flume_server <- function(
       })
     }
 
-    # Requests a product of the state on screen, then calls then(product). A later request of this
-    # kind replaces a waiting request.
-    page$request_slow_worker <- function(kind, asked, then) {
+    # Requests a product of the state on screen, then calls then(product), if it is of_state only
+    # for the same state. A later request of this kind replaces a waiting request.
+    page$request_slow_worker <- function(kind, asked, then, of_state = kind %in% of_one_state) {
       force(asked)
+      serial <- tank$serial
       said("flume_clerk", busy = TRUE, what = kind)
       clerk$ask(
         kind, function() tank$request(kind, asked),
@@ -219,7 +224,7 @@ flume_server <- function(
           if (page$closed() || is.null(answer)) return()
           said("flume_clerk", busy = FALSE, what = kind)
           if (!is.null(answer$problem)) return(refuse(answer$problem, kind))
-          then(answer$found)
+          if (!of_state || tank$serial == serial) then(answer$found)
         }
       )
     }
@@ -238,9 +243,10 @@ flume_server <- function(
         tank$with_intervals <- isTRUE(given)
         if (!is.null(tank$gear)) page$show_measures()
       }
-    ), flume_keeping(page), flume_display(page), flume_draws(page), flume_sensitivities(page),
-    flume_varies(page), flume_targets(page), flume_tows(page), flume_saves(page),
-    flume_predicts(page, worker, function() passed))
+    ), flume_keeping(page), lapply(c(
+      flume_display(page), flume_products(page), flume_varies(page), flume_saves(page),
+      flume_predicts(page, worker, function() passed)
+    ), function(handler) function(given) if (!is.null(tank$gear)) handler(given)))
     if (!is.null(shared)) {
       id <- shared$listen(function(designs) said("flume_shared", designs = designs))
       handlers <- c(handlers, flume_shares(page, shared, visitor))
@@ -327,8 +333,7 @@ parts_of_field <- function(gear, path) {
 flume_display <- function(page) {
   tank <- page$tank
   said <- page$said
-  # handlers that need a gear on screen
-  lapply(list(
+  list(
     table_wanted = function(given) {
       name <- as.list(given)$name
       make <- if (is_text(name)) tank_tables[[name]]
@@ -366,5 +371,42 @@ flume_display <- function(page) {
         said("flume_offers", path = asked$path, title = asked$title, offers = offers)
       }
     }
-  ), function(handler) function(given) if (!is.null(tank$gear)) handler(given))
+  )
+}
+
+# Products that are discarded if another state is on screen.
+of_one_state <- c("uncertainty", "slopes", "target")
+
+# Returns the handlers of products of the slow worker.
+flume_products <- function(page) {
+  tank <- page$tank
+  list(
+    drawing_wanted = function(given) {
+      edited <- tank$edited
+      page$request_slow_worker("drawing", tank$draft, function(found) {
+        # if the draft has changed, the page requests a new drawing
+        if (edited == tank$edited) page$said("flume_drawing", svg = found)
+      })
+    },
+    # the fields `paths`, or the fields that users change first if there are no paths
+    slopes_wanted = function(given) {
+      page$request_slow_worker("slopes", as.list(given)$paths, function(found) {
+        tank$slopes <- with_derivatives(tank$slopes, found)
+        page$said("flume_sensitivities", fields = sensitivities_message(tank$slopes))
+      })
+    },
+    target_wanted = function(given) {
+      page$request_slow_worker("target", as.list(given), function(found) {
+        found$measure <- label_of(found$measure, found$measure_unit)
+        found$paths <- I(found$paths)
+        do.call(page$said, c("flume_target", found))
+      })
+    },
+    tow_wanted = function(given) {
+      page$request_slow_worker("tow", as.list(given), function(found) {
+        tank$trajectory <- found$trajectory
+        page$said("flume_tow", scene = found$scene)
+      })
+    }
+  )
 }

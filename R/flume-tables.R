@@ -24,7 +24,7 @@ measures_numbers <- function(measures, uncertainty = NULL) {
   table <- uncertainty$measures[match(names(measures), uncertainty$measures$measure), ]
   known <- table$error > 0
   c(numbers, list(
-    level = 100 * uncertainty$level, spread = I(ifelse(known, table$error, NA)),
+    level = 100 * uncertainty$level,
     lower = I(ifelse(known, table$lower, NA)), upper = I(ifelse(known, table$upper, NA))
   ))
 }

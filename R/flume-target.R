@@ -56,18 +56,3 @@ typed_target <- function(said, known) {
   }
   setNames(list(number), name)
 }
-
-# Handles requests for required values, as in found_target().
-flume_targets <- function(page) {
-  tank <- page$tank
-  list(target_wanted = function(given) {
-    if (is.null(tank$gear)) return()
-    serial <- tank$serial
-    page$request_slow_worker("target", as.list(given), function(found) {
-      if (tank$serial != serial) return()
-      found$measure <- label_of(found$measure, found$measure_unit)
-      found$paths <- I(found$paths)
-      do.call(page$said, c("flume_target", found))
-    })
-  })
-}

@@ -126,20 +126,3 @@ write_grids <- function(trajectory, file) {
     utils::tar(path, list.files(), compression = "gzip", tar = "internal")
   })
 }
-
-# `said`: list(name (in `tow_saves`), trajectory (serialised), file).
-save_tow <- function(said) {
-  tow_saves[[said$name]]$write(unserialize(said$trajectory), said$file)
-}
-
-# Handles tow requests: list(until, planned, changes).
-flume_tows <- function(page) {
-  tank <- page$tank
-  list(tow_wanted = function(given) {
-    if (is.null(tank$gear)) return()
-    page$request_slow_worker("tow", as.list(given), function(found) {
-      tank$trajectory <- found$trajectory
-      page$said("flume_tow", scene = found$scene)
-    })
-  })
-}

@@ -110,7 +110,6 @@ flume_varies <- function(page) {
     if (!is.null(tank$varied)) show_varied(page, FALSE)
   }
   start_varying <- function(given) {
-    if (is.null(tank$gear)) return()
     varied <- NULL
     good <- page$trying("vary", varied <- varied_field(tank$gear$plan, as.list(given)))
     if (!good) return()

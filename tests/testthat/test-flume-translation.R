@@ -80,7 +80,7 @@ families <- function() {
     also = unique(fields), usual = names(usual_fields), unit = c("knot", "fathom", "ft", "meshes"),
     measure = unique(sub("[0-9]+", "#", measures)),
     kind = c("assembly", names(new_plan_kinds()), gears()$kind),
-    busy = c("uncertainty", "slopes", "drawing", "tow", "target"),
+    busy = c("uncertainty", "slopes", "drawing", "tow", "target", "save"),
     tow_saves = c(names(tow_saves), paste0(names(tow_saves), ".about")),
     view = viewer_words(), finding = finding_words()
   )

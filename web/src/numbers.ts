@@ -16,13 +16,6 @@ export function error_digits(error: number): string {
   return up.toFixed(Math.min(Math.max(-Math.round(Math.log10(unit)), 0), 4));
 }
 
-// Returns a number to two digits of its uncertainty, like interval_ends() in R.
-export function sure_digits(x: number, uncertainty: number): string {
-  const decimals = Math.min(uncertainty > 0 ? 1 - Math.floor(Math.log10(uncertainty)) : 3, 6);
-  if (decimals >= 0) return x.toFixed(decimals);
-  return String(Math.round(x * 10 ** decimals) * 10 ** -decimals);
-}
-
 // Returns the nearest value of a slider, in its steps and range. The shared value is one of them.
 export function snapped(
   field: { value: number; step: number; lower: number; upper: number }, value: number

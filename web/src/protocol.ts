@@ -57,10 +57,8 @@ export interface Sensitivity {
 // A measure; `key` is true for key measures. Labels of measures are in English.
 export interface MeasureAbout { name: string; label: string; unit: string; definition: string; key: boolean }
 type Maybe = number | null;
-// Numbers in the order of the measures. Intervals have a level, and `spread` is half their width or more.
-export interface MeasureNumbers {
-  now: Maybe[]; error: Maybe[]; level?: number; spread?: Maybe[]; lower?: Maybe[]; upper?: Maybe[];
-}
+// Numbers in the order of the measures. Intervals have a level.
+export interface MeasureNumbers { now: Maybe[]; error: Maybe[]; level?: number; lower?: Maybe[]; upper?: Maybe[] }
 export interface Measures extends MeasureNumbers { about: MeasureAbout[] }
 // Measures over a field; R/flume-vary.R describes them.
 export interface Varied {
@@ -126,7 +124,6 @@ export interface FromR {
     now: Maybe[];
     error: Maybe[];
     level?: number;
-    spread?: Maybe[];
     lower?: Maybe[];
     upper?: Maybe[];
   };

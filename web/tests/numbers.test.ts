@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { decimals_of, error_digits, figures, fixed_decimals, signed, snapped, sure_digits } from '../src/numbers';
+import { decimals_of, error_digits, figures, fixed_decimals, signed, snapped } from '../src/numbers';
 
 test('figures() and error_digits() write numbers like R', () => {
   assert.deepEqual([0, 12345.6, -0.01234, 1e-9, NaN].map(figures), ['0', '12\u202f346', '\u22120.0123', '0', 'none']);
@@ -20,9 +20,4 @@ test('decimals_of() keeps four digits of the largest value', () => {
 test('snapped() keeps the shared value and the ends of the range', () => {
   const field = { value: 1.234, step: 0.1, lower: 0.55, upper: 2 };
   assert.deepEqual([1.26, 1.31, 0, 9].map((value) => snapped(field, value)), [1.234, 1.3, 0.55, 2]);
-});
-
-test('sure_digits() shows two digits of the uncertainty', () => {
-  const shown = [[4.567, 0.12], [455.3, 43], [123456, 4321], [1.5, 0]].map(([x, error]) => sure_digits(x, error));
-  assert.deepEqual(shown, ['4.57', '455', '123500', '1.500']);
 });

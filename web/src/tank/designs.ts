@@ -170,7 +170,7 @@ export function shared(designs: SharedDesign[]): void {
     });
   });
 }
-Saves.add('save_all', '-designs.json', () => [JSON.stringify({ codend_designs: 1, ...all() }) + '\n']);
+Saves.add('save_all', '-designs.json', () => JSON.stringify({ codend_designs: 1, ...all() }) + '\n');
 on('click', ({ id }) => {
   const text = (id: string) => find<HTMLInputElement>(id).value;
   if (id === 'shared_put') share('put', text('shared_name'), text('shared_author'));

@@ -121,8 +121,7 @@ const in_gallery: Record<string, string> = {
 };
 const in_panels: Record<string, string> = {
   tow: 'tow_error', slopes: 'slopes_error', uncertainty: 'uncertainty_error', vary: 'vary_error',
-  target: 'target_error', own: 'own_error', shared: 'shared_error', save: 'save_error',
-  save_tow: 'save_error'
+  target: 'target_error', own: 'own_error', shared: 'shared_error', save: 'save_error'
 };
 function refused(message: FromR['flume_refused']) {
   const { where, cancelled } = message;
@@ -231,8 +230,7 @@ hear({
 });
 hear_bytes(take_bytes);
 
-Saves.add('save_picture', '.png', Tank.save_picture);
-Saves.add('save_code', '.R', () => [find('code').textContent + '\n']);
+Saves.add('save_code', '.R', () => find('code').textContent + '\n');
 
 window.addEventListener('hashchange', () => Designs.read());
 connect(() => {

@@ -164,8 +164,7 @@ const Measures = ({ guide }: Begin) => <section class="measures" aria-label={say
 
 // ---- tabs ---------------------------------------------------------------------------------------
 
-// A file that R writes, except `save_picture`, which the page writes. Its explanation has the key
-// `id`_about by default.
+// A file. Its explanation has the key `id`_about by default.
 function Save({ id, words, about }: { id: string; words?: string; about?: string }) {
   const key = id + '_about';
   return <li><Button id={id} words={words ?? say(id)} class="save" />
@@ -254,8 +253,8 @@ const Code = () => <>
 </>;
 
 function Saves({ can_share, formats }: Begin) {
-  const ids = ['save_report', can_share && 'save_share', 'save_plan', 'save_picture', 'save_drawing_svg',
-    'save_drawing_pdf', 'save_drawing_dxf', 'save_slopes', 'save_all', 'save_designs', 'save_measures', 'save_drag'];
+  const ids = ['save_report', can_share && 'save_share', 'save_plan', 'save_drawing_svg', 'save_drawing_pdf',
+    'save_drawing_dxf', 'save_slopes', 'save_all', 'save_designs', 'save_measures', 'save_drag'];
   return <ul class="downloads">
     {ids.map((id) => id && <Save id={id} />)}
     {formats.map(({ name, title, extension, opens }) => <Save id={'save_' + name}

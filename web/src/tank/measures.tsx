@@ -1,7 +1,7 @@
 // The tables of measures: R sends numbers, the page writes and updates the tables.
 
 import { render, type ComponentChildren } from 'preact';
-import { decimals_of, error_digits, figures, fixed_decimals, signed, sure_digits } from '../numbers';
+import { decimals_of, error_digits, figures, fixed_decimals, signed } from '../numbers';
 import type { FromR, MeasureAbout, Measures } from '../protocol';
 import { find } from '../view';
 import { on } from './events';
@@ -31,10 +31,9 @@ function label({ label, unit }: MeasureAbout) {
   return say_measure(label) + ' (' + say_unit(shown_unit(unit).unit) + ')';
 }
 
-function interval({ level, spread, lower, upper }: Measures, k: number, factor: number): string {
-  const error = spread?.[k];
-  if (typeof error !== 'number') return '';
-  const end = (ends?: (number | null)[]) => sure_digits((ends?.[k] ?? NaN) * factor, error * factor);
+function interval({ level, lower, upper }: Measures, k: number, factor: number): string {
+  if (typeof lower?.[k] !== 'number') return '';
+  const end = (ends?: (number | null)[]) => figures((ends?.[k] ?? NaN) * factor);
   return say('interval', { level: level ?? '', low: end(lower), high: end(upper) });
 }
 
@@ -115,10 +114,10 @@ export function write_designs(): void {
 }
 
 // Returns a table as CSV. Spreadsheets must not run a string as a formula.
-function csv(head: string[], rows: (string | number)[][]): string[] {
+function csv(head: string[], rows: (string | number)[][]): string {
   const cell = (value: string | number) => typeof value === 'number' ? isFinite(value) ? String(value) : '' :
     '"' + value.replace(/^[=+@\t\r-]/, '\'$&').replace(/"/g, '""') + '"';
-  return [head, ...rows].map((row) => row.map(cell).join(',') + '\n');
+  return [head, ...rows].map((row) => row.map(cell).join(',') + '\n').join('');
 }
 Saves.add('save_measures', '-measures.csv', () => {
   const measures = shown ?? none, kept = Kept.all()[0]?.measures ?? none;

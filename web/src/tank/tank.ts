@@ -181,7 +181,6 @@ export function moved(part: Partial<Scene>): void {
 }
 // Shows the parts that the user has chosen.
 export function highlight(names: string[]): void { viewer?.highlight(names); }
-export function save_picture(): string { return viewer ? viewer.picture(3840, true).toDataURL('image/png') : ''; }
 
 // For tests and measurements: the viewer, a node position, and whether a picture is pending.
 export function shown(): Viewer | null { return viewer; }
