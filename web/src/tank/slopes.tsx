@@ -2,7 +2,7 @@
 // computes the derivatives.
 
 import { render } from 'preact';
-import { signed } from '../numbers';
+import { decimals_of, signed } from '../numbers';
 import type { FromR, Sensitivity } from '../protocol';
 import { find } from '../view';
 import { on } from './events';
@@ -40,26 +40,17 @@ export function form(): void {
   }, 300);
 }
 
-function figures(x: number, like: number) {
-  const size = Math.abs(like), decimals = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : 3;
-  let text = Math.abs(x).toFixed(decimals);
-  if (!/[1-9]/.test(text)) {
-    if (!x) return '0';
-    text = Math.abs(x).toPrecision(2);
-  }
-  return (x < 0 ? '\u2212' : '+') + text;
-}
-
 // Returns the row of a measure, null if the field does not affect it.
 function row(one: Sensitivity, k: number, more: number) {
   const { unit, factor } = shown_unit(one.units[k]), change = one.slope[k] * more * factor;
+  const decimals = decimals_of(change);
   if (Math.abs(change) < 1e-9) return null;
   const of_kink = (slope: number | null, sign: number) =>
-    slope === null ? '' : figures(sign * slope * more * factor, change);
+    slope === null ? '' : signed(sign * slope * more * factor, decimals);
   const tip = () => say('kink_tip', { below: of_kink(one.below[k], -1), above: of_kink(one.above[k], 1) });
   return <tr>
     <th scope="row">{say_measure(one.measures[k]) + ' (' + say_unit(unit) + ')'}</th>
-    <td class="number">{figures(change, change)}
+    <td class="number">{signed(change, decimals)}
       {!one.smooth[k] && <abbr class="kink" title={tip()}>{' ' + say('kink')}</abbr>}</td>
   </tr>;
 }

@@ -1,6 +1,7 @@
 // The flume tank's form: all fields of the plan, from the description that R/flume-form.R makes of
 // the schema. Edits are sent to R as changes of the plan that the form shows.
 
+import { render } from 'preact';
 import type { Edit, Edits, Field, Form, FromR, Group, Part, Problem, Understood, Units } from '../protocol';
 import { element, find } from '../view';
 import { pick_from } from './catalogue';
@@ -8,9 +9,11 @@ import { liked, new_control, set_known, set_preferred, tidy } from './control';
 import * as Drawing from './drawing';
 import { on } from './events';
 import * as History from './history';
-import { new_group, open_later, tool_row, unfold } from './parts';
+import { made } from './made';
+import { new_group, open_later, ToolRow, unfold } from './parts';
 import * as Predict from './predict';
 import { send as send_to_r } from './server';
+import { note } from './table';
 import * as Talk from './talk';
 import { bare, say, say_field, say_field_of, say_path, sought } from './words';
 
@@ -120,11 +123,8 @@ function label_in({ part, field }: Entry) { return (part.path ? part.title + ': 
 
 function search() {
   const words = bare(find<HTMLInputElement>('find_field').value).split(/\s+/).filter(Boolean), whole = find('form');
-  let place = document.getElementById('found_fields');
-  if (!place) {
-    place = element('div', '', undefined, { id: 'found_fields' });
-    whole.before(place);
-  }
+  const place = document.getElementById('found_fields') ?? made(<div id="found_fields" />);
+  if (!place.isConnected) whole.before(place);
   place.textContent = '';
   whole.hidden = words.length > 0;
   if (!words.length || !form) return;
@@ -132,14 +132,13 @@ function search() {
     matches(words, [group.title, group.words, part.title, field.label].join(' '), field.paths.join(' ')));
   place.append(...found.slice(0, 30).map((one) =>
     new_control({ ...one.field, label: label_in(one) }, !one.field.required)));
-  const n = found.length;
-  if (n !== 1) {
-    place.appendChild(element('p', 'note', n > 30 ? say('and_more_fields', { n: n - 30 }) :
-      n ? say('fields_many', { n }) : say('no_field')));
-  }
-  const absent = n ? [] : absent_fields(form, words);
-  if (!absent.length) return;
-  place.append(element('p', 'note', say('could_have')), ...absent.slice(0, 8).map((button) => tool_row([button])));
+  const n = found.length, absent = n ? [] : absent_fields(form, words).slice(0, 8);
+  const said = n > 30 ? say('and_more_fields', { n: n - 30 }) : n ? say('fields_many', { n }) : say('no_field');
+  place.append(made(<div>
+    {n !== 1 && note(said)}
+    {absent.length > 0 && note(say('could_have'))}
+    {absent.map((button) => <ToolRow>{button}</ToolRow>)}
+  </div>));
 }
 
 // Returns true if all words match: anywhere in names and labels, or at the start of synonyms in any
@@ -150,10 +149,9 @@ function matches(words: string[], text: string, paths: string): boolean {
 }
 
 // Returns buttons that add the absent fields that match.
-function absent_fields({ groups }: Form, words: string[]): HTMLElement[] {
+function absent_fields({ groups }: Form, words: string[]) {
   const add = (label: string, path: string, title: string, wanted: string) =>
-    element('button', 'add-field', label,
-      { type: 'button', 'data-path': path, 'data-title': title, 'data-wanted': wanted });
+    <button type="button" class="add-field" data-path={path} data-title={title} data-wanted={wanted}>{label}</button>;
   return groups.flatMap(({ title, absent, parts }) => [
     ...absent.filter((name) => matches(words, '', name)).map((name) => add(say_field(name), '', title, name)),
     ...(parts ?? []).flatMap((part) => part.absent ?? []).flatMap((path) => {
@@ -332,22 +330,22 @@ on('click', (target) => {
 // Shows a text field for the name of a copy or for a new name.
 function ask_name(button: HTMLElement, path: string, act: string) {
   const steps = path.split('.'), name = steps.pop() ?? '', parent = steps.join('.');
-  const number = name.match(/^(.*?)(\d+)$/);
-  const row = element('form', 'control-row name-row');
-  const input = element('input', '', undefined,
-    { type: 'text', 'aria-label': act === 'copy' ? say('copy_name') : say('new_name', { name }), autocomplete: 'off' });
-  input.value = act === 'rename' ? name : number ? number[1] + (Number(number[2]) + 1) : name + '_2';
-  const words = act === 'copy' ? say('copy') : say('rename');
-  row.append(input, element('button', 'primary', words, { type: 'submit' }));
-  row.addEventListener('submit', (event) => {
+  const number = name.match(/^(.*?)(\d+)$/), copies = act === 'copy';
+  const next = number ? number[1] + (Number(number[2]) + 1) : name + '_2';
+  const row = made<HTMLFormElement>(<form class="control-row name-row" onSubmit={(event) => {
     event.preventDefault();
-    const made = input.value.trim().replace(/[^A-Za-z0-9_]+/g, '_');
-    if (!made || made === name) return;
-    open_later(parent + '.' + made);
-    Drawing.seek(parent + '.' + made);
-    if (act === 'copy') edit(parent + '.' + made, { like: path, after: name });
-    else edit(path, { rename: made });
-  });
+    const given = input.value.trim().replace(/[^A-Za-z0-9_]+/g, '_');
+    if (!given || given === name) return;
+    open_later(parent + '.' + given);
+    Drawing.seek(parent + '.' + given);
+    if (copies) edit(parent + '.' + given, { like: path, after: name });
+    else edit(path, { rename: given });
+  }}>
+    <input type="text" aria-label={copies ? say('copy_name') : say('new_name', { name })} autocomplete="off"
+      value={copies ? next : name} />
+    <button class="primary" type="submit">{say(copies ? 'copy' : 'rename')}</button>
+  </form>);
+  const input = row.querySelector('input') as HTMLInputElement;
   button.replaceWith(row);
   input.select();
   input.focus();
@@ -358,11 +356,7 @@ export function offers(message: FromR['flume_offers']): void {
   const button = adding, fields = message.offers;
   fields.forEach((field) => { field.label = say_field_of(message.path, field.paths[0]); });
   if (!button?.isConnected || button.dataset.path !== message.path || button.dataset.title !== message.title) return;
-  const select = element('select', 'offered', undefined,
-    { 'aria-label': say('field_to_add') });
-  select.append(element('option', '', say('which_field'), { value: '' }),
-    ...fields.map((field, k) => element('option', '', field.label, { value: k, title: field.help })));
-  select.addEventListener('change', () => {
+  const select = made<HTMLSelectElement>(<select class="offered" aria-label={say('field_to_add')} onChange={() => {
     if (select.value === '') return;
     const field = fields[Number(select.value)], box = new_control(field, false);
     box.classList.add('marked');
@@ -370,7 +364,10 @@ export function offers(message: FromR['flume_offers']): void {
     open_later(field.paths[0]);
     select.replaceWith(button);
     box.querySelector<HTMLElement>('input, select, textarea')?.focus();
-  });
+  }}>
+    <option value="">{say('which_field')}</option>
+    {fields.map(({ label, help }, k) => <option value={k} title={help}>{label}</option>)}
+  </select>);
   button.replaceWith(select);
   const wanted = fields.findIndex((field) => field.paths[0] === button.dataset.wanted);
   if (wanted >= 0) {
@@ -417,12 +414,10 @@ function echo(understood: Record<string, Understood | null>) {
     controls_of(path).forEach((box) => {
       const place = box.querySelector<HTMLElement>('.echo');
       if (!place) return;
-      place.textContent = '= ' + one.text + (one.doubt ? '. ' + one.doubt.message + ' ' : '');
+      const { text, doubt } = one, instead = doubt?.instead;
       place.hidden = false;
-      if (!one.doubt?.instead) return;
-      place.appendChild(element('button', 'doubt',
-        say('no_instead', { instead: one.doubt.instead }),
-        { type: 'button', 'data-path': path, 'data-instead': one.doubt.instead }));
+      render(<>{'= ' + text + (doubt ? '. ' + doubt.message + ' ' : '')}{instead && <button type="button" class="doubt"
+        data-path={path} data-instead={instead}>{say('no_instead', { instead })}</button>}</>, place);
     });
   });
 }
@@ -433,14 +428,8 @@ export function draft(message: FromR['flume_draft']): void {
   if (!message.settling) {
     problems = message.problems;
     mark();
-    find('draft_problems').replaceChildren(...problems.map((problem) => {
-      const item = element('li'), path = plain_path(problem.path);
-      if (path) {
-        item.appendChild(element('button', 'link go-to', problem.message,
-          { type: 'button', 'data-path': path }));
-      } else item.textContent = problem.message;
-      return item;
-    }));
+    render(problems.map(({ message, path }) => <li>{path ? <button type="button" class="link go-to"
+      data-path={plain_path(path)}>{message}</button> : message}</li>), find('draft_problems'));
     find('unfinished').hidden = !problems.length;
     Drawing.wrong(problems.map((one) => plain_path(one.path)));
   }

@@ -1,7 +1,8 @@
 // The page address, which encodes all designs, and the shared folder.
 
+import { render } from 'preact';
 import type { Design, FromR, SharedDesign, Words } from '../protocol';
-import { element, find } from '../view';
+import { find } from '../view';
 import * as Catalogue from './catalogue';
 import { on } from './events';
 import * as Form from './form';
@@ -149,25 +150,19 @@ function share(act: string, name: string, author: string) {
   });
 }
 
-// Lists the designs of the shared folder.
+// Lists the designs of the shared folder. Only the list of the page's tab removes designs, because it
+// shows errors of a removal.
 export function shared(designs: SharedDesign[]): void {
   document.querySelectorAll('.shared-list').forEach((list) => {
-    list.textContent = '';
-    if (!designs.length) list.appendChild(element('li', 'note', say('shared_none')));
-    designs.forEach(({ name, author, changed }) => {
-      const item = element('li');
-      item.append(element('span', '', name), element('span', 'note', author + ', ' + changed));
-      function button(key: string, act: () => void) {
-        const made = element('button', '', say(key),
-          { type: 'button', 'aria-label': say('of_design', { act: say(key), name: name + ', ' + author }) });
-        made.addEventListener('click', act);
-        item.appendChild(made);
-      }
-      button('open_copy', () => Talk.ask('shared_open', { author, name }));
-      // Only this panel shows errors of a removal.
-      if (list.closest('#shared')) button('remove', () => share('take_out', name, author));
-      list.appendChild(item);
-    });
+    const Act = ({ words, of, act }: { words: string; of: SharedDesign; act: () => void }) => <button type="button"
+      aria-label={say('of_design', { act: words, name: of.name + ', ' + of.author })} onClick={act}>{words}</button>;
+    render(designs.length ? designs.map((of) => <li>
+      <span>{of.name}</span><span class="note">{of.author + ', ' + of.changed}</span>
+      <Act words={say('open_copy')} of={of}
+        act={() => Talk.ask('shared_open', { author: of.author, name: of.name })} />
+      {list.closest('#shared') &&
+        <Act words={say('remove')} of={of} act={() => share('take_out', of.name, of.author)} />}
+    </li>) : <li class="note">{say('shared_none')}</li>, list);
   });
 }
 Saves.add('save_all', '-designs.json', () => JSON.stringify({ codend_designs: 1, ...all() }) + '\n');

@@ -1,8 +1,9 @@
 // The stored designs: the design as opened and designs that the user keeps. The first one is the
 // reference of comparisons.
 
+import { render } from 'preact';
 import type { Design, FromR, KeptDesign, Measures } from '../protocol';
-import { element, find, kept_colour, type Scene } from '../view';
+import { find, kept_colour, type Scene } from '../view';
 import * as Designs from './designs';
 import { on } from './events';
 import * as History from './history';
@@ -95,36 +96,28 @@ function act(one: Kept, what: string) {
   }
 }
 
+function Row({ one, k, colour }: { one: Kept; k: number; colour: number }) {
+  const acts = [['open', say('put_on_screen')], ['compare', k ? say('compare_with') : say('compared_with')],
+    ['remove', say('remove')]];
+  return <div class="kept-row">
+    <input type="checkbox" checked={one.seen} aria-label={say('in_picture_of', { name: one.name })}
+      title={say('in_picture')} onChange={(event) => {
+        one.seen = event.currentTarget.checked || k === 0;
+        changed();
+      }} />
+    <span class="kept-colour" style={one.seen ? { background: kept_colour(colour) } : undefined} />
+    <input type="text" aria-label={say('kept_name')} maxLength={longest} value={one.name} onChange={(event) => {
+      one.name = clean(event.currentTarget.value, one.name);
+      changed();
+    }} />
+    {acts.map(([what, words]) => <button type="button" aria-label={say('of_design', { act: words, name: one.name })}
+      disabled={what === 'compare' && k === 0 || what === 'remove' && kept.length === 1}
+      onClick={() => act(one, what)}>{words}</button>)}
+  </div>;
+}
 function list() {
-  let seen = 0;
-  find('kept_designs').replaceChildren(...kept.map((one, k) => {
-    const row = element('div', 'kept-row'), tick = element('input', '', undefined,
-      { type: 'checkbox', 'aria-label': say('in_picture_of', { name: one.name }), title: say('in_picture') });
-    tick.checked = one.seen;
-    tick.addEventListener('change', () => {
-      one.seen = tick.checked || k === 0;
-      changed();
-    });
-    const colour = element('span', 'kept-colour');
-    if (one.seen) colour.style.background = kept_colour(seen++);
-    const name = element('input', '', undefined,
-      { type: 'text', 'aria-label': say('kept_name'), maxlength: longest });
-    name.value = one.name;
-    name.addEventListener('change', () => {
-      one.name = clean(name.value, one.name);
-      changed();
-    });
-    row.append(tick, colour, name);
-    [['open', say('put_on_screen')], ['compare', k ? say('compare_with') : say('compared_with')],
-      ['remove', say('remove')]].forEach(([what, words]) => {
-      const button = element('button', '', words,
-        { type: 'button', 'aria-label': say('of_design', { act: words, name: one.name }) });
-      button.disabled = what === 'compare' && k === 0 || what === 'remove' && kept.length === 1;
-      button.addEventListener('click', () => act(one, what));
-      row.appendChild(button);
-    });
-    return row;
-  }));
+  const before = (k: number) => kept.slice(0, k).filter((one) => one.seen).length;
+  render(kept.map((one, k) => <Row key={one.id} one={one} k={k} colour={before(k)} />), find('kept_designs'));
 }
 
 on('click', ({ id }) => {
