@@ -1,6 +1,6 @@
 // Bundles src/ into inst/. `node build.js --check` fails if a file of inst/ differs from its sources.
 //
-// The viewer's bundle defines `codendView`; the other bundles import its modules from there.
+// The viewer's bundle defines `codendView`; the other bundles import its modules and Preact from there.
 import * as esbuild from 'esbuild';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -8,7 +8,8 @@ import { fileURLToPath } from 'node:url';
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const common = {
   bundle: true, minify: true, write: false, format: 'iife', target: 'es2020', charset: 'utf8', legalComments: 'none',
-  absWorkingDir: here('.')
+  absWorkingDir: here('.'),
+  jsx: 'automatic', jsxImportSource: 'preact'
 };
 
 // three.js without its own shaders, except the one chunk that it adds to the viewer's shaders. The table
@@ -30,7 +31,7 @@ const few_shaders = {
 const viewer_outside = {
   name: 'viewer-outside',
   setup(build) {
-    build.onResolve({ filter: /\/view$/ }, () => ({ path: 'view', namespace: 'outside' }));
+    build.onResolve({ filter: /\/view$|^preact/ }, () => ({ path: 'view', namespace: 'outside' }));
     build.onLoad({ filter: /.*/, namespace: 'outside' }, () => ({ contents: 'module.exports = codendView;' }));
   }
 };
@@ -38,16 +39,12 @@ const viewer_outside = {
 const bundles = {
   'view/viewer.js': {
     entryPoints: ['src/view/index.ts'], globalName: 'codendView',
-    plugins: [few_shaders], banner: { js: licences(['three', 'delaunator', 'fflate']) }
+    plugins: [few_shaders], banner: { js: licences(['three', 'delaunator', 'fflate', 'preact']) }
   },
   'view/report.js': { entryPoints: ['src/report.ts'] },
   'htmlwidgets/codend.js': { entryPoints: ['src/widget.ts'], plugins: [viewer_outside] },
   'app/tank.css': { entryPoints: ['src/tank/tank.css'] },
-  'app/tank.js': {
-    entryPoints: ['src/tank/index.ts'], jsx: 'automatic', jsxImportSource: 'preact', globalName: 'codendTank',
-    plugins: [viewer_outside],
-    banner: { js: licences(['preact']) }
-  },
+  'app/tank.js': { entryPoints: ['src/tank/index.ts'], globalName: 'codendTank', plugins: [viewer_outside] },
   'share/page.js': { entryPoints: ['src/share/page.ts'] },
   'share/worker.js': { entryPoints: ['src/share/worker.ts'], globalName: 'codendWorker' }
 };

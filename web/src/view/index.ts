@@ -3,6 +3,8 @@ export { element, fill, file_name, find, save_as, say, translate_by } from './el
 export { new_graph, ticks } from './graph';
 export { kept_colour } from './materials';
 export { new_viewer } from './viewer';
+export { h, render } from 'preact';
+export * from 'preact/jsx-runtime';
 export type { Values } from './element';
 export type { About, Graph } from './graph';
 export type { Measured, Mode, Scales, Scene } from './scene';

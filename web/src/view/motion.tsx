@@ -1,3 +1,4 @@
+import { render } from 'preact';
 import { element, say } from './element';
 import { new_graph, type Graph } from './graph';
 import type { Scene } from './scene';
@@ -17,6 +18,9 @@ export interface Motion {
   end(): void;
 }
 
+export const motion_keys = () => [[say('space'), say('play, pause')],
+  [', .', say('previous, next saved time')], ['Home, End', say('start, end')]];
+
 export function new_motion(
   host: HTMLElement, viewer: { time(k: number, share: number): void }, told: Scene, options: MotionOptions
 ): Motion {
@@ -24,14 +28,7 @@ export function new_motion(
   const longest = 20;  // s, maximum playback time
 
   host.classList.add('moves');
-  const bar = element('div', 'view-time');
-  const button = element('button', 'view-button', undefined, { type: 'button' });
-  const slider = element('input', '', undefined, {
-    type: 'range', min: times[0], max: times[last], step: 'any', 'aria-label': say('Time')
-  });
-  const label = element('div', 'label');
-  bar.append(button, slider, label);
-  host.appendChild(bar);
+  const bar = host.appendChild(element('div', 'view-time'));
 
   let now = times[0], playing: { clock: number | null; request: number } | null = null;
 
@@ -45,25 +42,35 @@ export function new_motion(
     now = Math.min(Math.max(time, times[0]), times[last]);
     const k = frame_of(now), share = (now - times[k]) / (times[k + 1] - times[k]);
     viewer.time(k, share);
-    const words = told.labels[share < 0.5 ? k : k + 1];
-    label.textContent = words;
-    slider.value = String(now);
-    slider.setAttribute('aria-valuetext', words);
-    mark();
+    write();
+    curve?.mark(now);
     if (options.moved) options.moved(now);
+  }
+
+  function write() {
+    const k = frame_of(now), words = told.labels[now - times[k] < times[k + 1] - now ? k : k + 1];
+    render([
+      <button type="button" class="view-button" onClick={toggle}>{say(playing ? 'Pause' : 'Play')}</button>,
+      <input type="range" min={times[0]} max={times[last]} step="any" value={now} aria-label={say('Time')}
+        aria-valuetext={words} onInput={(event) => seek(Number(event.currentTarget.value))} />,
+      <div class="label">{words}</div>
+    ], bar);
+  }
+  function seek(time: number) {
+    stop();
+    show(time);
   }
 
   function stop() {
     if (playing) window.cancelAnimationFrame(playing.request);
     playing = null;
-    button.textContent = say('Play');
+    write();
   }
 
   function play() {
     if (now >= times[last]) now = times[0];
     const rate = Math.max(1, (times[last] - times[0]) / longest);
     playing = { clock: null, request: 0 };
-    button.textContent = say('Pause');
     function tick(clock: number) {
       if (!playing) return;
       const passed = playing.clock === null ? 0 : (clock - playing.clock) / 1000;
@@ -85,14 +92,12 @@ export function new_motion(
     show(times[Math.min(Math.max(k + by, 0), last)]);
   }
 
-  button.addEventListener('click', toggle);
-  slider.addEventListener('input', () => { stop(); show(Number(slider.value)); });
   function press(event: KeyboardEvent) {
     const on = (event.target as Element).tagName;
     if (event.ctrlKey || event.altKey || event.metaKey || /^(SELECT|TEXTAREA)$/.test(on)) return;
     const acts: Record<string, () => void> = {
       ' ': toggle, ','() { step(-1); }, '.'() { step(1); },
-      Home() { stop(); show(times[0]); }, End() { stop(); show(times[last]); }
+      Home() { seek(times[0]); }, End() { seek(times[last]); }
     };
     const act = acts[event.key];
     // The space bar activates a focused button.
@@ -101,45 +106,29 @@ export function new_motion(
     act();
   }
   host.addEventListener('keydown', press);
-  const keys = host.querySelector('.view-keys') as Element, added: HTMLElement[] = [];
-  [[say('space'), say('play, pause')], [', .', say('previous, next saved time')],
-    ['Home, End', say('start, end')]].forEach((one) => {
-    const parts = [element('kbd', '', one[0]), element('span', '', one[1])];
-    added.push(...parts);
-    keys.append(...parts);
-  });
 
   // ---- graph ------------------------------------------------------------------------------------
 
   let curve: Graph | null = null;
-  const measures = options.graph === false ? [] : told.graph || [];
-  function mark() { if (curve) curve.mark(now); }
+  const measures = options.graph === false ? [] : told.graph || [], box = element('div', 'view-graph');
   if (measures.length) {
-    const box = element('div', 'view-graph');
-    added.push(box);
-    const select = element('select', '', undefined, { 'aria-label': say('Measure to plot') });
-    measures.forEach((one, k) => {
-      select.appendChild(element('option', '', one.words, { value: k }));
-    });
-    box.appendChild(select);
     host.appendChild(box);
-    const drawn = curve = new_graph(box, {
-      times: told.graph_times, ends: told.ends, range: [times[0], times[last]],
-      seek (time: number) { stop(); show(time); }
-    });
-    const draw = () => drawn.draw(measures[Number(select.value)]);
-    select.addEventListener('change', draw);
-    draw();
+    const draw = (k: number) => curve?.draw(measures[k]), place = box.appendChild(element('div'));
+    render(<select aria-label={say('Measure to plot')} onChange={(event) => draw(Number(event.currentTarget.value))}>
+      {measures.map((one, k) => <option value={k}>{one.words}</option>)}
+    </select>, place);
+    curve = new_graph(box, { times: told.graph_times, ends: told.ends, range: [times[0], times[last]], seek });
+    draw(0);
   }
 
   function end() {
     stop();
     host.removeEventListener('keydown', press);
-    added.concat(bar).forEach((one) => { one.remove(); });
+    box.remove();
+    bar.remove();
     host.classList.remove('moves');
   }
 
-  stop();
   show(now);
-  return { seek: (time) => { stop(); show(time); }, end };
+  return { seek, end };
 }

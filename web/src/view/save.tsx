@@ -1,3 +1,4 @@
+import { render } from 'preact';
 import { element, save_as, say } from './element';
 
 // Saves the view: a high-resolution picture (PNG) or a video (WebM) of a turn or of the tow, with
@@ -166,54 +167,43 @@ export function new_saver(host: HTMLElement, viewer: Filmed, parts: Parts) {
 
   // ---- the panel --------------------------------------------------------------------------------
 
-  const panel = element('div', 'view-keys view-save'), said = element('div', 'said', '', { role: 'status' });
+  const panel = host.appendChild(element('div', 'view-keys view-save'));
+  const films = 'MediaRecorder' in window && 'captureStream' in HTMLCanvasElement.prototype;
+  let worded = true;
   panel.hidden = true;
-  const label = element('label', '', ' ' + say('with title and legend'));
-  const worded = element('input', '', undefined, { type: 'checkbox' });
-  worded.checked = true;
-  label.insertBefore(worded, label.firstChild);
-  panel.appendChild(label);
-  function tell(words: string) { said.textContent = words; }
+  function tell(words: string) {
+    const Act = ({ words, act }: { words: string; act: () => void }) =>
+      <button type="button" class="view-button" onClick={act}>{words}</button>;
+    render([
+      <label><input type="checkbox" checked={worded} onChange={(event) => { worded = event.currentTarget.checked; }} />
+        {' ' + say('with title and legend')}</label>,
+      <Act words={say('Picture (PNG)')} act={save_picture} />,
+      films && <Act words={say('Video of a turn (WebM)')} act={() => save_film('turn')} />,
+      films && viewer.times().length > 1 &&
+        <Act words={say('Video of the tow (WebM)')} act={() => save_film('tow')} />,
+      <div class="said" role="status">{words}</div>
+    ], panel);
+  }
   function hand_over(blob: Blob, ending: string) {
     save_as(blob, parts.name() + ending);
     tell(say('Saved.'));
   }
   function save_picture() {
-    picture(across(3840), worded.checked).toBlob((blob) => { hand_over(blob as Blob, '.png'); }, 'image/png');
+    picture(across(3840), worded).toBlob((blob) => { hand_over(blob as Blob, '.png'); }, 'image/png');
   }
   function save_film(kind: string) {
     // A second click stops the recording.
     if (filming) { filming.stop(); return; }
     const times = viewer.times(), lasts = kind === 'tow' ?
       Math.min(times[times.length - 1] - times[0], towSeconds) : turnSeconds;
-    film(kind, lasts, across(1920), worded.checked).then((blob) => { hand_over(blob, '.webm'); });
+    film(kind, lasts, across(1920), worded).then((blob) => { hand_over(blob, '.webm'); });
   }
-  function button(words: string, act: () => void) {
-    const made = element('button', 'view-button', words, { type: 'button' });
-    made.addEventListener('click', act);
-    panel.appendChild(made);
-    return made;
-  }
-  button(say('Picture (PNG)'), save_picture);
-  let tow: HTMLElement | null = null;
-  if ('MediaRecorder' in window && 'captureStream' in HTMLCanvasElement.prototype) {
-    button(say('Video of a turn (WebM)'), () => { save_film('turn'); });
-    tow = button(say('Video of the tow (WebM)'), () => { save_film('tow'); });
-  }
-  panel.appendChild(said);
-  const opener = element('button', 'view-button', say('Save'), {
-    type: 'button', 'aria-expanded': 'false',
-    title: say('{words} (key {key})', { words: say('Save a picture or a video'), key: 's' })
-  });
-  opener.addEventListener('click', () => {
-    panel.hidden = !panel.hidden;
-    if (tow) tow.hidden = viewer.times().length < 2;
-    opener.setAttribute('aria-expanded', String(!panel.hidden));
-  });
-
   return {
-    opener, panel, picture, film,
+    panel, picture, film,
     filming() { return filming !== null; },
-    close() { if (!panel.hidden) opener.click(); }
+    toggle() {
+      panel.hidden = !panel.hidden;
+      if (!panel.hidden) tell('');
+    }
   };
 }

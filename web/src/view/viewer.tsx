@@ -1,13 +1,14 @@
 // The 3D viewer of codend's pages: one gear or several designs, settled or in motion. R/scene-gear.R
 // makes scenes; gear.ts and materials.ts draw them. The axes are x aft, y to starboard, z up (m).
 
+import { render } from 'preact';
 import * as T from 'three';
 import { element, file_name, say } from './element';
 import { new_gear, type Gear } from './gear';
 import { axes, dot, longest, middle, round, type Axes } from './geometry';
-import { colour_bar } from './legend';
+import { ColourBar } from './legend';
 import { kept_colour, new_materials } from './materials';
-import { new_motion, type Motion, type MotionOptions } from './motion';
+import { motion_keys, new_motion, type Motion, type MotionOptions } from './motion';
 import { new_saver } from './save';
 import { join, type Mode, type Range, type Scene } from './scene';
 import { described, three, type Found } from './tip';
@@ -238,7 +239,8 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     const [name, turn, rise] = looks[away.indexOf(Math.min(...away))];
     camera.turn = turn;
     camera.rise = rise;
-    press('from', name);
+    choice.from = name;
+    write_bar();
   }
 
   // Resets the view. Labels of the scale take space that is known only after the first aim.
@@ -513,72 +515,27 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
 
   // ---- labels around the picture ----------------------------------------------------------------
 
-  const title = element('div', 'view-title');
-  const bar = element('div', 'view-bar'), legend = element('div', 'view-legend');
-  const scaleBar = element('div', 'view-scale'), tip = element('div', 'view-tip');
-  const still = element('img', 'view-still', undefined, { alt: '' });
-  tip.setAttribute('role', 'status');
-  tip.hidden = true;
+  const layer = (name: string) => host.appendChild(element('div', name));
   const labels = {
-    surface: element('div', 'view-label view-label-surface', say('water surface')),
-    bed: element('div', 'view-label view-label-bed'), vessel: element('div', 'view-label view-label-vessel')
+    surface: layer('view-label view-label-surface'), bed: layer('view-label view-label-bed'),
+    vessel: layer('view-label view-label-vessel')
   };
-  host.append(labels.surface, labels.bed, labels.vessel, title, bar, legend, scaleBar, tip, still);
+  labels.surface.textContent = say('water surface');
+  labels.vessel.textContent = say('vessel');
+  const names = layer('view-names'), title = layer('view-title'), bar = layer('view-bar');
+  const legend = layer('view-legend'), scaleBar = layer('view-scale'), tip = layer('view-tip');
+  const still = host.appendChild(element('img', 'view-still', undefined, { alt: '' })), keys = layer('view-keys');
+  tip.setAttribute('role', 'status');
+  tip.hidden = keys.hidden = true;
 
-  function button(group: 'focus' | 'from' | 'compare', value: string, words: string, key: string) {
-    const made = element('button', 'view-button', words, {
-      type: 'button', 'data-group': group, 'data-value': value, 'aria-pressed': 'false',
-      title: say('{words} (key {key})', { words, key })
-    });
-    made.addEventListener('click', () => { choose(group, value); });
-    return made;
-  }
-  function group(words: string) {
-    return element('div', 'view-group', undefined, { role: 'group', 'aria-label': words });
-  }
-
-  const groups = { focus: group(say('Look at')), from: group(say('Look from')), compare: group(say('Kept designs')) };
-  let names: HTMLElement[] = [];  // labels of designs side by side
-  [['net', say('Net'), 'n'], ['whole', say('Whole gear'), 'g']].forEach((one) => {
-    groups.focus.appendChild(button('focus', one[0], one[1], one[2]));
-  });
-  [['bow', say('Bow'), '1'], ['above', say('Above'), '2'], ['side', say('Side'), '3'],
-    ['astern', say('Astern'), '4']].forEach((one) => {
-    groups.from.appendChild(button('from', one[0], one[1], one[2]));
-  });
-  [['off', say('Now'), '5'], ['over', say('Over'), '6'], ['beside', say('Side by side'), '7']].forEach((one) => {
-    groups.compare.appendChild(button('compare', one[0], one[1], one[2]));
-  });
-  const colours = element('select', 'view-colour', undefined, {
-    'aria-label': say('Colours'),
-    title: say('{words} (key {key})', { words: say('Colours'), key: 'c' })
-  });
-  colours.addEventListener('change', () => { choose('colour', colours.value); });
-  const align = element('select', 'view-colour', undefined, {
-    'aria-label': say('Designs are aligned at'), title: say('Designs are aligned at')
-  });
-  [['bosom', say('At the bosom')], ['towing', say('At the towing point')]].forEach((one) => {
-    align.appendChild(element('option', '', one[1], { value: one[0] }));
-  });
-  align.addEventListener('change', () => { choose('align', align.value); });
-  groups.compare.appendChild(align);
-  const help = element('button', 'view-button', '?', {
-    type: 'button', 'aria-expanded': 'false', 'aria-label': say('Keys'),
-    title: say('{words} (key {key})', { words: say('Keys'), key: 'h' })
-  });
-  const keys = element('div', 'view-keys');
-  keys.hidden = true;
-  [[say('drag, arrows'), say('turn')], [say('wheel, two fingers, + and -'), say('zoom')],
-    [say('right button, Shift'), say('move')], ['1 2 3 4', say('bow, above, side, astern')],
-    ['n, g', say('net, whole gear')], ['c', say('next colours')], ['0', say('reset view')], ['s', say('save')],
-    [say('pointer'), say('names and values')]].forEach((one) => {
-    keys.appendChild(element('kbd', '', one[0]));
-    keys.appendChild(element('span', '', one[1]));
-  });
-  help.addEventListener('click', () => {
-    keys.hidden = !keys.hidden;
-    help.setAttribute('aria-expanded', String(!keys.hidden));
-  });
+  const buttons: [keyof Choice, string, [string, string, string][]][] = [
+    ['focus', say('Look at'), [['net', say('Net'), 'n'], ['whole', say('Whole gear'), 'g']]],
+    ['from', say('Look from'), [['bow', say('Bow'), '1'], ['above', say('Above'), '2'], ['side', say('Side'), '3'],
+      ['astern', say('Astern'), '4']]],
+    ['compare', say('Kept designs'), [['off', say('Now'), '5'], ['over', say('Over'), '6'],
+      ['beside', say('Side by side'), '7']]]
+  ];
+  const with_key = (words: string, key: string) => say('{words} (key {key})', { words, key });
   const saver = new_saver(host, {
     turn: () => camera.turn,
     times() { return told.times; },
@@ -593,47 +550,71 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     },
     name: () => file_name(told.name)
   });
-  bar.append(groups.focus, groups.from, groups.compare, colours, saver.opener, help);
-  host.append(keys, saver.panel);
-
-  function press(what: string, value: string | null) {
-    bar.querySelectorAll<HTMLElement>('[data-group="' + what + '"]').forEach((one) => {
-      one.setAttribute('aria-pressed', String(one.dataset.value === value));
-    });
+  function toggle_keys() {
+    keys.hidden = !keys.hidden;
+    write_bar();
+  }
+  function toggle_saver() {
+    saver.toggle();
+    write_bar();
+  }
+  function Select({ what, words, tip, hidden, options }: {
+    what: 'colour' | 'align'; words: string; tip?: string; hidden?: boolean; options: [string, string][];
+  }) {
+    return <select class="view-colour" aria-label={words} title={tip ?? words} hidden={hidden} value={choice[what]}
+      onChange={(event) => choose(what, event.currentTarget.value)}>
+      {options.map(([value, words]) => <option value={value}>{words}</option>)}
+    </select>;
+  }
+  const colours = () => (Object.keys(modes) as Mode[]).filter((mode) =>
+    mode.indexOf('mesh') || told.scales[mode]?.netting);
+  // Writes the buttons and lists. Without netting, only the whole gear can be in focus.
+  function write_bar() {
+    if (!told) return;
+    const places = gears.now.places_to_align(), words = say('Colours');
+    render([
+      buttons.map(([group, words, all]) =>
+        <div class="view-group" role="group" aria-label={words} hidden={group === 'compare' && !kept.length}>
+          {all.map(([value, words, key]) => <button type="button" class="view-button" data-group={group}
+            data-value={value} aria-pressed={choice[group] === value} title={with_key(words, key)}
+            disabled={value === 'net' && !gears.now.range.net} onClick={() => choose(group, value)}>{words}</button>)}
+          {group === 'compare' && <Select what="align" words={say('Designs are aligned at')}
+            hidden={choice.compare === 'off' || !places.bosom || !places.towing}
+            options={[['bosom', say('At the bosom')], ['towing', say('At the towing point')]]} />}
+        </div>),
+      <Select what="colour" words={words} tip={with_key(words, 'c')}
+        options={colours().map((mode) => [mode, modes[mode]])} />,
+      <button type="button" class="view-button" aria-expanded={!saver.panel.hidden} onClick={toggle_saver}
+        title={with_key(say('Save a picture or a video'), 's')}>{say('Save')}</button>,
+      <button type="button" class="view-button" aria-expanded={!keys.hidden} aria-label={say('Keys')}
+        title={with_key(say('Keys'), 'h')} onClick={toggle_keys}>?</button>
+    ], bar);
+    render([[say('drag, arrows'), say('turn')], [say('wheel, two fingers, + and -'), say('zoom')],
+      [say('right button, Shift'), say('move')], ['1 2 3 4', say('bow, above, side, astern')],
+      ['n, g', say('net, whole gear')], ['c', say('next colours')], ['0', say('reset view')], ['s', say('save')],
+      [say('pointer'), say('names and values')], ...told.times.length > 1 ? motion_keys() : []
+    ].map(([key, words]) => [<kbd>{key}</kbd>, <span>{words}</span>]), keys);
   }
 
   function write_legend() {
-    legend.textContent = '';
-    const scales = told.scales[choice.colour] || {};
-    if (scales.rope) legend.appendChild(colour_bar(scales.rope, told.colours.rope));
-    if (scales.netting) legend.appendChild(colour_bar(scales.netting, told.colours.netting));
-    const key = element('div', 'key');
-    function entry(words: string, colour: string, className: string) {
-      const item = element('span', 'entry', words), patch = element('i', className);
-      patch.style.setProperty('--colour', colour);
-      item.insertBefore(patch, item.firstChild);
-      key.appendChild(item);
-    }
-    if (choice.colour === 'tension' || choice.colour === 'slack') {
-      if (told.times.length > 1 || any((x) => x === 0)) {
-        entry(say('slack'), gears.now.slack_colour(choice.colour), 'slack');
-      } else {
-        key.appendChild(element('span', 'entry', say('nothing is slack')));
-      }
-      if (any((x) => x < 0)) entry(say('in compression'), '#4A545C', 'line');
-    }
-    if (choice.colour === 'slack') entry(say('taut'), '#5F7482', 'line');
-    if (!scales.rope && choice.colour.indexOf('mesh') === 0) entry(say('rope'), '#4A545C', 'line');
-    if (choice.compare === 'over') {
-      kept.forEach((one, k) => { entry(one.name, kept_colour(k), 'line'); });
-    }
-    const marks = told.marks;
-    marks.label.forEach((words, k) => {
-      if (marks.label.indexOf(words) === k) {
-        entry(say(words), marks.fill[k], marks.board[k] >= 0 || marks.direction[k] ? 'plate' : 'ball');
-      }
-    });
-    legend.appendChild(key);
+    const scales = told.scales[choice.colour] || {}, marks = told.marks, colour = choice.colour;
+    const shows = colour === 'tension' || colour === 'slack', any_slack = told.times.length > 1 || any((x) => x === 0);
+    const Entry = ({ words, of, kind = 'line' }: { words: string; of: string; kind?: string }) =>
+      <span class="entry"><i class={kind} style={'--colour: ' + of} />{words}</span>;
+    render([
+      scales.rope && <ColourBar scale={scales.rope} stops={told.colours.rope} />,
+      scales.netting && <ColourBar scale={scales.netting} stops={told.colours.netting} />,
+      <div class="key">
+        {shows && (any_slack ? <Entry words={say('slack')} of={gears.now.slack_colour(colour)} kind="slack" /> :
+          <span class="entry">{say('nothing is slack')}</span>)}
+        {shows && any((x) => x < 0) && <Entry words={say('in compression')} of="#4A545C" />}
+        {colour === 'slack' && <Entry words={say('taut')} of="#5F7482" />}
+        {!scales.rope && !colour.indexOf('mesh') && <Entry words={say('rope')} of="#4A545C" />}
+        {choice.compare === 'over' && kept.map((one, k) => <Entry words={one.name} of={kept_colour(k)} />)}
+        {marks.label.map((words, k) => marks.label.indexOf(words) === k && <Entry words={say(words)} of={marks.fill[k]}
+          kind={marks.board[k] >= 0 || marks.direction[k] ? 'plate' : 'ball'} />)}
+      </div>
+    ], legend);
   }
 
   // Returns true if `such` is true for any present tension.
@@ -649,7 +630,7 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
 
   // Places the labels in the picture and hides labels out of sight.
   function place_words() {
-    const width = canvas.clientWidth, height = canvas.clientHeight, box = boxes(width, height)[0];
+    const width = canvas.clientWidth, height = canvas.clientHeight;
     const range = focus(), at = middle(range), size = longest(range);
     function put(label: HTMLElement, place: number[] | null | false | undefined, words?: string) {
       const p = place && project(place, { left: 0, top: 0, width, height });
@@ -666,15 +647,9 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     const depth = told.bed ? bed_at(side[0], side[1]) : 0;
     put(labels.bed, told.bed && [side[0], side[1], depth], say('sea bed, {n} m deep', { n: three(-depth) }));
     const vessel = gears.now.vessels[0];
-    put(labels.vessel, vessel && [vessel.at[0], vessel.at[1], 0.5 * vessel.at[3]], say('vessel'));
-    names.forEach((label) => { label.remove(); });
-    names = boxes(width, height).filter((one) => one.name).map((one) => {
-      const label = element('div', 'view-label view-label-name', one.name);
-      label.style.left = one.left + one.width / 2 + 'px';
-      label.style.top = one.top + 18 + 'px';
-      return host.appendChild(label);
-    });
-    return box;
+    put(labels.vessel, vessel && [vessel.at[0], vessel.at[1], 0.5 * vessel.at[3]]);
+    render(boxes(width, height).filter((one) => one.name).map((one) => <div class="view-label view-label-name"
+      style={{ left: one.left + one.width / 2, top: one.top + 18 }}>{one.name}</div>), names);
   }
 
   // Updates the scale at the camera target, the flow arrow and the grid size.
@@ -682,24 +657,18 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     const box = boxes(canvas.clientWidth, canvas.clientHeight)[0];
     const metres = 2 * Math.tan(perspective.fov * Math.PI / 360) * camera.away / box.height;
     const long = round(90 * metres);
-    scaleBar.textContent = '';
-    const line = element('i', 'line');
-    line.style.width = long / metres + 'px';
-    scaleBar.appendChild(element('span', '', three(long) + ' m'));
-    scaleBar.appendChild(line);
-    const speed = Math.hypot(told.flow[0], told.flow[1]);
-    if (speed) {
-      const way = axes(camera.turn, camera.rise), along = [told.flow[0] / speed, told.flow[1] / speed, 0];
-      const dx = dot(along, way.right), dy = -dot(along, way.up), seen2 = Math.hypot(dx, dy);
-      const flow = element('span', 'flow', say('flow {n} m/s', { n: three(speed) }) + ' ');
-      const arrow = element('i', 'arrow', seen2 < 0.15 ? '\u2299' : '\u2192');
-      if (seen2 >= 0.15) arrow.style.transform = 'rotate(' + Math.atan2(dy, dx) + 'rad)';
-      flow.appendChild(arrow);
-      scaleBar.appendChild(flow);
-    }
-    if (told.bed || told.water && focus().high[2] > -0.3 * longest(focus())) {
-      scaleBar.appendChild(element('span', 'squares', say('squares of {n} m', { n: three(square) })));
-    }
+    const speed = Math.hypot(told.flow[0], told.flow[1]), way = axes(camera.turn, camera.rise);
+    const along = [told.flow[0] / speed, told.flow[1] / speed, 0];
+    const dx = dot(along, way.right), dy = -dot(along, way.up), across = Math.hypot(dx, dy) >= 0.15;
+    const grid = told.bed || told.water && focus().high[2] > -0.3 * longest(focus());
+    render([
+      <span>{three(long) + ' m'}</span>, <i class="line" style={{ width: long / metres }} />,
+      speed > 0 && <span class="flow">{say('flow {n} m/s', { n: three(speed) }) + ' '}
+        <i class="arrow" style={across ? { transform: `rotate(${Math.atan2(dy, dx)}rad)` } : {}}>
+          {across ? '\u2192' : '\u2299'}</i>
+      </span>,
+      grid && <span class="squares">{say('squares of {n} m', { n: three(square) })}</span>
+    ], scaleBar);
   }
 
   // ---- the pointer ------------------------------------------------------------------------------
@@ -772,15 +741,11 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     tip.hidden = !found;
     if (!found) return;
     const said = described(gears.now, found);
-    tip.textContent = '';
-    tip.appendChild(element('b', '', said.heading));
-    if (said.note !== said.heading) tip.appendChild(element('div', 'note', said.note));
-    said.rows.forEach((row) => {
-      const line = element('div', row[1] === say('slack') ? 'row slack' : 'row');
-      line.appendChild(element('span', '', row[0]));
-      line.appendChild(element('span', '', row[1]));
-      tip.appendChild(line);
-    });
+    render([
+      <b>{said.heading}</b>, said.note !== said.heading && <div class="note">{said.note}</div>,
+      said.rows.map(([name, value]) => <div class={value === say('slack') ? 'row slack' : 'row'}>
+        <span>{name}</span><span>{value}</span></div>)
+    ], tip);
     const right = x + 14 + tip.offsetWidth > host.clientWidth;
     tip.style.left = (right ? Math.max(4, x - 14 - tip.offsetWidth) : x + 14) + 'px';
     tip.style.top = Math.max(4, Math.min(y + 14, host.clientHeight - tip.offsetHeight - 4)) + 'px';
@@ -788,15 +753,22 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
 
   // ---- pointer, wheel and keys ------------------------------------------------------------------
 
+  // The camera is at none of the named directions.
+  function left_named() {
+    if (choice.from) {
+      choice.from = '';
+      write_bar();
+    }
+  }
   function look(place: Partial<typeof camera>) {
-    press('from', null);
+    left_named();
     Object.assign(camera, place);
     repaint();
   }
   function turn_by(across: number, up: number) {
     camera.turn -= across;
     camera.rise = Math.min(Math.max(camera.rise + up, -Math.PI / 2), Math.PI / 2);
-    press('from', null);
+    left_named();
     repaint();
   }
   function zoom_by(factor: number, x?: number, y = 0) {
@@ -826,20 +798,17 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
       camera.turn = directions[value][0];
       camera.rise = directions[value][1];
     }
-    if (what === 'colour') {
-      colours.value = value;
-      recolour();
-    } else {
-      press(what, value);
-      held = {};
-      shaded = null;
-      if (gears.now) {
-        offer_align();
-        recolour();
+    if (gears.now) {
+      if (what !== 'colour') {
+        held = {};
+        shaded = null;
+        fit_align();
         aim();
       }
+      recolour();
+      write_bar();
+      write_legend();
     }
-    if (told) write_legend();
     repaint();
     if (options.changed) options.changed();
   }
@@ -848,12 +817,10 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     compared().forEach((gear) => { gear.colour(choice.colour); });
   }
 
-  // Offers the alignment points of the gear.
-  function offer_align() {
-    const places = gears.now ? gears.now.places_to_align() : {};
-    align.hidden = choice.compare === 'off' || !places.bosom || !places.towing;
+  // Chooses an alignment point that the gear has.
+  function fit_align() {
+    const places = gears.now.places_to_align();
     if (!places[choice.align]) choice.align = places.bosom ? 'bosom' : 'towing';
-    align.value = choice.align;
   }
 
   const fingers: Record<string, number[]> = {};
@@ -919,7 +886,7 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
   }, { passive: false });
 
   function next_colour() {
-    const all = Array.from(colours.options, (o) => o.value);
+    const all = colours();
     choose('colour', all[(all.indexOf(choice.colour) + 1) % all.length]);
   }
   const acts: Record<string, () => void> = {
@@ -927,17 +894,17 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     ArrowDown: () => turn_by(0, -0.1), '+': () => zoom_by(1.2), '=': () => zoom_by(1.2), '-': () => zoom_by(1 / 1.2),
     1: () => choose('from', 'bow'), 2: () => choose('from', 'above'), 3: () => choose('from', 'side'),
     4: () => choose('from', 'astern'), n: () => choose('focus', 'net'), g: () => choose('focus', 'whole'),
-    c: next_colour, h: () => help.click(), s: () => saver.opener.click(), 0: () => { look_again(); repaint(); }
+    c: next_colour, h: toggle_keys, s: toggle_saver, 0: () => { look_again(); repaint(); }
   };
   const compares: Record<string, string> = { 5: 'off', 6: 'over', 7: 'beside' };
   host.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || !gears.now) return;
     if (/^(INPUT|SELECT|TEXTAREA)$/.test((event.target as Element).tagName)) return;
     const key = event.key;
-    const compare = groups.compare.hidden ? undefined : compares[key];
+    const compare = kept.length ? compares[key] : undefined;
     const act = compare ? () => choose('compare', compare) : acts[key];
     if (key === 'n' && !gears.now.range.net) return;
-    if (key === 'Escape') { keys.hidden = true; tip.hidden = true; saver.close(); }
+    if (key === 'Escape') { keys.hidden = tip.hidden = saver.panel.hidden = true; write_bar(); }
     if (!act) return;
     event.preventDefault();
     act();
@@ -1059,15 +1026,9 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
         { name: told.name, conditions: told.conditions }
       ));
       if (options.title) {
-        title.textContent = '';
-        title.appendChild(element('div', 'name', told.name));
-        title.appendChild(element('div', 'conditions', told.conditions));
+        render([<div class="name">{told.name}</div>, <div class="conditions">{told.conditions}</div>], title);
       }
-      groups.compare.hidden = !kept.length;
-      offer_align();
-      // Without netting, only the whole gear can be in focus.
-      const net = groups.focus.querySelector('[data-value="net"]') as HTMLButtonElement;
-      net.disabled = !gears.now.range.net;
+      fit_align();
       if (!gears.now.range.net && choice.focus === 'net') {
         choice.focus = 'whole';
         netless = true;
@@ -1075,17 +1036,9 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
         choice.focus = 'net';
         netless = false;
       }
-      press('focus', choice.focus);
-      press('compare', choice.compare);
-      colours.textContent = '';
-      (Object.keys(modes) as Mode[]).forEach((mode) => {
-        const scale = told.scales[mode];
-        if (mode.indexOf('mesh') === 0 && !(scale && scale.netting)) return;
-        colours.appendChild(element('option', '', modes[mode], { value: mode }));
-      });
       if (first && now.colour) choice.colour = now.colour;
-      if (!colours.querySelector('[value="' + choice.colour + '"]')) choice.colour = 'tension';
-      colours.value = choice.colour;
+      if (!colours().includes(choice.colour)) choice.colour = 'tension';
+      write_bar();
       recolour();
       write_legend();
       if (moment && now.times) { moment.end(); moment = null; }
