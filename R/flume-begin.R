@@ -16,10 +16,8 @@ fixed_lists <- remembered(function(language) {
       list(name = one, words = make_translator(one)("language.name"))
     }),
     checked = nzchar(table[[language]][table$key == "language.checked_by"]),
-    catalogue = catalogue_lists(), units = Map(function(units, dimension) {
-      as.list(plan_units[[dimension]][units])
-    }, preferred_units, names(preferred_units)), gears = gallery_gears(),
-    kinds = new_gear_kinds(),
+    catalogue = catalogue_lists(), units = offered_units(), preferred = preferred_units,
+    gears = gallery_gears(), kinds = new_gear_kinds(),
     formats = lapply(unname(Filter(has_package, formats_of("state"))), function(format) {
       format[c("name", "title", "extension", "opens")]
     }),

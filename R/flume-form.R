@@ -149,6 +149,6 @@ form_offers <- function(plan, path, title) {
 form_message <- function(plan, marked, turn) {
   list(
     turn = turn, kind = first_of(plan$kind, "assembly"), quick = plan_controls(plan, marked),
-    groups = plan_form(plan), units = offered_units()
+    groups = plan_form(plan)
   )
 }

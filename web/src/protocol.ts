@@ -25,9 +25,7 @@ export interface Part {
   absent?: string[]; open?: boolean; named?: boolean; required?: boolean;
 }
 export interface Group { title: string; words: string; parts: Part[] | null; open: boolean; absent: string[] }
-export interface Form {
-  turn: number; kind: string; quick: Field[]; groups: Group[]; units: Record<string, Record<string, number>>;
-}
+export interface Form { turn: number; kind: string; quick: Field[]; groups: Group[] }
 
 export interface Problem { path: string | null; message: string }
 // R's interpretation of a typed number
@@ -82,6 +80,7 @@ export interface FromR {
     sought: Record<string, string>;
     catalogue: Catalogue;
     units: Record<string, Record<string, number>>;
+    preferred: Record<string, string[]>;
     gears: { name: string; title: string; kind: string; panels: number; ropes: number; speed: number }[];
     kinds: { name: string; values: Record<string, string> }[];
     formats: { name: string; title: string; extension: string; opens: string }[];

@@ -1,34 +1,31 @@
 // A control of the form, for one field of the plan.
 
-import type { Field, Units } from '../protocol';
+import type { Field } from '../protocol';
 import { made } from './made';
+import { factors_of, preferred } from './units';
 import { say, say_unit } from './words';
 
 interface Row { field: Field; id: string }
-let preferred: Units = {}, known: Record<string, Record<string, number>> = {}, count = 0;
+let count = 0;
 // Units that a preferred unit replaces. Mesh sizes stay in millimetres.
 const large: Record<string, string[]> = {
   length: ['m', 'metre', 'metres', 'meter', 'meters', 'fathom', 'fathoms', 'ft', 'foot', 'feet'],
   force: ['kN', 'tf', 'lbf', 'kgf'], speed: ['m/s', 'knot', 'knots', 'kn', 'kt', 'kts']
 };
 
-export function set_preferred(units: Units): void { preferred = units; }
-// units: factors to SI by dimension and unit
-export function set_known(units: typeof known): void { known = units; }
-
 export function tidy(value: number): number { return Number(value.toPrecision(6)); }
 
 // Returns the preferred unit of a field, or null if the unit of the field stays.
 export function liked({ dimension, unit }: Field): { unit: string; factor: number } | null {
-  const wanted = preferred[dimension ?? ''], sizes = large[dimension ?? ''];
+  const wanted = preferred()[dimension ?? ''], sizes = large[dimension ?? ''];
   if (!wanted || !sizes || !sizes.includes(unit) || wanted === unit) return null;
-  const factor = known[dimension ?? '']?.[wanted];
+  const factor = factors_of(dimension)[wanted];
   return factor ? { unit: wanted, factor } : null;
 }
 
 // Returns the units of a field with their factors, its own first.
 function units_of({ unit, factor, dimension }: Field): [string, number][] {
-  const others = Object.entries(known[dimension ?? ''] ?? {});
+  const others = Object.entries(factors_of(dimension));
   return [[unit, factor], ...others.filter(([, other]) => Math.abs(other / factor - 1) > 1e-12)];
 }
 

@@ -2,10 +2,10 @@
 // the schema. Edits are sent to R as changes of the plan that the form shows.
 
 import { render } from 'preact';
-import type { Edit, Edits, Field, Form, FromR, Group, Part, Problem, Understood, Units } from '../protocol';
+import type { Edit, Edits, Field, Form, FromR, Group, Part, Problem, Understood } from '../protocol';
 import { element, find } from '../view';
 import { pick_from } from './catalogue';
-import { liked, new_control, set_known, set_preferred, tidy } from './control';
+import { liked, new_control, tidy } from './control';
 import * as Drawing from './drawing';
 import { on } from './events';
 import * as History from './history';
@@ -50,13 +50,10 @@ export function show(message: Form): void {
   entries = message.groups.flatMap((group) => (group.parts ?? []).flatMap((part) =>
     (part.fields ?? []).map((field) => ({ group, part, field }))));
   last = null;
-  set_known(message.units);
   lay_out(message);
 }
-export function prefer(units: Units): void {
-  set_preferred(units);
-  if (form) lay_out(form);
-}
+// Shows the fields in other units.
+export function refresh(): void { if (form) lay_out(form); }
 
 function lay_out({ quick, groups }: Form) {
   const active = document.activeElement as HTMLInputElement | null, at = active?.closest<HTMLElement>('.control');

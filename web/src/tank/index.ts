@@ -42,6 +42,7 @@ on('change', (target) => {
   window.location.assign(address.href);
 });
 Units.on_change(() => {
+  Form.refresh();
   Measures.write();
   Slopes.write();
   Vary.write();
@@ -180,7 +181,7 @@ function begin(message: FromR['flume_begin']) {
   set_words(message);
   document.title = say('page_title');
   Catalogue.set_catalogue(message.catalogue);
-  Units.set_units(message.units);
+  Units.set_units(message);
   document.body.textContent = '';
   render(h(Page, message), document.body);
   Tank.listen();

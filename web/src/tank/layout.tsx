@@ -22,7 +22,7 @@ function Text({ id, label, ...rest }: { id: string; label: string; [name: string
 
 // ---- header and start page ----------------------------------------------------------------------
 
-function Header({ units, language, languages, checked }: Begin) {
+function Header({ preferred, language, languages, checked }: Begin) {
   const labels = { length: 'lengths_in', force: 'forces_in', speed: 'speeds_in' };
   return <header>
     <div><h1 id="gear_name">{say('tank_name')}</h1><p id="gear_conditions" class="note" lang="en" /></div>
@@ -33,7 +33,7 @@ function Header({ units, language, languages, checked }: Begin) {
       <Button id="keep" words={say('keep')} primary /><Button id="back" words={say('back')} />
       {Object.entries(labels).map(([dimension, label]) =>
         <select class="preferred" data-dimension={dimension} aria-label={say(label)}>
-          {Object.keys(units[dimension]).map((unit) => <option value={unit}>{say_unit(unit)}</option>)}
+          {preferred[dimension].map((unit) => <option value={unit}>{say_unit(unit)}</option>)}
         </select>)}
       <select id="language" aria-label={say('language')}>
         {languages.map(({ name, words }) =>
