@@ -30,6 +30,7 @@ tank_files <- function() {
     drag = file("tank", "-drag.csv", function(tank, file) {
       write_csv(as.data.frame(tank$state, what = "drag"), file)
     }),
+    planes = of_state("-planes.svg", function(state, file) plot(state, file = file)),
     slopes = of_state("-slopes.csv", function(state, file) {
       write_csv(as.data.frame(unclass(sensitivities(state))), file)
     }),

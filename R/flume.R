@@ -30,7 +30,7 @@
 #' - **Net drawing** ([plot.codend_gear()]), which is an editor. Click a number to type another,
 #'   click a panel or a rope to open its fields, or drag the lower edge of a selected panel. The
 #'   wheel, two fingers, `+`, `-` and the arrow keys zoom and move it.
-#' - **Tables**: plane views, tensions by part with the margin to the breaking load, drag by part,
+#' - **Tables**: tensions by part with the margin to the breaking load, drag by part,
 #'   and differences from the stored design.
 #' - **Text**: the plan, which you can edit, and R code for the designs.
 #'
@@ -51,8 +51,8 @@
 #' @section Downloads:
 #' The page saves
 #'
-#' - a report ([report()]), the plan with its remarks ([write_gear()]), the drawing, the picture and
-#'   the tow;
+#' - a report ([report()]), the plan with its remarks ([write_gear()]), the drawing, plane views, the
+#'   picture and the tow;
 #' - all designs in one file that the page can open;
 #' - tables as CSV, graphs as pictures, and R code that settles the present and the stored design.
 #'

@@ -37,19 +37,13 @@ const clean = (page) => {
 };
 // Returns the image, and the number of pixels that differ from the background.
 const picture = (page) => page.evaluate(() => window.codendTank.Tank.shown().picture().toDataURL());
-const painted = (page, id) => page.evaluate(async (id) => {
-  let canvas = document.getElementById(id);
-  if (id === 'tank') {
-    canvas = window.codendTank.Tank.shown().picture();
-  }
-  const copy = new OffscreenCanvas(canvas.width, canvas.height)
-    .getContext('2d', { willReadFrequently: true });
-  copy.drawImage(canvas, 0, 0);
-  const data = copy.getImageData(0, 0, canvas.width, canvas.height).data;
+const painted = (page) => page.evaluate(() => {
+  const canvas = window.codendTank.Tank.shown().picture();
+  const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
   let count = 0;
   for (let i = 3; i < data.length; i += 4) if (data[i] > 0) count++;
   return count / (data.length / 4);
-}, id);
+});
 const plane = (page) => page.evaluate(() => window.codendTank.Tank.point(0));
 const changed = (page, name, from) => page.waitForFunction(([name, from]) => {
   const row = [...document.querySelectorAll('.measures tbody tr')]
@@ -63,10 +57,7 @@ test('tank shows the settled trawl on opening without network requests', async (
   const spread = number((await measure(page, 'door spread'))[0]);
   assert.ok(spread > 140 && spread < 165, `door spread ${spread}`);
   await page.waitForFunction(() => !window.codendTank.Tank.waits(), null, patience);
-  assert.ok(await painted(page, 'tank') > 0.02);
-  for (const plane of ['plane_xy', 'plane_xz', 'plane_yz']) {
-    assert.ok(await painted(page, plane) > 0.5, plane);
-  }
+  assert.ok(await painted(page) > 0.02);
   clean(page);
   await page.close();
 });

@@ -171,14 +171,6 @@ function Save({ id, words, about }: { id: string; words?: string; about?: string
     <span class="note">{about ?? (has_word(key) && say(key))}</span></li>;
 }
 
-function Planes() {
-  const planes = { xy: say('from_above'), xz: say('from_port'), yz: say('from_astern') };
-  return <div class="planes">{Object.entries(planes).map(([name, words]) => <figure>
-    <figcaption>{words}</figcaption>
-    <canvas class="plane" id={'plane_' + name} role="img" aria-label={words} />
-  </figure>)}</div>;
-}
-
 const Slopes = () => <>
   <Note>{say('slopes_note')}</Note>
   <Button id="slopes_table" words={say('find_slopes')} primary /><div id="slopes" />
@@ -253,8 +245,8 @@ const Code = () => <>
 </>;
 
 function Saves({ can_share, formats }: Begin) {
-  const ids = ['save_report', can_share && 'save_share', 'save_plan', 'save_drawing_svg', 'save_drawing_pdf',
-    'save_drawing_dxf', 'save_slopes', 'save_all', 'save_designs', 'save_measures', 'save_drag'];
+  const ids = ['save_report', can_share && 'save_share', 'save_plan', 'save_planes', 'save_drawing_svg',
+    'save_drawing_pdf', 'save_drawing_dxf', 'save_slopes', 'save_all', 'save_designs', 'save_measures', 'save_drag'];
   return <ul class="downloads">
     {ids.map((id) => id && <Save id={id} />)}
     {formats.map(({ name, title, extension, opens }) => <Save id={'save_' + name}
@@ -265,7 +257,7 @@ function Saves({ can_share, formats }: Begin) {
 function Tabs(begin: Begin) {
   const tables = (name: string) => <div id={name} />;
   const tabs: [string, string, ComponentChildren][] = [
-    ['Planes', say('tab_planes'), <Planes />], ['Tensions', say('tab_tensions'), tables('tensions')],
+    ['Tensions', say('tab_tensions'), tables('tensions')],
     ['Drag', say('tab_drag'), tables('drag')], ['Slopes', say('tab_slopes'), <Slopes />],
     ['Vary', say('tab_vary'), <Vary />], ['Tow', say('tab_tow'), <Tow {...begin} />],
     ['Designs', say('tab_designs'), <Designs {...begin} />], ['Changes', say('tab_changes'), tables('differences')],

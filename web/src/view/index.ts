@@ -1,6 +1,6 @@
 // The viewer's bundle, inst/view/viewer.js. It defines `codendView`, which the other bundles use.
 export { element, fill, file_name, find, save_as, say, translate_by } from './element';
-export { new_graph, ticks } from './graph';
+export { new_graph } from './graph';
 export { kept_colour } from './materials';
 export { new_viewer } from './viewer';
 export { h, render } from 'preact';

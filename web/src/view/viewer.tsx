@@ -18,8 +18,6 @@ export interface ViewerOptions extends MotionOptions {
   title?: boolean;
   // false to omit the picture for printing
   still?: boolean;
-  // called after a choice
-  changed?(): void;
   // returns true while another shape is expected
   passing?(): boolean;
 }
@@ -72,7 +70,6 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     across: 0, up: 0
   };
   const perspective = new T.PerspectiveCamera(28, 1, 0.1, 100);
-  const flatCamera = new T.OrthographicCamera(-1, 1, 1, -1, 0.1, 100);
   const modes: Record<Mode, string> = {
     tension: say('Tension'), slack: say('Slack'), mesh_opening: say('Mesh opening'),
     mesh_angle: say('Mesh angle'), drag: say('Drag')
@@ -810,7 +807,6 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
       write_legend();
     }
     repaint();
-    if (options.changed) options.changed();
   }
 
   function recolour() {
@@ -938,50 +934,6 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     stillTimer = window.setTimeout(for_paper, 1500);
   }
 
-  // ---- projections ------------------------------------------------------------------------------
-
-  // Draws the gear as seen from `plane` (turn, rise) into `box` (left, top, width, height, pixels)
-  // of another canvas, with `scale` pixels per metre around `at`. Returns false if it drew nothing.
-  function flat(
-    context: CanvasRenderingContext2D, plane: { turn: number; rise: number }, box: Omit<Box, 'gear'>, at: number[],
-    scale: number
-  ) {
-    const width = Math.min(box.width, canvas.clientWidth), height = Math.min(box.height, canvas.clientHeight);
-    if (!gears.now || width < 2 || height < 2) return false;
-    const turn = plane.turn, rise = plane.rise, way = axes(turn, rise), size = 4 * longest(gears.now.range.whole);
-    const wide = width / scale / 2, tall = height / scale / 2;
-    flatCamera.left = -wide;
-    flatCamera.right = wide;
-    flatCamera.top = tall;
-    flatCamera.bottom = -tall;
-    flatCamera.near = 0;
-    flatCamera.far = 2 * size;
-    flatCamera.position.fromArray(at.map((v, k) => v + size * way.eye[k]));
-    flatCamera.up.fromArray(way.up);
-    flatCamera.lookAt(at[0], at[1], at[2]);
-    flatCamera.updateProjectionMatrix();
-    flatCamera.updateMatrixWorld();
-    shared.flat_.value = 1;
-    shared.ahead.value.fromArray(way.eye).negate();
-    shared.pixel.value = 1 / scale / ratio;
-    shared.spacing.value = twine_gap / scale;
-    shared.fogNear.value = 10 * size;
-    shared.fogFar.value = 20 * size;
-    light(way);
-    renderer.setScissorTest(true);
-    renderer.setScissor(0, 0, width, height);
-    renderer.setViewport(0, 0, width, height);
-    renderer.clear();
-    function pixel() { return 1 / scale; }
-    if (choice.compare !== 'off') draw_kept(flatCamera, pixel);
-    draw_gear(gears.now, flatCamera, null, pixel);
-    renderer.setScissorTest(false);
-    context.drawImage(canvas, 0, canvas.height - Math.round(height * ratio), Math.round(width * ratio),
-      Math.round(height * ratio), box.left + (box.width - width) / 2, box.top + (box.height - height) / 2,
-      width, height);
-    return true;
-  }
-
   // ---- scenes -----------------------------------------------------------------------------------
 
   function take(gear: Gear, part: Partial<Scene>) {
@@ -1059,7 +1011,6 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
       follow();
       repaint();
     },
-    hastens() { return hasty !== undefined; },
     // Colours the parts with these names.
     highlight(names: string[]) {
       gears.now.chosen = new Set(names);
@@ -1085,12 +1036,7 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     },
     picture: saver.picture,
     film: saver.film,
-    redraw: paint_now,
-    flat,
-    focus() { return focus(); },
     gear: () => gears.now,
-    bed_at,
-    choice,
     // For tests and measurements: a node position, whether a picture is pending, picture count.
     point(k: number) { return Array.from(gears.now.points.slice(3 * k, 3 * k + 3)); },
     waits() { return waiting || hasty !== undefined; },
