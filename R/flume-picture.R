@@ -46,7 +46,6 @@ moved_message <- function(state, shape, fixed, number) {
   bed <- drawn_bed(state)
   header <- list(
     answers = first_of(number, 0), counts = lapply(arrays, length),
-    conditions = conditions_text(state$si, state$gear$plan),
     part = c(
       list(conditions = state_conditions(state), flow = I(flow_past(state))),
       if (!is.null(bed)) list(bed = list(normal = I(bed$normal), height = bed$height)),

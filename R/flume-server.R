@@ -75,9 +75,10 @@ flume_server <- function(
     }
     page$show <- function(answers = 0, passed = FALSE) {
       if (is.null(tank$gear)) return(said("flume_idle", answers = answers))
-      send("flume_picture", c(list(
-        answers = answers, edited = tank$shown, notes = I(tank$warnings()), towed = !is.null(tank$gear$plan$tow)
-      ), tank$picture(passed)))
+      said("flume_picture",
+        answers = answers, edited = tank$shown, notes = I(tank$warnings()),
+        towed = !is.null(tank$gear$plan$tow), scene = tank$picture(passed)
+      )
       page$show_measures()
     }
     # Sends the form if its fields changed, interpreted numbers, and problems.

@@ -76,7 +76,7 @@ new_tank <- function(start, marked, nodes, say = make_translator()) {
   tank$picture <- function(passed = FALSE) {
     scene <- picture_scene(tank$state, tank$drawing, tank$known, passed)
     tank$known <- tank$drawing$fixed
-    list(scene = scene, conditions = conditions_text(tank$state$si, tank$gear$plan))
+    scene
   }
   # The next picture is sent completely, because the page has another shape.
   tank$forget_picture <- function() tank$known <- NULL

@@ -51,7 +51,9 @@ async function use(url, name, end) {
     const named = tank.wait(['flume_picture', 'flume_refused']);
     tank.send({ design: { number: 0, design: { plan } } });
     const own = await named;
-    if (!own || own.scene?.name !== `${name} ${visit}`) wrong.push(`${name}: ${JSON.stringify(own && own.message)}`);
+    if (!own || own.scene?.name !== `${name} ${visit}`) {
+      wrong.push(`${name}: ${JSON.stringify(own && own.message)}`);
+    }
     const leaves = Date.now() + 60e3 + 60e3 * Math.random();
     while (Date.now() < Math.min(end, leaves)) {
       number += 1;
@@ -59,15 +61,19 @@ async function use(url, name, end) {
       const speed = (3 + 2 * Math.random()).toFixed(2);
       const answer = tank.wait(['flume_picture', 'flume_refused'], (m) => m.answers === mine);
       const asked = performance.now();
-      tank.send({ design: { number: mine, edits: { 'towing.speed': { value: Number(speed), unit: 'knot' } } } });
+      const edits = { 'towing.speed': { value: Number(speed), unit: 'knot' } };
+      tank.send({ design: { number: mine, edits } });
       const came = await answer;
       if (!came || came.type === 'flume_refused') {
         wrong.push(`${name}: ${came ? came.message : 'no answer in a minute'}`);
       } else {
         times.push(performance.now() - asked);
-        if (came.scene.name !== `${name} ${visit}`) wrong.push(`${name} got the picture of ${came.scene.name}`);
-        const told = Number((came.conditions.match(/([0-9.]+) knot/) || [])[1]);
-        if (Math.abs(told - speed) > 0.006) wrong.push(`${name} asked ${speed}, got "${came.conditions}"`);
+        const { name: drawn, conditions } = came.scene;
+        if (drawn !== `${name} ${visit}`) wrong.push(`${name} got the picture of ${drawn}`);
+        const told = Number((conditions.match(/([0-9.]+) knot/) || [])[1]);
+        if (Math.abs(told - speed) > 0.006) {
+          wrong.push(`${name} asked ${speed}, got "${conditions}"`);
+        }
       }
       await sleep(500 + 1000 * Math.random());
     }
@@ -85,7 +91,8 @@ async function trouble(url, end) {
     const text = tank.wait(['flume_plan']);
     tank.send({ plan_wanted: 1 });
     const sent = await text;
-    if (sent) tank.send({ design: { number: 0, design: { plan: sent.text + '\nresolution: {nodes: 20000}\n' } } });
+    const plan = sent?.text + '\nresolution: {nodes: 20000}\n';
+    if (sent) tank.send({ design: { number: 0, design: { plan } } });
     tank.send({ design: { number: 0, design: { plan: 'x'.repeat(3e6) } } });
     await sleep(5e3);
     tank.close();
@@ -104,8 +111,8 @@ let tank;
     const at = children(tank.pid);
     resident.push(memory(tank.pid));
     const all = at.map(memory).filter(Number.isFinite).reduce((a, b) => a + b, 0);
-    console.log(`server ${resident[resident.length - 1].toFixed(0)} MB, ${at.length} processes of ` +
-      `users ${all.toFixed(0)} MB, ${times.length} answers, ${wrong.length} wrong`);
+    console.log(`server ${resident.at(-1).toFixed(0)} MB, ${at.length} processes of users ` +
+      `${all.toFixed(0)} MB, ${times.length} answers, ${wrong.length} wrong`);
   }, 60e3);
   const visits = [trouble(tank.url, end)];
   for (let k = 1; k <= users; k++) visits.push(use(tank.url, `User ${k}`, end));
@@ -116,13 +123,14 @@ let tank;
   if (left) wrong.push(`${left} processes outlive their pages`);
   // after all users have visited; a leak per answer or visit would continue
   const settled = resident.slice(Math.floor(resident.length / 2));
-  if (settled.length > 1 && settled[settled.length - 1] > 1.15 * settled[0]) {
-    wrong.push(`the server grew from ${settled[0].toFixed(0)} to ${settled[settled.length - 1].toFixed(0)} MB`);
+  if (settled.length > 1 && settled.at(-1) > 1.15 * settled[0]) {
+    wrong.push(`the server grew from ${settled[0].toFixed(0)} to ${settled.at(-1).toFixed(0)} MB`);
   }
   tank.stop();
   const sorted = [...times].sort((a, b) => a - b);
-  console.log(`${sorted.length} answers to ${users} users: median ${quantile(sorted, 0.5).toFixed(0)} ms, ` +
-    `95 % within ${quantile(sorted, 0.95).toFixed(0)} ms, longest ${quantile(sorted, 1).toFixed(0)} ms`);
+  const at = (share) => quantile(sorted, share).toFixed(0) + ' ms';
+  console.log(`${sorted.length} answers to ${users} users: median ${at(0.5)}, ` +
+    `95 % within ${at(0.95)}, longest ${at(1)}`);
   for (const what of wrong.slice(0, 20)) console.log(`wrong: ${what}`);
   process.exit(wrong.length || !sorted.length ? 1 : 0);
 })().catch((error) => {

@@ -50,7 +50,7 @@ test_that("page receives a moved shape before the rest of the picture", {
     ask(session, towing.speed = list(value = 4.2, unit = "knot"), number = 2)
     shape <- passed_shape(sent("flume_moved")[[1]]$bytes)
     expect_equal(shape$header$answers, 2)
-    expect_match(shape$header$conditions, "4.2 knot", fixed = TRUE)
+    expect_match(shape$header$part$conditions, "4.2 knot", fixed = TRUE)
     expect_null(shape$header$part$ropes)
     # in single precision
     drawn <- scene_shape(tank$state, flume_lines)

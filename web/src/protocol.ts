@@ -100,7 +100,6 @@ export interface FromR {
     notes: string[];
     towed: boolean;
     scene: Partial<Scene>;
-    conditions: string;
   };
   flume_idle: {
     answers: number;
@@ -197,9 +196,7 @@ export interface FromR {
 // (R/flume-prediction.R). Floats follow the last two, `counts` by name.
 export interface FileHeader { file: string }
 export interface PredictionHeader { predicts: string[]; value: number; counts: Record<string, number> }
-export interface MovedHeader {
-  answers: number; counts: Record<string, number>; conditions: string; part: Partial<Scene>;
-}
+export interface MovedHeader { answers: number; counts: Record<string, number>; part: Partial<Scene> }
 
 // Requests with an answer. `asked` of the message has the type that is listed here.
 export interface Asked {

@@ -28,7 +28,7 @@ import * as Target from './target';
 import * as Tow from './tow';
 import * as Units from './units';
 import * as Vary from './vary';
-import { say, set_words } from './words';
+import { capital, say, set_words } from './words';
 
 export { Designs, Form, Tabs, Talk, Tank, Tow, send, sending };
 
@@ -81,7 +81,7 @@ function picture(message: FromR['flume_picture']) {
   History.settled(message.edited);
   Tank.picture(message.scene, message.answers);
   find('gear_name').textContent = message.scene.name ?? '';
-  find('gear_conditions').textContent = message.conditions;
+  find('gear_conditions').textContent = capital(message.scene.conditions ?? '');
   find('noted').replaceChildren(...message.notes.map((one) => element('li', '', one)));
   find('worth').hidden = !message.notes.length;
   answer(message.answers);
@@ -111,7 +111,7 @@ function take_bytes(header: MovedHeader | PredictionHeader | FileHeader, bytes: 
   }
   Object.entries(arrays).forEach(([name, floats]) => Object.assign(header.part, { [name]: { floats } }));
   Tank.moved({ ...header.part, ...Predict.settle(header.answers, shape, !header.part.ropes) });
-  find('gear_conditions').textContent = header.conditions;
+  find('gear_conditions').textContent = capital(header.part.conditions ?? '');
   Form.answered(header.answers);
 }
 
