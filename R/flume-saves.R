@@ -7,6 +7,11 @@ drawing_page <- "A3"
 tank_files <- function() {
   file <- function(of, ending, write) list(of = of, ending = ending, write = write)
   of_state <- function(ending, write) file("state", ending, write)
+  of_page <- function(what) {
+    file("tank", paste0("-", what, ".csv"), function(tank, file) {
+      write_csv(as.data.frame(tank$state, what = what), file)
+    })
+  }
   formats <- lapply(formats_of("state"), function(format) {
     of_state(paste0("-", format$name, format$extension), format$write)
   })
@@ -27,9 +32,7 @@ tank_files <- function() {
     vary = file("tank", "-varied.csv", function(tank, file) {
       write_csv(varied_table(tank$varied), file)
     }),
-    drag = file("tank", "-drag.csv", function(tank, file) {
-      write_csv(as.data.frame(tank$state, what = "drag"), file)
-    }),
+    measures = of_page("measures"), drag = of_page("drag"),
     planes = of_state("-planes.svg", function(state, file) plot(state, file = file)),
     slopes = of_state("-slopes.csv", function(state, file) {
       write_csv(as.data.frame(unclass(sensitivities(state))), file)

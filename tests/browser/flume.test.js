@@ -252,8 +252,7 @@ test('tank saves the design, its tables and pictures on screen', async () => {
   assert.equal(name, 'midwater-trawl-2048-m-around-the-mouth.yaml');
   assert.match(plan, /(^|\n)codend: 1\n[^]*speed: 5 knot/);
   const [, measures] = await save(page, 'save_measures');
-  assert.match(measures,
-    /^"measure","unit","now","error","kept","change","change_percent","definition"\n"door s/);
+  assert.match(measures, /^"measure","value","error","unit"\n"door_spread_m"/);
   assert.match((await save(page, 'save_tensions'))[1], /^"part","kind","role","element"/);
   assert.match((await save(page, 'save_drag'))[1], /^"part","kind","role","drag_kN"/);
   await tab(page, 'R code');

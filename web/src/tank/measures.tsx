@@ -119,15 +119,6 @@ function csv(head: string[], rows: (string | number)[][]): string {
     '"' + value.replace(/^[=+@\t\r-]/, '\'$&').replace(/"/g, '""') + '"';
   return [head, ...rows].map((row) => row.map(cell).join(',') + '\n').join('');
 }
-Saves.add('save_measures', '-measures.csv', () => {
-  const measures = shown ?? none, kept = Kept.all()[0]?.measures ?? none;
-  return csv(['measure', 'unit', 'now', 'error', 'kept', 'change', 'change_percent', 'definition'],
-    union(measures, kept).map(({ name, label, unit, definition }) => {
-      const now = number_of(measures, name), before = number_of(kept, name);
-      return [label, unit, now, number_of(measures, name, 'error'), before, now - before,
-        before ? 100 * (now - before) / Math.abs(before) : NaN, definition];
-    }));
-});
 Saves.add('save_designs', '-designs.csv', () => {
   const all = designs();
   return csv(['measure', 'unit', ...all.map(({ name }) => name)],

@@ -573,7 +573,7 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
       buttons.map(([group, words, all]) =>
         <div class="view-group" role="group" aria-label={words} hidden={group === 'compare' && !kept.length}>
           {all.map(([value, words, key]) => <button type="button" class="view-button" data-group={group}
-            data-value={value} aria-pressed={choice[group] === value} title={with_key(words, key)}
+            data-value={value} data-key={key} aria-pressed={choice[group] === value} title={with_key(words, key)}
             disabled={value === 'net' && !gears.now.range.net} onClick={() => choose(group, value)}>{words}</button>)}
           {group === 'compare' && <Select what="align" words={say('Designs are aligned at')}
             hidden={choice.compare === 'off' || !places.bosom || !places.towing}
@@ -888,19 +888,16 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
   const acts: Record<string, () => void> = {
     ArrowLeft: () => turn_by(-0.1, 0), ArrowRight: () => turn_by(0.1, 0), ArrowUp: () => turn_by(0, 0.1),
     ArrowDown: () => turn_by(0, -0.1), '+': () => zoom_by(1.2), '=': () => zoom_by(1.2), '-': () => zoom_by(1 / 1.2),
-    1: () => choose('from', 'bow'), 2: () => choose('from', 'above'), 3: () => choose('from', 'side'),
-    4: () => choose('from', 'astern'), n: () => choose('focus', 'net'), g: () => choose('focus', 'whole'),
     c: next_colour, h: toggle_keys, s: toggle_saver, 0: () => { look_again(); repaint(); }
   };
-  const compares: Record<string, string> = { 5: 'off', 6: 'over', 7: 'beside' };
   host.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || !gears.now) return;
     if (/^(INPUT|SELECT|TEXTAREA)$/.test((event.target as Element).tagName)) return;
-    const key = event.key;
-    const compare = kept.length ? compares[key] : undefined;
-    const act = compare ? () => choose('compare', compare) : acts[key];
-    if (key === 'n' && !gears.now.range.net) return;
+    const { key } = event;
     if (key === 'Escape') { keys.hidden = tip.hidden = saver.panel.hidden = true; write_bar(); }
+    const button = Array.from(bar.querySelectorAll<HTMLButtonElement>('[data-key]'))
+      .find((one) => one.dataset.key === key && one.checkVisibility());
+    const act = button ? () => button.click() : acts[key];
     if (!act) return;
     event.preventDefault();
     act();
