@@ -2,10 +2,7 @@
 
 // Returns four significant digits, and at most four decimals, like figures() in R.
 export function figures(x: number): string {
-  if (!isFinite(x)) return 'none';
-  if (x === 0) return '0';
-  const decimals = Math.min(Math.max(3 - Math.floor(Math.log10(Math.abs(x))), 0), 4);
-  return fixed_decimals(x, decimals).replace('-', '\u2212');
+  return isFinite(x) ? fixed_decimals(x, decimals_of(x)).replace('-', '\u2212') : 'none';
 }
 
 // Returns an error, rounded up to one or two digits, like error_text() in R.
