@@ -92,17 +92,9 @@ own_row <- function(given) {
 
 # Returns the value with its unit.
 own_value <- function(text, name, column) {
-  words <- gsub("_", " ", name, fixed = TRUE)
-  if (!is_text(text) || nchar(text) > most_name) {
-    abort_argument("The {words} must be text of at most {most_name} characters.")
-  }
-  if (column == "material") return(trimws(text))
+  if (column == "material" && is_text(text) && nchar(text) <= most_name) return(trimws(text))
   like <- trimws(paste("1", stats::na.omit(picked_units[column])))
-  value <- trimws(typed_quantity(text, like))
-  dimension <- first_of(stats::na.omit(quantity_dimension(like)), "number")
-  si <- tryCatch(quantity_si(value, dimension), error = function(e) NA)
-  if (!isTRUE(si >= 0 && is.finite(si))) {
-    abort_argument("The {words} is {.val {text}}; it must be a number such as {.val {like}}.")
-  }
-  value
+  found <- typed_number(text, like, gsub("_", " ", name, fixed = TRUE))
+  if (found$si < 0) abort_argument("The {name} is {.val {text}}; it must be at least 0.")
+  found$text
 }

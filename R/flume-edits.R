@@ -110,6 +110,20 @@ typed_quantity <- function(text, like) {
   if (is.null(parts) || nzchar(parts[2]) || !isTRUE(nzchar(unit))) text else paste(parts[1], unit)
 }
 
+# Returns the text of a number from a text field, with its unit, and its SI value: list(text, si).
+# like: an example with the default unit; name: of the number in messages.
+typed_number <- function(given, like, name) {
+  good <- is_text(given) && nchar(given) <= most_name
+  text <- if (good) trimws(typed_quantity(given, like)) else ""
+  dimension <- first_of(stats::na.omit(quantity_dimension(like)), "number")
+  si <- tryCatch(quantity_si(text, dimension), error = function(e) NA_real_)
+  if (!isTRUE(is.finite(si))) {
+    shown <- if (good) given else "something else"
+    abort_argument("The {name} is {.val {shown}}; it must be a number such as {.val {like}}.")
+  }
+  list(text = text, si = si)
+}
+
 # Returns list(text, doubt), or NULL if the field is not a quantity.
 understood_value <- function(before, after, path) {
   node <- path_node(after, path)

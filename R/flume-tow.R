@@ -71,19 +71,7 @@ tow_units <- c(time = "1 s", speed = "1 knot", angle = "1 deg", length = "1 m")
 
 # Returns the SI value of a typed number.
 format_number <- function(said, name, dimension) {
-  good <- is_text(said) && nchar(said) <= most_name
-  number <- if (good) {
-    text <- trimws(typed_quantity(said, tow_units[[dimension]]))
-    tryCatch(quantity_si(text, dimension), error = function(e) NA_real_)
-  }
-  if (!isTRUE(is.finite(number))) {
-    shown <- if (good) said else "something else"
-    abort_argument(
-      "{.arg {name}} is {.val {shown}}; it must be a number with a unit (units:
-      {unit_examples(dimension)})."
-    )
-  }
-  number
+  typed_number(said, tow_units[[dimension]], name)$si
 }
 
 # Downloads of a tow: file extension, required package, and a function that writes a trajectory.
