@@ -171,9 +171,17 @@ function part({ path, names, clicked }: FromR['flume_part']) {
   Drawing.seek(path);
 }
 
+// Forgets requests that nobody will answer.
+function forget() {
+  Talk.stop();
+  Tabs.lost();
+  Form.lost();
+}
+
 // Builds the page. After a lost connection, the page exists and opens its designs again.
 function begin(message: FromR['flume_begin']) {
   if (document.getElementById('flume')) {
+    forget();
     Designs.open_again();
     return;
   }
@@ -235,9 +243,7 @@ Saves.add('save_code', '.R', () => find('code').textContent + '\n');
 
 window.addEventListener('hashchange', () => Designs.read());
 connect(() => {
-  Talk.stop();
-  Tabs.lost();
-  Form.lost();
+  forget();
   tell('refused', say('process_ended'));
   tell('gallery_refused', say('process_gone'));
 }, History.has_design);
