@@ -155,7 +155,7 @@ test_that("own_rows() checks user-defined rows and stores them with designs", {
   wrong("no numbers", values = list(diameter = NULL))
   wrong("diameter is", values = list(diameter = "8 kg"))
   wrong("diameter is", values = list(diameter = "-8 in"))
-  wrong("must be text of at most", values = list(diameter = 8))
+  wrong("diameter is", values = list(diameter = 8))
   many <- lapply(1:101, function(k) utils::modifyList(given[[1]], list(title = paste(k))))
   expect_error(own_rows(many), "at most")
 

@@ -9,8 +9,8 @@ test_that("page varies a field with the results of vary()", {
     told <- sent("flume_varied")
     expect_identical(vapply(told, `[[`, NA, "running"), c(TRUE, TRUE, TRUE, FALSE))
     varied <- told[[4]]$varied
-    expect_identical(varied[c("words", "unit", "now", "of")],
-      list(words = "Towing speed", unit = "knot", now = 4, of = 3L))
+    expect_identical(varied[c("path", "unit", "now", "of")],
+      list(path = "towing.speed", unit = "knot", now = 4, of = 3L))
     found <- vary("towed_cable", towing.speed = paste(3:5, "knot"), nodes = 300)
     # settled from the same state
     words <- vapply(varied$measures, `[[`, "", "words")

@@ -68,7 +68,7 @@ test_that("worker answers the latest design and rejects too many files", {
     file <- file.path(folder, paste0(k, ".vtu"))
     one$ask(
       paste("save", k), kind = "save",
-      tank$request("save", list(format = "vtu", file = file))
+      tank$request("save", list(name = "vtu", file = file))
     )
   }
   expect_true(one$wait(10))

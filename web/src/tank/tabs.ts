@@ -69,8 +69,8 @@ const about: Record<string, { words: string[]; note?: string; empty?: string }[]
     { words: ['ropes_by_tension', 'part', 'largest_kn', 'mean_kn', 'breaking_load_kn', 'margin'], note: 'margin_note' },
     { words: ['netting_by_tension', 'part', 'tenth_n', 'mean_n'] }
   ],
-  drag: ['group', 'part'].map((by) =>
-    ({ words: ['drag_by_' + by, by, 'drag_kn', 'share', 'to_starboard_kn', 'lift_kn'] })),
+  drag: [['drag_by_group', 'group'], ['drag_by_part', 'part']].map((first) =>
+    ({ words: [...first, 'drag_kn', 'share', 'to_starboard_kn', 'lift_kn'] })),
   differences: [{ words: ['fields_differ', 'field', 'kept', 'now'], empty: 'no_difference' }]
 };
 const shown: Record<string, FromR['flume_table']['tables']> = {};

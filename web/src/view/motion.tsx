@@ -50,7 +50,7 @@ export function new_motion(
   function write() {
     const k = frame_of(now), words = told.labels[now - times[k] < times[k + 1] - now ? k : k + 1];
     render([
-      <button type="button" class="view-button" onClick={toggle}>{say(playing ? 'Pause' : 'Play')}</button>,
+      <button type="button" class="view-button" onClick={toggle}>{playing ? say('Pause') : say('Play')}</button>,
       <input type="range" min={times[0]} max={times[last]} step="any" value={now} aria-label={say('Time')}
         aria-valuetext={words} onInput={(event) => seek(Number(event.currentTarget.value))} />,
       <div class="label">{words}</div>
