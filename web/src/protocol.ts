@@ -207,25 +207,25 @@ export interface Asked {
   shared_open: { author: string; name: string };
 }
 
-// Other messages to R. `number` makes equal messages distinct.
+// Other messages to R.
 export interface Told {
   design: { number: number; turn: number; edits?: Edits; design?: Design; anew: boolean };
   kept: { number: number; design: Design };
-  own: { number: number; rows: OwnRow[] };
+  own: { rows: OwnRow[] };
   offers: { path: string; title: string };
-  shared: { number: number; act: string; name: string; author: string; key: string; words: Words | null };
-  cancel: number;
-  plan_wanted: number;
+  shared: { act: string; name: string; author: string; key: string; words: Words | null };
+  cancel: null;
+  plan_wanted: null;
   code_wanted: { opened: Design; kept: Design };
   table_wanted: { name: 'tensions' | 'drag' | 'differences'; kept?: Design };
   save_wanted: string;
   intervals_wanted: boolean;
-  drawing_wanted: number;
-  part_wanted: { number: number; name?: string; path?: string };
-  prediction_wanted: { number: number; paths: string[] };
-  slopes_wanted: { number: number; paths: string[] | null };
-  vary_wanted: { asked: number; paths: string[]; unit: string; from: string; to: string; number: number };
-  vary_stop: number;
-  target_wanted: { number: number; paths: string[]; measure: string; unit: string; target: string };
-  tow_wanted: { number: number; until: string; planned?: true; changes?: Record<string, Change> };
+  drawing_wanted: null;
+  part_wanted: { name?: string; path?: string };
+  prediction_wanted: { paths: string[] };
+  slopes_wanted: { paths: string[] | null };
+  vary_wanted: { paths: string[]; unit: string; from: string; to: string; number: number };
+  vary_stop: null;
+  target_wanted: { paths: string[]; measure: string; unit: string; target: string };
+  tow_wanted: { until: string; planned?: true; changes?: Record<string, Change> };
 }

@@ -22,7 +22,7 @@ export function own_rows(): CatalogueRow[] { return own; }
 export function add_own(rows: OwnRow[]): void { tell_own([...own, ...rows]); }
 function tell_own(rows: OwnRow[]) {
   tell('own_error', '');
-  send('own', { number: Date.now(), rows });
+  send('own', { rows });
 }
 
 // Returns the form for a new row of the user.

@@ -145,7 +145,7 @@ function share(act: string, name: string, author: string) {
   // Names that look the same are the same.
   const plain = (text: string) => text.normalize('NFKC').trim();
   send('shared', {
-    number: Date.now(), act, name: plain(name), author: plain(author), key: own_key(),
+    act, name: plain(name), author: plain(author), key: own_key(),
     words: act === 'put' ? all() : null
   });
 }

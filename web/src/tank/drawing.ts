@@ -26,7 +26,7 @@ export function want(moved = false): void {
   if (!stale || !seen()) return;
   timer = window.setTimeout(() => {
     stale = false;
-    send('drawing_wanted', Date.now());
+    send('drawing_wanted', null);
   }, 600);
 }
 
@@ -244,7 +244,7 @@ function by_part() {
 let chosen = '';
 // A part was chosen in the drawing or the form.
 function tell_chosen(path: string) {
-  if (path !== chosen) send('part_wanted', { number: Date.now(), path });
+  if (path !== chosen) send('part_wanted', { path });
   chosen = path;
 }
 on('focusin', (target) => {

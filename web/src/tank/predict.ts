@@ -52,7 +52,7 @@ function reach(target: HTMLElement) {
   if (!box?.querySelector('[type=range]') || !Form.still() || field === paths && (slope || asked)) return;
   forget(paths);
   asked = true;
-  send('prediction_wanted', { number: Date.now(), paths: paths.split(' ') });
+  send('prediction_wanted', { paths: paths.split(' ') });
 }
 (['pointerover', 'pointerdown', 'focusin'] as const).forEach((name) => on(name, reach));
 // A new gear has a form. The first request prepares R's process for all later ones.

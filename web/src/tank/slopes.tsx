@@ -22,7 +22,7 @@ function key() { return field().value; }
 
 function ask(paths: string[] | null) {
   tell('slopes_error', '');
-  send('slopes_wanted', { paths, number: Date.now() });
+  send('slopes_wanted', { paths });
 }
 
 // Updates the list of fields, and requests derivatives of the chosen field if it is visible and unknown,

@@ -50,7 +50,7 @@ function want() {
     const kept = Kept.all()[0]?.design;
     if (name === 'Designs') Measures.write_designs();
     if (name === 'Slopes') Slopes.write_all();
-    if (name === 'Plan') send('plan_wanted', Date.now());
+    if (name === 'Plan') send('plan_wanted', null);
     else if (name === 'R code' && kept) send('code_wanted', { opened: History.as_opened(), kept });
     else if (tables[name]) send('table_wanted', { name: tables[name], kept });
     else return;

@@ -55,4 +55,4 @@ export function ask<Name extends keyof Asked>(name: Name, asked: Asked[Name], wo
   return mine;
 }
 
-on('click', (target) => { if (target.id === 'cancel') send('cancel', Date.now()); });
+on('click', (target) => { if (target.id === 'cancel') send('cancel', null); });

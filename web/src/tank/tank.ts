@@ -19,7 +19,7 @@ function listen_clicks(viewer: Viewer, canvas: HTMLCanvasElement) {
     const box = canvas.getBoundingClientRect(), gear = viewer.gear();
     const found = viewer.under(event.clientX - box.left, event.clientY - box.top);
     if (!found) return;
-    send('part_wanted', { number: Date.now(), name: found.kind === 'mark' ?
+    send('part_wanted', { name: found.kind === 'mark' ?
       about.marks.part[found.number] :
       about.parts.name[(found.kind === 'rope' ? gear.ropes : gear.netting).part[found.number]] });
   });

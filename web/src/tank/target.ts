@@ -32,8 +32,7 @@ function open(button: HTMLElement) {
 function ask() {
   answer('', '');
   send('target_wanted', {
-    paths: field().value.split(' '), measure: measure.measure ?? '', unit: measure.unit ?? '', target: value().value,
-    number: Date.now()
+    paths: field().value.split(' '), measure: measure.measure ?? '', unit: measure.unit ?? '', target: value().value
   });
 }
 

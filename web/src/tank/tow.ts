@@ -24,7 +24,7 @@ function changes() {
 function ask(planned: boolean) {
   tell('tow_error', '');
   send('tow_wanted', {
-    until: text('tow_until'), number: Date.now(), ...(planned ? { planned: true } : { changes: changes() })
+    until: text('tow_until'), ...(planned ? { planned: true } : { changes: changes() })
   });
 }
 

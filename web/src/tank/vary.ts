@@ -67,12 +67,12 @@ export function stale(): void {
 
 on('change', ({ id }) => { if (id === 'vary_field') ends(); });
 on('click', ({ id }) => {
-  if (id === 'vary_stop') send('vary_stop', Date.now());
+  if (id === 'vary_stop') send('vary_stop', null);
   if (id !== 'vary_start') return;
   tell('vary_error', '');
   tell('vary_stale', '');
   send('vary_wanted', {
     paths: field.split(' '), unit: Form.field(field.split(' ')[0])?.unit ?? '', from: input('vary_from').value,
-    to: input('vary_to').value, number: input('vary_number').valueAsNumber, asked: Date.now()
+    to: input('vary_to').value, number: input('vary_number').valueAsNumber
   });
 });
