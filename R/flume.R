@@ -51,8 +51,8 @@
 #' @section Downloads:
 #' The page saves
 #'
-#' - a report ([report()]), the plan with its remarks ([write_gear()]), the drawing, plane views, the
-#'   picture and the tow;
+#' - a report ([report()]), the plan with its remarks ([write_gear()]), the drawing, plane views,
+#'   the picture and the tow;
 #' - all designs in one file that the page can open;
 #' - tables as CSV, graphs as pictures, and R code that settles the present and the stored design.
 #'
