@@ -724,11 +724,11 @@ test('tank tows, plays and saves the design and rejects wrong input', async () =
   const shown = () => page.evaluate(() => window.codendTank.Tow.shown().picture().toDataURL());
   const start = await shown();
   // the time slider plays the tow, and the graphs follow
-  const spread = await page.textContent('.graph .now');
+  const value = '.graph svg text:last-child', spread = await page.textContent(value);
   await page.locator('.tow-view [aria-label="Time"]').focus();
   await page.keyboard.press('End');
-  await page.waitForFunction((before) => document.querySelector('.graph .now').textContent !==
-    before, spread, patience);
+  await page.waitForFunction(([value, before]) =>
+    document.querySelector(value).textContent !== before, [value, spread], patience);
   assert.notEqual(await shown(), start);
   assert.match((await save(page, 'save_tow_measures'))[1],
     /^"time_s","measure","value","error","unit"/);

@@ -7,7 +7,7 @@ export interface GraphsAbout extends About {
   // called after each drawing
   drawn?(): void;
 }
-interface Drawn { graph: Graph; measure: Measured; now: HTMLElement }
+interface Drawn { graph: Graph; measure: Measured }
 
 // Draws graphs in the element `place`; `select` offers the measures without a graph. first(words)
 // returns the default choice. `shown` of a measure is its name in the page's language.
@@ -21,11 +21,11 @@ export function new_graphs(
 
   function figure(measure: Measured) {
     const box = element('figure', 'graph'), head = element('figcaption', '', said(measure));
-    const now = element('span', 'now'), png = element('button', 'link save-graph', 'PNG',
+    const png = element('button', 'link save-graph', 'PNG',
       { type: 'button', 'aria-label': say('save_graph', { words: said(measure) }) });
     const out = element('button', 'take-out', '\u00d7',
       { type: 'button', 'aria-label': say('take_graph', { words: said(measure) }) });
-    head.append(now, png, out);
+    head.append(png, out);
     box.appendChild(head);
     place.appendChild(box);
     const graph = new_graph(box, about);
@@ -35,7 +35,7 @@ export function new_graphs(
       chosen = chosen.filter((words) => words !== measure.words);
       lay_out();
     });
-    drawn.push({ graph, measure, now });
+    drawn.push({ graph, measure });
   }
 
   function lay_out() {
@@ -72,9 +72,6 @@ export function new_graphs(
       });
       about.drawn?.();
     },
-    // now: element for the present value
-    each(act: (graph: Graph, measure: Measured, now: HTMLElement) => void) {
-      drawn.forEach(({ graph, measure, now }) => act(graph, measure, now));
-    }
+    mark(time: number) { drawn.forEach(({ graph }) => graph.mark(time)); }
   };
 }

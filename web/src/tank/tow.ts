@@ -1,14 +1,14 @@
 // A tow of the present design: its inputs, its view with a time slider, and its graphs.
 
 import type { Change, FromR } from '../protocol';
-import { element, find, new_viewer, type Scene, type Viewer } from '../view';
+import { element, find, new_viewer, type Viewer } from '../view';
 import { on } from './events';
 import { new_graphs } from './graphs';
 import { tell } from './notices';
 import { send } from './server';
 import { say, say_measure } from './words';
 
-let viewer: Viewer | null = null, graphs: ReturnType<typeof new_graphs> | null = null, towed: Scene | null = null;
+let viewer: Viewer | null = null, graphs: ReturnType<typeof new_graphs> | null = null;
 function text(id: string) { return find<HTMLInputElement>(id).value.trim(); }
 
 function changes() {
@@ -35,27 +35,15 @@ function choose(all: string[]) {
   return [...new Set(found)].filter((words) => words !== undefined);
 }
 
-function moved(scene: Scene, time: number) {
-  graphs?.each((graph, { values }, now) => {
-    const at = scene.graph_times;
-    let k = 0;
-    graph.mark(time);
-    while (k < at.length - 1 && at[k + 1] <= time + 1e-9) k++;
-    const value = values[k];
-    now.textContent = typeof value === 'number' ? String(Number(value.toPrecision(4))) : '';
-  });
-}
-
 // Plays a computed tow.
 export function show({ scene }: FromR['flume_tow']): void {
-  towed = scene;
   find('towed').hidden = false;
   tell('tow_stale', '');
   if (!viewer) {
     const host = element('div', 'tow-view');
     find('tow_place').appendChild(host);
     viewer = new_viewer(host, {
-      title: true, graph: false, still: false, moved: (time) => { if (towed) moved(towed, time); }
+      title: true, graph: false, still: false, moved: (time) => graphs?.mark(time)
     });
     if (!viewer) return;
   }
@@ -64,17 +52,16 @@ export function show({ scene }: FromR['flume_tow']): void {
   scene.graph.forEach((one) => { one.shown = say_measure(one.words); });
   graphs.show(scene.graph, {
     times: scene.graph_times, ends: scene.ends, range: [time, scene.times[scene.times.length - 1]],
-    seek: (at) => shown.seek(at), drawn: () => moved(scene, time)
+    unit: 's', seek: (at) => shown.seek(at)
   });
   viewer.show(scene);
-  moved(scene, time);
   find('tow_place').scrollIntoView({ block: 'nearest' });
 }
 
 // Marks the tow as out of date. planned: true if the new plan defines a tow.
 export function design(planned: boolean): void {
   find('tow_planned').hidden = !planned;
-  if (towed) tell('tow_stale', say('tow_stale'));
+  if (viewer) tell('tow_stale', say('tow_stale'));
 }
 
 on('click', ({ id }) => {

@@ -56,7 +56,7 @@ export function write(): void {
   drawn.show(measures, {
     times: varied.values, range: varied.range, unit: varied.unit,
     axis: say_path(varied.path) + (varied.unit ? ' (' + varied.unit + ')' : ''),
-    drawn: () => drawn.each((graph) => { if (now !== null) graph.mark(now); })
+    drawn: () => { if (now !== null) drawn.mark(now); }
   });
 }
 

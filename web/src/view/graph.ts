@@ -140,6 +140,7 @@ export function new_graph(host: HTMLElement, about: About): Graph {
     cursor.setAttribute('visibility', now >= about.range[0] && now <= about.range[1] ? 'visible' : 'hidden');
     cursor.setAttribute('x1', String(across(now)));
     cursor.setAttribute('x2', String(across(now)));
+    tell(now);
   }
 
   function time_at(event: PointerEvent) {
@@ -147,10 +148,9 @@ export function new_graph(host: HTMLElement, about: About): Graph {
     const time = about.range[0] + (about.range[1] - about.range[0]) * (x - left) / (wide - left - right);
     return Math.min(Math.max(time, about.range[0]), about.range[1]);
   }
-  // Displays the value nearest to the pointer.
-  function hover(event: PointerEvent) {
+  // Displays the value nearest to a time.
+  function tell(time: number) {
     if (!tip || !shown) return;
-    const time = time_at(event);
     let best = -1;
     shown.values.forEach((value, k) => {
       if (!isFinite(number(value))) return;
@@ -163,15 +163,15 @@ export function new_graph(host: HTMLElement, about: About): Graph {
       (isFinite(error) ? ', ' + say('computed to {n}', { n: Number(error.toPrecision(2)) }) : '');
   }
   svg.addEventListener('pointerdown', (event) => {
-    if (!about.seek) { hover(event); return; }
+    if (!about.seek) { tell(time_at(event)); return; }
     svg.setPointerCapture(event.pointerId);
     about.seek(time_at(event));
   });
   svg.addEventListener('pointermove', (event) => {
     if (about.seek && event.buttons) about.seek(time_at(event));
-    hover(event);
+    tell(time_at(event));
   });
-  svg.addEventListener('pointerleave', () => { if (tip) tip.textContent = ''; });
+  svg.addEventListener('pointerleave', () => tell(now));
   // Labels keep their size, so another width requires a new drawing.
   new window.ResizeObserver(() => {
     if (shown && svg.clientWidth && svg.clientWidth !== wide) draw(shown);

@@ -117,7 +117,9 @@ export function new_motion(
     render(<select aria-label={say('Measure to plot')} onChange={(event) => draw(Number(event.currentTarget.value))}>
       {measures.map((one, k) => <option value={k}>{one.words}</option>)}
     </select>, place);
-    curve = new_graph(box, { times: told.graph_times, ends: told.ends, range: [times[0], times[last]], seek });
+    curve = new_graph(box, {
+      times: told.graph_times, ends: told.ends, range: [times[0], times[last]], unit: 's', seek
+    });
     draw(0);
   }
 
