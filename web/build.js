@@ -44,7 +44,10 @@ const bundles = {
   'view/report.js': { entryPoints: ['src/report.ts'] },
   'htmlwidgets/codend.js': { entryPoints: ['src/widget.ts'], plugins: [viewer_outside] },
   'app/tank.css': { entryPoints: ['src/tank/tank.css'] },
-  'app/tank.js': { entryPoints: ['src/tank/index.ts'], globalName: 'codendTank', plugins: [viewer_outside] },
+  'app/tank.js': {
+    entryPoints: ['src/tank/index.ts'], globalName: 'codendTank', plugins: [viewer_outside],
+    banner: { js: licences(['fflate']) }
+  },
   'share/page.js': { entryPoints: ['src/share/page.ts'] },
   'share/worker.js': { entryPoints: ['src/share/worker.ts'], globalName: 'codendWorker' }
 };

@@ -17,15 +17,15 @@ test('line_of() finds the line of a path, or of its deepest known parent', async
 test('pack() and unpack() keep the designs of an address', async () => {
   const { pack, unpack } = await import('../src/tank/designs');
   const words = { now: { plan: 'name: M\u00f8re' }, kept: [], units: { length: 'm' } };
-  assert.deepEqual(await unpack(await pack(words)), words);
-  assert.match(await pack(words), /^[A-Za-z0-9_-]+$/);
+  assert.deepEqual(unpack(pack(words)), words);
+  assert.match(pack(words), /^[A-Za-z0-9_-]+$/);
 });
 
 test('unpack() rejects a text that expands to more than 2 MB', async () => {
   const { unpack } = await import('../src/tank/designs');
   const packed = deflateRawSync(JSON.stringify('x'.repeat(3e6))).toString('base64url');
   assert.ok(packed.length < 1e4);
-  await assert.rejects(unpack(packed), /too long/);
+  assert.throws(() => unpack(packed), SyntaxError);
 });
 
 test('ticks() returns round numbers', async () => {

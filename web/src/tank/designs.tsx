@@ -1,5 +1,6 @@
 // The page address, which encodes all designs, and the shared folder.
 
+import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import { render } from 'preact';
 import type { Design, FromR, SharedDesign, Words } from '../protocol';
 import { find } from '../view';
@@ -16,39 +17,21 @@ import { prefer, preferred } from './units';
 import { say } from './words';
 
 const largest = 2 * 1024 * 1024;
-let timer: number | undefined, mine: string | null = null, packing = false;
+let timer: number | undefined, mine: string | null = null;
 // the request that opens an address or, after a lost connection, the design of the page again
 let opening: { number: number; words: Words | null; done?: boolean } | null = null;
 
 // ---- the address --------------------------------------------------------------------------------
 
-async function through(bytes: Uint8Array<ArrayBuffer>, stream: CompressionStream | DecompressionStream) {
-  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader(), parts: Uint8Array<ArrayBuffer>[] = [];
-  let size = 0;
-  for (;;) {
-    const step = await reader.read();
-    if (step.done) return new Blob(parts).arrayBuffer();
-    size += step.value.length;
-    // A small compressed text can expand to an arbitrary size.
-    if (size > largest) {
-      reader.cancel();
-      throw new RangeError('too long');
-    }
-    parts.push(step.value);
-  }
-}
-
-export async function pack(words: Words): Promise<string> {
-  const bytes = await through(new TextEncoder().encode(JSON.stringify(words)), new CompressionStream('deflate-raw'));
-  const text = Array.from(new Uint8Array(bytes), (byte) => String.fromCharCode(byte)).join('');
+export function pack(words: Words): string {
+  const text = strFromU8(deflateSync(strToU8(JSON.stringify(words))), true);
   return btoa(text).replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '');
 }
 
-export async function unpack(text: string): Promise<Words> {
-  const plain = atob(text.replace(/-/g, '+').replace(/_/g, '/'));
-  const bytes = Uint8Array.from(plain, (one) => one.charCodeAt(0));
-  const found = await through(bytes, new DecompressionStream('deflate-raw'));
-  return JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(found));
+export function unpack(text: string): Words {
+  const bytes = strToU8(atob(text.replace(/-/g, '+').replace(/_/g, '/')), true);
+  // A small compressed text can expand to an arbitrary size; the rest is cut off.
+  return JSON.parse(strFromU8(inflateSync(bytes, { out: new Uint8Array(largest) })));
 }
 
 // Opens the designs of the page address. Returns false if it has no new ones.
@@ -56,10 +39,12 @@ export function read(): boolean {
   const found = window.location.hash.match(/^#d=([A-Za-z0-9_-]+)$/);
   if (!found || found[1] === mine) return false;
   mine = found[1];
-  unpack(found[1]).then(open).catch(() => {
+  try {
+    open(unpack(found[1]));
+  } catch {
     gallery(true);
     tell('gallery_refused', say('no_design_here'));
-  });
+  }
   return true;
 }
 
@@ -118,16 +103,14 @@ export function moved(): void {
     write();
   }, 600);
 }
-async function write() {
+function write() {
   if (!History.has_design()) return;
-  packing = true;
-  mine = await pack(all());
-  packing = false;
+  mine = pack(all());
   window.history.replaceState(null, '', '#d=' + mine);
 }
 
 // Returns true while the address is out of date.
-export function waits(): boolean { return timer !== undefined || packing; }
+export function waits(): boolean { return timer !== undefined; }
 
 // ---- the shared folder --------------------------------------------------------------------------
 

@@ -1,16 +1,12 @@
 // Decodes the numbers of a scene.
 
-import { unzlibSync } from 'fflate';
+import { strToU8, unzlibSync } from 'fflate';
 import type { Numbers, Packed, Places, Series } from './scene';
 
 export interface PlaceSource { of(k: number, share: number): Float32Array; low: Float32Array; size: Float32Array }
 export interface ValueSource { of(k: number): Float32Array }
 
-function bytes(text: string) {
-  const raw = atob(text), out = new Uint8Array(raw.length);
-  for (let i = 0; i < raw.length; i++) out[i] = raw.charCodeAt(i);
-  return out.buffer;
-}
+const bytes = (text: string) => strToU8(atob(text), true).buffer as ArrayBuffer;
 export function floats(given: Packed): Float32Array {
   return typeof given === 'string' ? new Float32Array(bytes(given)) : given as Float32Array;
 }

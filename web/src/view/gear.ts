@@ -240,10 +240,11 @@ export function new_gear(materials: Materials): Gear {
     shoe_end: ['runner', 2.6]
   };
 
-  // All components and vessels share one buffer, because one draw call is faster than many.
+  // All components and vessels share one buffer, because one draw call is faster than many. Every gear
+  // has a support.
   function lay_out_marks() {
     const made = shapes_once(), marks = told.marks, bodies: Body[] = [];
-    let corners = 0, sides = 0;
+    let corners = 0;
     function body(shape: ShapeName, colour: string) {
       const geometry = made[shape];
       if (!geometry.index) {
@@ -252,7 +253,6 @@ export function new_gear(materials: Materials): Gear {
       }
       const one: Body = { geometry, colour: rgb(colour), from: corners, matrix: new T.Matrix4() };
       corners += geometry.getAttribute('position').count;
-      sides += (geometry.index as T.BufferAttribute).count;
       bodies.push(one);
       return one;
     }
@@ -265,18 +265,10 @@ export function new_gear(materials: Materials): Gear {
       mast: body('box', '#39434B'), gallows: body('box', '#39434B'), at: []
     }));
     if (gear.bodies) gear.bodies.geometry.dispose();
-    const geometry = new T.BufferGeometry(), index = new Uint32Array(sides);
-    let at = 0;
-    const colour = attribute(geometry, 'colour', 3, corners);
-    bodies.forEach((one) => {
-      const own = (one.geometry.index as T.BufferAttribute).array;
-      for (let i = 0; i < own.length; i++) index[at++] = one.from + own[i];
-    });
-    geometry.setIndex(new T.BufferAttribute(index, 1));
-    gear.bodies = {
-      geometry, all: bodies, colour, position: attribute(geometry, 'position', 3, corners),
-      normal: attribute(geometry, 'normal', 3, corners)
-    };
+    const geometry = mergeGeometries(bodies.map((one) => one.geometry));
+    const colour = attribute(geometry, 'colour', 3, corners), of = (name: string) =>
+      geometry.getAttribute(name) as T.BufferAttribute;
+    gear.bodies = { geometry, all: bodies, colour, position: of('position'), normal: of('normal') };
     bodies.forEach((one) => fill(one, one.colour));
     const mesh = new T.Mesh(geometry, materials.solid);
     mesh.frustumCulled = false;
