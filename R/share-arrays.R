@@ -21,10 +21,10 @@ flat_arrays <- function(x, prefix = "") {
 }
 
 # Returns list(head, body). `head` lists for each array: type (d: double, f: single, i: integer, w:
-# strings, g: groups), count, first byte, `together` of smaller_body(), distinct strings. `body` is
-# from deflated(). Integers and strings are stored as differences, identical arrays once.
+# strings, g: groups), count, first byte, distinct strings. `body` is from deflated(). Integers and
+# strings are stored as differences.
 packed_arrays <- function(arrays) {
-  head <- bodies <- places <- list()
+  head <- bodies <- list()
   at <- 0
   for (name in names(arrays)) {
     x <- arrays[[name]]
@@ -37,21 +37,12 @@ packed_arrays <- function(arrays) {
     numbers <- switch(type,
       w = diff(c(0L, match(x, levels) - 1L)), i = diff(c(0L, as.integer(x))), as.double(x)
     )
-    size <- c(d = 8L, f = 4L, i = 4L, w = 4L)[[type]]
-    body <- smaller_body(writeBin(numbers, raw(), size = size, endian = "little"), size)
-    known <- Position(function(one) identical(one, body), bodies)
-    if (is.na(known)) {
-      known <- length(bodies) + 1L
-      bodies[[known]] <- body
-      places[[known]] <- at
-      at <- at + length(body$bytes)
-    }
-    head[[name]] <- c(
-      list(type, length(x), places[[known]], body$together),
-      if (type == "w") list(I(levels))
-    )
+    head[[name]] <- c(list(type, length(x), at), if (type == "w") list(I(levels)))
+    size <- if (type == "d") 8L else 4L
+    bodies[[name]] <- writeBin(numbers, raw(), size = size, endian = "little")
+    at <- at + length(bodies[[name]])
   }
-  list(head = head, body = deflated(do.call(c, c(list(raw()), lapply(bodies, `[[`, "bytes")))))
+  list(head = head, body = deflated(do.call(c, c(list(raw()), unname(bodies)))))
 }
 
 array_type <- function(x) {
@@ -67,16 +58,6 @@ single_floats <- function(x) structure(as.double(x), class = "single_floats")
 few_figures <- function(x, bits) {
   step <- 2^(floor(log2(pmax(abs(x), 1e-99))) + 1 - bits)
   round(x / step) * step
-}
-
-# Repeated numbers deflate best as they are, others with bytes of equal weight together.
-smaller_body <- function(bytes, size) {
-  together <- as.vector(t(matrix(bytes, size)))
-  if (length(memCompress(together, "gzip")) < length(memCompress(bytes, "gzip"))) {
-    list(bytes = together, together = 1L)
-  } else {
-    list(bytes = bytes, together = 0L)
-  }
 }
 
 deflated <- function(bytes) jsonlite::base64_enc(memCompress(bytes, "gzip"))

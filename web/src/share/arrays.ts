@@ -1,22 +1,15 @@
 // Named arrays of a shared page, as packed_arrays() in R/share-arrays.R writes them.
 
-// type, length, first byte, 1 if bytes of equal weight are together, and the distinct strings
-export type Entry = ['d' | 'f' | 'i' | 'w' | 'g', number, number, number, string[]];
+// type, length, first byte, and the distinct strings
+export type Entry = ['d' | 'f' | 'i' | 'w' | 'g', number, number, string[]];
 export type Head = Record<string, Entry>;
 export type NamedArray = Float64Array | Float32Array | Int32Array | string[];
 
-function unpack([type, count, from, together, strings]: Entry, bytes: Uint8Array): NamedArray {
-  const size = type === 'd' ? 8 : 4, raw = bytes.slice(from, from + count * size);
-  let out = raw;
-  if (together) {
-    out = new Uint8Array(count * size);
-    for (let b = 0; b < size; b++) {
-      for (let k = 0; k < count; k++) out[size * k + b] = raw[b * count + k];
-    }
-  }
-  if (type === 'd') return new Float64Array(out.buffer);
-  if (type === 'f') return new Float32Array(out.buffer);
-  const whole = new Int32Array(out.buffer);
+function unpack([type, count, from, strings]: Entry, bytes: Uint8Array): NamedArray {
+  const raw = bytes.slice(from, from + count * (type === 'd' ? 8 : 4));
+  if (type === 'd') return new Float64Array(raw.buffer);
+  if (type === 'f') return new Float32Array(raw.buffer);
+  const whole = new Int32Array(raw.buffer);
   for (let k = 1; k < whole.length; k++) whole[k] += whole[k - 1];
   return type === 'i' ? whole : Array.from(whole, (k) => strings[k]);
 }
