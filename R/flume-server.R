@@ -8,7 +8,7 @@ flume_sessions <- 30L
 rest_pause <- 0.08
 rest_every <- 0.5
 
-# start: list(gear, state, notes) to open with, or NULL; marked: fields with additional controls;
+# start: from settled_start(), or NULL; marked: fields with additional controls;
 # new_worker: a function(seconds, late) that returns a worker; folder: of shared designs, or NULL;
 # hosts: names under which a proxy serves the page, or NULL.
 #

@@ -7,7 +7,7 @@
 # (states). `slopes` and `uncertainty` belong to the state on screen; `with_intervals` is TRUE if
 # the page shows the uncertainty. `trajectory` is the last tow, serialised.
 
-# start: list(gear, state, notes) to open with, or NULL to start at the gallery. `say`: translator
+# start: from settled_start(), or NULL to start at the gallery. `say`: translator
 # from make_translator().
 new_tank <- function(start, marked, nodes, say = make_translator()) {
   tank <- new.env(parent = emptyenv())
@@ -22,7 +22,7 @@ new_tank <- function(start, marked, nodes, say = make_translator()) {
   tank$form <- function() {
     plan <- tank$draft$plan
     tank$laid_out <- paths_of(plan)
-    form_message(plan, marked_of(marked, plan), tank$turn)
+    form_message(plan, marked, tank$turn)
   }
   # The next message rebuilds the form, even if its fields are the same.
   tank$lay_out <- function() tank$laid_out <- NULL
@@ -81,21 +81,9 @@ new_tank <- function(start, marked, nodes, say = make_translator()) {
   # The next picture is sent completely, because the page has another shape.
   tank$forget_picture <- function() tank$known <- NULL
 
-  if (!is.null(start)) tank$take("shipped", with_picture(start), 0)
+  if (!is.null(start)) tank$take("shipped", start, 0)
   tank
 }
 
 # Requests that open another gear.
 opening_requests <- c("plan_file", "shipped", "new", "words")
-
-marked_of <- function(marked, plan) {
-  Filter(function(paths) all(!vapply(paths, function(path) {
-    is.null(plan_field(plan, path))
-  }, NA)), marked)
-}
-
-with_picture <- function(start) {
-  if (is.null(start$drawing)) start$drawing <- flume_drawing(start$state)
-  if (is.null(start$measures)) start$measures <- measures(start$state)
-  start
-}

@@ -85,7 +85,7 @@ in_flume <- function(
   gear, test, fields = list(), nodes = 300, new_worker = direct_worker, folder = NULL
 ) {
   if (is.character(gear)) gear <- read_gear(gear)
-  start <- if (!is.null(gear)) list(gear = gear, state = settle(gear, nodes = nodes))
+  start <- if (!is.null(gear)) settled_start(gear, nodes)
   session <- open_flume(flume_server(start, as.list(fields), nodes, new_worker, folder))
   test(session, session$sent, session$tank)
 }

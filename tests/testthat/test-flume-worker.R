@@ -28,7 +28,7 @@ asking <- function(...) {
   )
 }
 
-start <- list(gear = settled_gear("towed_cable"), state = settled("towed_cable", nodes = 300))
+start <- settled_start(settled_gear("towed_cable"), 300)
 tank <- new_tank(start, list(), 300)
 towed_at <- function(speed) {
   draft <- tank$draft

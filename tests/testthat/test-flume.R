@@ -508,7 +508,7 @@ test_that("server opens the design of an address and validates it", {
 })
 
 test_that("page that continues after a lost connection starts without a gear", {
-  start <- list(gear = read_gear("towed_cable"), state = settled("towed_cable", nodes = 300))
+  start <- settled_start(read_gear("towed_cable"), 300)
   server <- flume_server(start, list(), 300, direct_worker)
   session <- open_flume(server, list(QUERY_STRING = "?continues=1"))
   expect_null(session$tank$gear)
@@ -548,7 +548,7 @@ test_that("drawing names only fields of the form", {
 
 test_that("sessions have separate gears", {
   gear <- read_gear("towed_cable")
-  start <- list(gear = gear, state = settle(gear, nodes = 300))
+  start <- settled_start(gear, 300)
   server <- flume_server(start, list(), 300, direct_worker)
   one <- open_flume(server)
   other <- open_flume(server)
