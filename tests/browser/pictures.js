@@ -109,10 +109,13 @@ const webp = (page, png) => page.evaluate(async (bytes) => {
   const [tank, browser] = await Promise.all([serve(), launch()]);
   const writer = await browser.newPage();
   const asked = process.argv.slice(2);
-  for (const name of asked.length ? asked : Object.keys(scenes)) {
-    const page = await visit(browser, tank.url, name === 'phone' ? phone : desk);
+  const all = [...Object.keys(scenes), 'phone_dark', 'bottom_trawl_dark'];
+  for (const name of asked.length ? asked : all) {
+    const [scene, dark] = name.split('_dark');
+    const page = await visit(browser, tank.url, scene === 'phone' ? phone : desk);
+    if (dark !== undefined) await page.emulateMedia({ colorScheme: 'dark' });
     await page.waitForSelector('.gear-card', { state: 'visible', ...patience });
-    await scenes[name](page);
+    await scenes[scene](page);
     const made = await webp(writer, await page.screenshot());
     fs.writeFileSync(path.join(root, 'gallery', 'tank', `${name}.webp`), Buffer.from(made));
     console.log(name, ...page.problems);
