@@ -386,12 +386,8 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
 
   // Places the light above and behind the camera's left shoulder.
   function light(way: Axes) {
-    shared.light.value.set(0, 0, 0);
-    [0, 1, 2].forEach((k) => {
-      shared.light.value.setComponent(k,
-        0.75 * way.eye[k] - 0.3 * way.right[k] + 0.45 * way.up[k] + (k === 2 ? 0.35 : 0));
-    });
-    shared.light.value.normalize();
+    shared.light.value.fromArray(way.eye.map((ahead, k) =>
+      0.75 * ahead - 0.3 * way.right[k] + 0.45 * way.up[k] + (k === 2 ? 0.35 : 0))).normalize();
   }
 
   function size_at(place: T.Vector3) {
@@ -679,14 +675,12 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     shared.pixel.value /= shared.ratio.value;
     function all(points: Float32Array) {
       const out = new Float32Array(points.length);
-      const m = new T.Matrix4().multiplyMatrices(perspective.projectionMatrix,
-        perspective.matrixWorldInverse).elements;
+      const m = perspective.projectionMatrix.clone().multiply(perspective.matrixWorldInverse), p = new T.Vector4();
       for (let i = 0; i < points.length; i += 3) {
-        const x = points[i], y = points[i + 1], z = points[i + 2];
-        const w = m[3] * x + m[7] * y + m[11] * z + m[15];
-        out[i] = box.left + box.width * ((m[0] * x + m[4] * y + m[8] * z + m[12]) / w + 1) / 2;
-        out[i + 1] = box.top + box.height * (1 - (m[1] * x + m[5] * y + m[9] * z + m[13]) / w) / 2;
-        out[i + 2] = w;
+        p.set(points[i], points[i + 1], points[i + 2], 1).applyMatrix4(m);
+        out[i] = box.left + box.width * (p.x / p.w + 1) / 2;
+        out[i + 1] = box.top + box.height * (1 - p.y / p.w) / 2;
+        out[i + 2] = p.w;
       }
       return out;
     }
