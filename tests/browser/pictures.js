@@ -14,6 +14,7 @@ async function still(page) {
   await page.waitForSelector('.measures td', { state: 'attached', ...patience });
   await page.waitForFunction(() => !window.codendTank.Talk.waits() &&
     !window.codendTank.Tank.waits(), null, patience);
+  if (await page.isVisible('#drawing')) await page.waitForSelector('#drawing svg', patience);
   await page.waitForTimeout(2500);
 }
 
@@ -56,7 +57,6 @@ const scenes = {
     await page.click('#keep');
     await set(page, 'warps.length', '800');
     await page.click('button:has-text("Side by side")');
-    await tab(page, 'Designs');
     await still(page);
   },
   async vary(page) {

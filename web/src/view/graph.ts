@@ -55,8 +55,8 @@ export function new_graph(host: HTMLElement, about: About): Graph {
     return made;
   }
   function write(x: number, y: number, anchor: string, words: string) {
-    return add('text', { x, y, 'text-anchor': anchor, 'font-size': 11, fill: '#3c454c',
-      'font-family': 'system-ui, sans-serif' }, words);
+    return add('text', { x, y, 'text-anchor': anchor, 'font-size': 11, fill: '#3c454c', stroke: '#fff',
+      'stroke-width': 3, 'paint-order': 'stroke', 'font-family': 'system-ui, sans-serif' }, words);
   }
   function words(x: number) {
     const plain = String(Number(x.toPrecision(4)));
