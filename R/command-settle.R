@@ -2,7 +2,10 @@ run_settle <- function(plan, options) {
   json <- options$json
   check_place(json, "--json")
   state <- tryCatch(settle_changed(plan, options), codend_error_not_converged = function(e) {
-    if (!is.null(json)) write_json(unsettled_record(e), json)
+    report <- e$report[c("converged", "iterations", "residual")]
+    if (!is.null(json)) {
+      write_json(c(codend = "unsettled", report, message = conditionMessage(e)), json)
+    }
     stop(e)
   })
   how_sure <- if (options$uncertainty) uncertainty(state)
@@ -17,12 +20,6 @@ print_settled <- function(state, how_sure) {
     cat("", bold(paste0(name, ": largest sources")), source_lines(how_sure, name),
       next_measurement_lines(how_sure, name), sep = "\n")
   }
-}
-
-# Returns the record of a gear that does not settle.
-unsettled_record <- function(error) {
-  c(codend = "unsettled", error$report[c("converged", "iterations", "residual")],
-    message = conditionMessage(error))
 }
 
 # record: a list, or JSON text. file: a path, or "-" for standard output.

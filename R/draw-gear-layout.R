@@ -240,7 +240,9 @@ order_columns <- function(panels, joints, si, laced) {
       alike = vapply(columns, function(c) c$words[["alike"]], ""),
       count = vapply(columns, `[[`, 0L, "count"),
       symmetric = vapply(seq_along(columns), function(c) {
-        is_symmetric(panels[panels$column == c, ], si, laced)
+        own <- panels[panels$column == c, ]
+        identical(column_text(own, si, laced),
+          column_text(mirrored(own), si, laced, mirror = TRUE))
       }, NA)
     )
   )
@@ -343,10 +345,6 @@ mirrored <- function(panels) {
   panels$x <- right - (panels$x + panels$upper)
   panels$shift <- panels$upper - panels$lower - panels$shift
   panels
-}
-
-is_symmetric <- function(panels, si, laced) {
-  identical(column_text(panels, si, laced), column_text(mirrored(panels), si, laced, mirror = TRUE))
 }
 
 column_text <- function(panels, si, laced, mirror = FALSE) {

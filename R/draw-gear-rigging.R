@@ -320,8 +320,8 @@ draw_rigging <- function(sheet, figure, rigging, frame, look) {
     }
     number <- sum(ropes$from[seq_len(k)] == a & ropes$to[seq_len(k)] == b)
     if (a == b) {
-      turn <- if (nodes$order[a] < 0) 1 else -1
-      return(rope_to_next(c(x[a], y[a]), turn * number * next_pitch(look), look))
+      far <- number * next_pitch(look) * (if (nodes$order[a] < 0) 1 else -1)
+      return(cbind(x[a] + c(0, 0, 4.5 * look$balloon), y[a] + c(0, far, far)))
     }
     rope_curve(c(x[a], y[a]), c(x[b], y[b]), k %in% within, number)
   })
@@ -398,10 +398,6 @@ rope_curve <- function(a, b, within, number) {
     a[1] + s * (b[1] - a[1]) + bend * 4 * s * (1 - s) * across[1],
     a[2] + s * (b[2] - a[2]) + bend * 4 * s * (1 - s) * across[2]
   )
-}
-
-rope_to_next <- function(at, far, look) {
-  cbind(at[1] + c(0, 0, 4.5 * look$balloon), at[2] + c(0, far, far))
 }
 
 label_rope_to_next <- function(sheet, line, rope, figure, look, use) {

@@ -16,7 +16,8 @@ export_formats <- list(
     opens = "codend and readers of NetCDF", package = "RNetCDF",
     write = function(x, file) write_state(x, file)),
   list(name = "json", extension = ".json", of = "state", title = "State as JSON",
-    opens = "Python and other languages", write = function(x, file) write_state_json(x, file)),
+    opens = "Python and other languages",
+    write = function(x, file) write_text(c(state_json(x), ""), file)),
   list(name = "tensions", extension = ".csv", of = "state", title = "Tensions of every line",
     opens = "spreadsheets",
     write = function(x, file) write_csv(as.data.frame(x, what = "tensions"), file))

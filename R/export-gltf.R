@@ -63,20 +63,15 @@ gltf_scene <- function(moments, colours, buffer) {
         own <- part_lines(one[[group]], part)
         as.vector(rbind(own$from, own$to))
       })
-      colour <- if (colours == "part") {
-        rep(one_each[part], length(lines$tension))
-      } else {
-        tension_colours(scales[[kind]], lines$tension)
+      coloured <- function(tension) {
+        if (colours == "tension") return(tension_colours(scales[[kind]], tension))
+        rep(one_each[part], length(tension))
       }
-      primitives <- list(line_primitive(ends, colour, buffer))
+      primitives <- list(gltf_primitive(ends, coloured(lines$tension), 2L, buffer, gltf_lines,
+        gltf_unlit))
       sheet <- which(state$mesh$cell_part == part)
       if (length(sheet)) {
-        tension <- pmax(state$u_tension[sheet], state$v_tension[sheet])
-        colour <- if (colours == "part") {
-          rep(one_each[part], length(sheet))
-        } else {
-          tension_colours(scales$netting, tension)
-        }
+        colour <- coloured(pmax(state$u_tension[sheet], state$v_tension[sheet]))
         primitives[[2L]] <- sheet_primitive(moments, sheet, colour, buffer)
       }
       if (!length(lines$tension)) next
@@ -86,9 +81,10 @@ gltf_scene <- function(moments, colours, buffer) {
       children <- c(children, node)
     } else if (name %in% names(state$si$otter_boards)) {
       at <- 4L * (match(name, names(state$si$otter_boards)) - 1L) + 1:4
-      plate <- list(plate_primitive(lapply(corners, function(all) all[, at]),
-        symbol_of(parts$role[part])$fill, buffer))
-      node <- add_node(name = name, mesh = add_mesh(name, plate), extras = extras)
+      plate <- lapply(corners, function(all) as.vector(all[, at[c(1L, 2L, 3L, 1L, 3L, 4L)]]))
+      plate <- gltf_primitive(plate, symbol_of(parts$role[part])$fill, 6L, buffer, gltf_triangles,
+        gltf_unlit)
+      node <- add_node(name = name, mesh = add_mesh(name, list(plate)), extras = extras)
       motion$morph(node)
       children <- c(children, node)
     } else {
@@ -162,15 +158,20 @@ gltf_motion <- function(moments, buffer) {
   )
 }
 
-# Adds the positions of a primitive at every moment (x, y, z of each point in sequence): absolute at
-# the first moment, differences from the first at later moments.
-gltf_places <- function(places, buffer, ...) {
+# Adds a primitive: positions at every moment (x, y, z of each point in sequence), absolute at the
+# first moment and as differences from it at later moments, and a colour for each line or sheet with
+# `corners` points.
+gltf_primitive <- function(places, colour, corners, buffer, mode, material, opacity = 1) {
   targets <- lapply(places[-1L], function(later) {
     list(POSITION = buffer$add_places(later - places[[1L]]))
   })
   c(
-    list(attributes = list(POSITION = buffer$add_places(places[[1L]]), ...)),
-    if (length(targets)) list(targets = targets)
+    list(attributes = list(
+      POSITION = buffer$add_places(places[[1L]]),
+      COLOR_0 = buffer$add_colours(rep(colour, each = corners), opacity)
+    )),
+    if (length(targets)) list(targets = targets),
+    list(mode = mode, material = material)
   )
 }
 
@@ -210,13 +211,6 @@ gltf_materials <- function() {
 gltf_lines <- 1L
 gltf_triangles <- 4L
 
-line_primitive <- function(ends, colour, buffer) {
-  c(
-    gltf_places(ends, buffer, COLOR_0 = buffer$add_colours(rep(colour, each = 2L))),
-    list(mode = gltf_lines, material = gltf_unlit)
-  )
-}
-
 sheet_opacity <- 0.3
 
 sheet_primitive <- function(moments, cells, colour, buffer) {
@@ -225,19 +219,7 @@ sheet_primitive <- function(moments, cells, colour, buffer) {
   node <- cbind(corner[1:3, , drop = FALSE], corner[c(1L, 3L, 4L), four, drop = FALSE])
   colour <- c(colour, colour[four])
   places <- lapply(moments, function(state) as.vector(state_points(state)[, node]))
-  c(
-    gltf_places(places, buffer,
-      COLOR_0 = buffer$add_colours(rep(colour, each = 3L), sheet_opacity)),
-    list(mode = gltf_triangles, material = gltf_sheet)
-  )
-}
-
-plate_primitive <- function(corners, colour, buffer) {
-  places <- lapply(corners, function(at) as.vector(at[, c(1L, 2L, 3L, 1L, 3L, 4L)]))
-  c(
-    gltf_places(places, buffer, COLOR_0 = buffer$add_colours(rep(colour, 6L))),
-    list(mode = gltf_triangles, material = gltf_unlit)
-  )
+  gltf_primitive(places, colour, 3L, buffer, gltf_triangles, gltf_sheet, sheet_opacity)
 }
 
 # Returns a sphere of radius 1: an octahedron with every face divided into four.

@@ -216,7 +216,8 @@ board_findings <- function(boards, state) {
 }
 
 define_finding("flutter", function(gear, state) {
-  modes <- fluttering_modes(state)
+  modes <- board_mode_table(state)
+  modes <- modes[modes$condition %in% "flutters" & modes$growth_per_s > slowest_reported, ]
   modes <- modes[!duplicated(modes$board), ]
   lapply(seq_len(nrow(modes)), function(k) {
     mode <- modes[k, ]

@@ -62,7 +62,9 @@ findings_by <- function(x, checks) finding_rows(list_findings(x, checks))
 list_findings <- function(x, checks) {
   of <- function(...) Filter(function(check) check$of %in% c(...), checks)
   if (inherits(x, "codend_trajectory")) {
-    start <- if (starts_elsewhere(x)) x$gear else state_at(x, x$time[1L])
+    # A gear that is shot or laid does not start in equilibrium.
+    moved <- !isTRUE(x$mesh$let_go) && any(c("shooting", "laid") %in% names(x$si))
+    start <- if (moved) x$gear else state_at(x, x$time[1L])
     found <- unlist(lapply(unname(of("tow")), found_by, x$gear, x), recursive = FALSE)
     return(c(found, list_findings(start, checks)))
   }

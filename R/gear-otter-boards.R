@@ -106,14 +106,11 @@ engine_board <- function(board, nodes, density) {
   )
 }
 
-# Returns the initial angle of attack, rad. A kite starts at half its stall angle.
-first_attack <- function(board) {
-  from_unit(if (is_kite(board)) stall_angle(board) / 2 else 25, "deg")
-}
-
 # Returns the points (m) of an upright board, or of a kite with its span horizontal. The leading
-# edge is turned outward by `attack`, and `place` is the centre of the points. The flow is along x.
-upright_board <- function(board, place, attack = first_attack(board)) {
+# edge is turned outward by `attack` (rad; half the stall angle for kites by default). The centre of
+# the points is `place`. The flow is along x.
+upright_board <- function(board, place,
+    attack = from_unit(if (is_kite(board)) stall_angle(board) / 2 else 25, "deg")) {
   turn <- board$side * attack
   rotation <- cbind(c(cos(turn), -sin(turn), 0), c(sin(turn), cos(turn), 0), c(0, 0, 1))
   if (is_kite(board)) rotation <- rbind(rotation[1, ], -rotation[3, ], rotation[2, ])

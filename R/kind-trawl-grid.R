@@ -63,8 +63,6 @@ wing_cell <- function(name, given, counts, mesh_size, flying = 0) {
 
 is_pair <- function(cell) length(cell$pieces) == 2L
 
-panel_after <- function(around) c(around[-1L], around[1L])
-
 # Returns the rows at which side panels end, from front to rear, each with the names of the panels
 # that end there.
 ended_panels <- function(columns) {
@@ -92,7 +90,7 @@ neighbours <- function(columns) {
     stretch <- lapply(stats::setNames(nm = active), function(panel) {
       columns[[panel]][seq_len(to[[panel]] - from[[panel]]) + from[[panel]]]
     })
-    after <- panel_after(active)
+    after <- c(active[-1L], active[1L])
     for (i in seq_along(active)) {
       name <- paste(active[i], after[i], sep = "_")
       own <- stretch[c(active[i], after[i])]
@@ -103,11 +101,6 @@ neighbours <- function(columns) {
     if (!is.na(row)) active <- setdiff(active, ended[[k]])
   }
   pairs
-}
-
-# Returns the panels around the net at its rear end.
-panels_at_end <- function(columns) {
-  setdiff(names(columns), unlist(ended_panels(columns), use.names = FALSE))
 }
 
 cells_of <- function(grid, panel, rows) grid$cells[sprintf("%s_%s", panel, rows)]
@@ -224,7 +217,8 @@ join_grid <- function(grid) {
   sides <- side_seams(grid)
   ring <- vapply(joints, `[[`, NA, "ring")
   joined <- function(joints) do.call(c, lapply(unname(joints), rear_seams))
-  last <- lapply(panels_at_end(grid$columns), function(panel) {
+  ended <- unlist(ended_panels(grid$columns), use.names = FALSE)
+  last <- lapply(setdiff(names(grid$columns), ended), function(panel) {
     whole_edges(rev(column_cells(grid, panel))[[1L]], "lower")
   })
   tips <- unlist(lapply(unname(sides), `[[`, "gathered_at"))

@@ -28,9 +28,3 @@ board_of_nodes <- function(state, nodes) {
     names(boards)[which(vapply(of, function(points) node %in% points, NA))[1L]]
   }, "", USE.NAMES = FALSE)
 }
-
-# Returns the rows of board_mode_table() with noticeable flutter.
-fluttering_modes <- function(state) {
-  modes <- board_mode_table(state)
-  modes[modes$condition %in% "flutters" & modes$growth_per_s > slowest_reported, ]
-}

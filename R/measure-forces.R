@@ -167,7 +167,8 @@ tension_table <- function(state) {
   largest <- vapply(split(largest, lines$part), max, 0)
   most_loaded <- mapply(most_loaded_tension, split(lines$tension, lines$part),
     split(long, lines$part))
-  mean <- mean_by_part(lines$tension, long, lines$part)
+  sums <- rowsum(cbind(lines$tension * long, long), lines$part)
+  mean <- sums[, 1L] / sums[, 2L]
   data.frame(
     part = parts$name[part], kind = parts$kind[part], role = parts$role[part],
     max_kN = in_unit(unname(largest), "kN"), most_loaded_kN = in_unit(unname(most_loaded), "kN"),
@@ -185,11 +186,6 @@ most_loaded_tension <- function(tension, long) {
   whole <- loaded_most * sum(long)
   before <- cumsum(long[falling]) - long[falling]
   sum(tension[falling] * pmin(long[falling], pmax(whole - before, 0))) / whole
-}
-
-mean_by_part <- function(tension, long, part) {
-  sums <- rowsum(cbind(tension * long, long), part)
-  sums[, 1L] / sums[, 2L]
 }
 
 # Returns a data frame: one row per panel, length of twine [m] and slack fraction [percent].

@@ -1,7 +1,5 @@
 # States as JSON (inst/schema/state.schema.json), for languages without a NetCDF reader.
 
-write_state_json <- function(state, file) write_text(c(state_json(state), ""), file)
-
 # Returns the JSON text of a state. `uncertainty`: NULL, or the result of uncertainty().
 state_json <- function(state, uncertainty = NULL) {
   numbers <- Filter(function(number) length(number$value) > 0L, state_numbers(state))

@@ -65,11 +65,6 @@ tow_start <- function(gear, si, mesh, given, until) {
   )
 }
 
-# TRUE for a gear that is shot or laid, and thus does not start in equilibrium.
-starts_elsewhere <- function(trajectory) {
-  !isTRUE(trajectory$mesh$let_go) && any(c("shooting", "laid") %in% names(trajectory$si))
-}
-
 # Returns a trajectory with the first moment only.
 add_start <- function(what, position, velocity) {
   n <- what$mesh$nodes

@@ -19,7 +19,9 @@
 #' @export
 state_at <- function(trajectory, time) {
   check_given("trajectory", "time")
-  check_is_trajectory(trajectory)
+  if (!inherits(trajectory, "codend_trajectory")) {
+    abort_schedule("trajectory", "must be a trajectory, as {.fn tow} returns.")
+  }
   wanted <- quantity_number(time, "time", "time")
   ends <- range(trajectory$time)
   # saved times are multiples of a step, with rounding errors
@@ -181,10 +183,4 @@ ground_from_vessel <- function(ground, now) {
   passing <- c(now$speed, 0, 0)
   ground$velocity <- passing - sum(passing * ground$normal) * ground$normal
   ground
-}
-
-check_is_trajectory <- function(trajectory) {
-  if (!inherits(trajectory, "codend_trajectory")) {
-    abort_schedule("trajectory", "must be a trajectory, as {.fn tow} returns.")
-  }
 }

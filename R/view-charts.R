@@ -120,11 +120,6 @@ axis_labels <- function(values) {
   with_plain_numbers(format(values, scientific = FALSE, big.mark = ",", trim = TRUE))
 }
 
-# Colours repeat after five groups, with another line type.
-series_dashes <- function(n) {
-  c("solid", "33", "12")[(seq_len(n) - 1L) %/% length(series_palette) %% 3L + 1L]
-}
-
 series_symbols <- c(16L, 17L, 15L, 18L, 1L)
 
 # Draws lines and points, with a facet for each quantity.
@@ -175,7 +170,9 @@ series_chart <- function(data, title, key = NULL, grid = FALSE, colours = NULL, 
     ggplot2::scale_y_continuous(labels = axis_labels) +
     ggplot2::scale_colour_manual(values = first_of(colours,
       if (n > 1L) series_colours(n) else water_colour)) +
-    ggplot2::scale_linetype_manual(values = first_of(dashes, series_dashes(n))) +
+    # Colours repeat after five groups, with another line type.
+    ggplot2::scale_linetype_manual(values = first_of(dashes,
+      rep(c("solid", "33", "12"), each = length(series_palette), length.out = n))) +
     ggplot2::scale_shape_manual(values = rep_len(series_symbols, n)) +
     ggplot2::labs(
       title = title, y = NULL, x = if (alone && !grid) levels(data$across), colour = key,
