@@ -92,9 +92,10 @@ test_that("printed and live tables of drag show the measure as total", {
         expect_equal(sum(places[-last]), places[last], tolerance = 0.01, info = paste(name, force))
       }
     }
-    total <- trimws(columns[["drag kN"]][length(columns[[1L]])])
-    live <- drag_tables(state)[[1L]]$foot
-    expect_identical(c(live)[1:3], c("total", total, "100.0"))
+    live <- drag_tables(state)[[1L]]$columns
+    last <- length(live[[1L]])
+    expect_identical(as.character(live[[1L]])[last], "total", info = name)
+    expect_equal(c(live[[2L]][last], live[[3L]][last]), c(total, 100), info = name)
   }
 })
 
