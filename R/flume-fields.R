@@ -107,12 +107,6 @@ control_range <- function(value, node, factor) {
   list(low = signif(max(ends[1], least), 10), high = signif(min(ends[2], most), 10), step = step)
 }
 
-# Rounds x up to 1, 2 or 5 times a power of ten.
-round_step <- function(x) {
-  power <- 10^floor(log10(x))
-  power * c(1, 2, 5, 10)[which(c(1, 2, 5, 10) * power >= x * (1 - 1e-9))[1]]
-}
-
 # Returns the paths of all fields that simple_control() supports.
 markable_fields <- function(plan) {
   Filter(function(path) {

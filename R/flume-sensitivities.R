@@ -4,18 +4,8 @@
 # `said`: paths of one control, which change together, or NULL for the fields that users change
 # first.
 requested_sensitivities <- function(state, said) {
-  said <- unlist(said)
   if (is.null(said)) return(sensitivities(state))
-  if (!is.character(said) || length(said) > most_edits || any(nchar(said) > most_characters)) {
-    abort_argument("The path of the field is missing.")
-  }
-  sensitivities(state, fields = list(unname(said)))
-}
-
-# Adds new sensitivities to known ones, and replaces known rows of the same field.
-with_derivatives <- function(known, found) {
-  if (is.null(known)) return(found)
-  rbind(known[!known$field %in% found$field, ], found)
+  sensitivities(state, fields = list(requested_field(state$gear$plan, said)$paths))
 }
 
 # Returns a list by field: paths, value, unit, an increase to start with, and for each measure its

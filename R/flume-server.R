@@ -392,8 +392,7 @@ flume_products <- function(page) {
     # the fields `paths`, or the fields that users change first if there are no paths
     slopes_wanted = function(given) {
       page$request_slow_worker("slopes", as.list(given)$paths, function(found) {
-        tank$slopes <- with_derivatives(tank$slopes, found)
-        page$said("flume_sensitivities", fields = sensitivities_message(tank$slopes))
+        page$said("flume_sensitivities", fields = sensitivities_message(found))
       })
     },
     target_wanted = function(given) {

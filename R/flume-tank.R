@@ -4,11 +4,11 @@
 # `draft` is a design (list(plan, file, source)), which may be incomplete, and `problems` are its
 # errors. `edited` is the number of the request that changed the draft last, and `shown` the number
 # of the last change in the design on screen. The counters are `turn` (opened gears) and `serial`
-# (states). `slopes` and `uncertainty` belong to the state on screen; `with_intervals` is TRUE if
-# the page shows the uncertainty. `trajectory` is the last tow, serialised.
+# (states). `uncertainty` belongs to the state on screen; `with_intervals` is TRUE if the page shows
+# it. `trajectory` is the last tow, serialised.
 
-# start: from settled_start(), or NULL to start at the gallery. `say`: translator
-# from make_translator().
+# start: from settled_start(), or NULL to start at the gallery. `say`: translator from
+# make_translator().
 new_tank <- function(start, marked, nodes, say = make_translator()) {
   tank <- new.env(parent = emptyenv())
   tank$nodes <- nodes
@@ -60,7 +60,7 @@ new_tank <- function(start, marked, nodes, say = make_translator()) {
     list2env(found[c("gear", "state", "notes", "worth", "drawing", "measures")], tank)
     tank$serial <- tank$serial + 1L
     tank$shown <- edited
-    tank$slopes <- tank$uncertainty <- NULL
+    tank$uncertainty <- NULL
     opens <- kind %in% opening_requests
     if (opens) {
       tank$turn <- tank$turn + 1L

@@ -81,10 +81,7 @@ slider_labels <- function(gear, fields) {
   }, "")
 }
 
-# Returns 1, 2 or 5 times a power of ten, for about a hundred steps.
+# Returns the step of about a hundred steps.
 slider_step <- function(field) {
-  if (field$whole) return(1)
-  step <- (field$upper - field$lower) / 100
-  size <- 10^floor(log10(step))
-  size * c(1, 2, 5, 10)[findInterval(step / size * (1 + 1e-9), c(1, 2, 5, 10), all.inside = TRUE)]
+  if (field$whole) 1 else round_step((field$upper - field$lower) / 200)
 }

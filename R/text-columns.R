@@ -92,6 +92,12 @@ cat_columns <- function(columns, left = 1L) {
   cat(paste0(align_columns(columns, left), "\n"), sep = "")
 }
 
+# Rounds x up to 1, 2 or 5 times a power of ten.
+round_step <- function(x) {
+  power <- 10^floor(log10(x))
+  power * c(1, 2, 5, 10)[which(c(1, 2, 5, 10) * power >= x * (1 - 1e-9))[1]]
+}
+
 # Labels of groups of sources of uncertainty.
 group_words <- c(
   coefficients = "coefficients", plan = "plan", conditions = "conditions",

@@ -155,19 +155,19 @@ function start(scene: View.Scene, page: SharedGear) {
       return;
     }
     if (said.number < number) return;
-    if (said.kind === 'stuck') {
+    if (said.step === 'stuck') {
       state.times.stuck += 1;
       told.textContent = 'The gear does not settle beyond ' + met(said.shape.values) +
         '; the picture shows the gear there.';
       set(said.shape.values);
       busy(false);
-    } else if (said.done) {
+    } else if (said.step === 'done') {
       state.times.moves += 1;
       shown = said.number;
       told.textContent = 'Settled.';
       busy(false);
     }
-    state.settled = shown === number || said.kind === 'stuck';
+    state.settled = shown === number || said.step === 'stuck';
   }
   Promise.all([text('worker'), bytes('wasm'), bytes('arrays')]).then(([code, wasm, arrays]) => {
     const made = new Worker(URL.createObjectURL(new Blob([code], { type: 'text/javascript' })));

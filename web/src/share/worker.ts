@@ -19,7 +19,7 @@ function failed(error: unknown) {
 }
 function show(from: Model, step: Step) {
   const shape = from.shape();
-  tell(step === 'stuck' ? { kind: 'stuck', number, shape } : { kind: 'shape', number, done: step === 'done', shape },
+  tell({ kind: 'shape', number, step, shape },
     Object.values(shape.moved).map((array: Float32Array<ArrayBuffer>) => array.buffer));
 }
 
