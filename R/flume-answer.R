@@ -91,7 +91,6 @@ settled_design <- function(request, memory, complete = TRUE) {
   gear <- switch(request$kind,
     design = gear_of_design(said, memory$state$gear),
     plan_file = read_opened(said),
-    shipped = read_shipped(said),
     new = read_new(said),
     words = , kept = gear_of_words(said)
   )

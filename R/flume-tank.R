@@ -81,9 +81,9 @@ new_tank <- function(start, marked, nodes, say = make_translator()) {
   # The next picture is sent completely, because the page has another shape.
   tank$forget_picture <- function() tank$known <- NULL
 
-  if (!is.null(start)) tank$take("shipped", start, 0)
+  if (!is.null(start)) tank$take("words", start, 0)
   tank
 }
 
 # Requests that open another gear.
-opening_requests <- c("plan_file", "shipped", "new", "words")
+opening_requests <- c("plan_file", "new", "words")

@@ -55,7 +55,7 @@ look_share <- 0.15
 
 # While requests of a group wait, a later request of the group replaces them.
 replaced_requests <- list(
-  c("design", "plan_file", "shipped", "new", "words"), "drawing", "slopes", "uncertainty", "tow",
+  c("design", "plan_file", "new", "words"), "drawing", "slopes", "uncertainty", "tow",
   "vary", "target", "prediction"
 )
 

@@ -369,7 +369,7 @@ test('tank starts at a gallery with shipped gears and new ones', async (t) => {
     null, patience);
   // a running solve is displayed and can be cancelled
   const before = await page.evaluate(() => window.codendTank.Tank.point(0));
-  await page.evaluate(() => { window.codendTank.Talk.ask('shipped', 'cage'); });
+  await page.evaluate(() => { window.codendTank.Talk.ask('words', { base: 'cage' }); });
   await page.waitForSelector('#cancel', { state: 'visible', ...patience });
   // the solve may end before a pointer reaches the button
   await page.$eval('#cancel', (button) => button.click());

@@ -52,7 +52,7 @@ test_that("page settles one value at a time until stopped", {
     answer()
     expect_length(jobs, 2L)
     session$hear(vary_wanted = speeds(again = 1))
-    session$hear(shipped = list(number = 2, asked = "flat_panel"))
+    session$hear(words = list(number = 2, asked = list(base = "flat_panel")))
     answer()
     expect_length(jobs, 3L)
     expect_false(utils::tail(sent("flume_varied"), 1L)[[1]]$running)

@@ -411,10 +411,10 @@ test_that("page starts at the gallery of shipped and new gears", {
     ask(session, towing.speed = list(value = 5, unit = "knot"))
     session$hear(plan_wanted = 1, code_wanted = list(), table_wanted = list(name = "drag"))
     expect_null(tank$gear)
-    session$hear(shipped = list(number = 4, asked = "../towed_cable"))
+    session$hear(words = list(number = 4, asked = list(base = "../towed_cable")))
     got <- sent("flume_refused")[[1]]$message
     expect_match(got, "No shipped gear")
-    session$hear(shipped = list(number = 5, asked = "towed_cable"))
+    session$hear(words = list(number = 5, asked = list(base = "towed_cable")))
     expect_identical(tank$gear$plan, read_gear("towed_cable")$plan)
     session$hear(new = list(asked = list(kind = "bottom_trawl",
       values = list(headline = "20 m", depth = "", file = tempfile()))))

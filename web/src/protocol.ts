@@ -200,7 +200,6 @@ export interface MovedHeader { answers: number; counts: Record<string, number>; 
 
 // Requests with an answer. `asked` of the message has the type that is listed here.
 export interface Asked {
-  shipped: string;
   new: { kind: string; values: Record<string, string> };
   plan_file: { name: string; text: string };
   words: Design;

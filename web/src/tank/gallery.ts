@@ -10,7 +10,7 @@ on('click', (target) => {
   const card = target.closest<HTMLElement>('.gear-card');
   if (card) {
     tell('gallery_refused', '');
-    Talk.ask('shipped', card.dataset.gear ?? '', say('settling_gear',
+    Talk.ask('words', { base: card.dataset.gear }, say('settling_gear',
       { gear: card.querySelector('.card-title')?.textContent }));
   }
   if (target.id === 'gears') gallery(find('gallery').hidden);

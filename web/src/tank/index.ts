@@ -117,7 +117,7 @@ function take_bytes(header: MovedHeader | PredictionHeader | FileHeader, bytes: 
 
 // The elements that show errors of requests, by kind.
 const in_gallery: Record<string, string> = {
-  plan_file: 'plan_file_error', new: 'new_error', shipped: 'gallery_refused', words: 'gallery_refused',
+  plan_file: 'plan_file_error', new: 'new_error', words: 'gallery_refused',
   gallery: 'gallery_refused'
 };
 const in_panels: Record<string, string> = {
@@ -132,7 +132,7 @@ function refused(message: FromR['flume_refused']) {
   } else if (where === 'design' && Files.refused(message)) {
     tell('refused', '');
   } else if (in_gallery[where]) {
-    if (!is_open() || where !== 'shipped') gallery(true);
+    gallery(true);
     tell(in_gallery[where], message.message + (is_open() ? ' ' + say('gear_stays') : ''));
   } else {
     const beside = where === 'design' && Form.refused(message);
