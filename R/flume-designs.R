@@ -33,7 +33,12 @@ sent_design <- function(words) {
   design
 }
 
-shipped_design <- function(name) design_of(read_shipped(name))
+shipped_design <- function(name) {
+  if (!is_text(name) || !name %in% names(shipped_plans())) {
+    abort_argument("No shipped gear has this name.")
+  }
+  design_of(read_gear(name))
+}
 
 typed_design <- function(text) {
   if (!is_text(text)) abort_plan("The plan must be text.", NULL)

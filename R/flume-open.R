@@ -1,5 +1,4 @@
-# The gears that a page opens: files, typed plans, shipped gears and new gears. A browser may send
-# anything.
+# The gears that a page opens: files, typed plans and new gears. A browser may send anything.
 
 # Returns the gear of a file that the page has read: list(name, text). The page never sends a path,
 # because a path could be any file of the server. The server does not write the text to a file.
@@ -7,13 +6,6 @@ read_opened <- function(given) {
   given <- as.list(given)
   name <- if (is_text(given$name)) substr(given$name, 1L, 100L) else "on this page"
   read_sent(given$text, name)
-}
-
-read_shipped <- function(name) {
-  if (!is_text(name) || !name %in% names(shipped_plans())) {
-    abort_argument("No shipped gear has this name.")
-  }
-  read_gear(name)
 }
 
 # `said`: list(kind, values), with values as strings by argument of new_plan().
