@@ -256,13 +256,13 @@ function Saves({ can_share, formats }: Begin) {
 
 function Tabs(begin: Begin) {
   const tables = (name: string) => <div id={name} />;
+  // The first tab needs no data of R.
   const tabs: [string, string, ComponentChildren][] = [
-    ['Tensions', say('tab_tensions'), tables('tensions')],
+    ['Designs', say('tab_designs'), <Designs {...begin} />], ['Tensions', say('tab_tensions'), tables('tensions')],
     ['Drag', say('tab_drag'), tables('drag')], ['Slopes', say('tab_slopes'), <Slopes />],
     ['Vary', say('tab_vary'), <Vary />], ['Tow', say('tab_tow'), <Tow {...begin} />],
-    ['Designs', say('tab_designs'), <Designs {...begin} />], ['Changes', say('tab_changes'), tables('differences')],
-    ['Plan', say('tab_plan'), <Plan />], ['R code', say('tab_code'), <Code />],
-    ['Save', say('tab_save'), <Saves {...begin} />]
+    ['Changes', say('tab_changes'), tables('differences')], ['Plan', say('tab_plan'), <Plan />],
+    ['R code', say('tab_code'), <Code />], ['Save', say('tab_save'), <Saves {...begin} />]
   ];
   const id = (name: string) => 'tab_' + name.replace(' ', '_');
   return <section class="panel more" aria-label={say('more_region')}>
