@@ -9,6 +9,19 @@ most_name <- 60L
 # millimetres are a factor of 1,000, and the new mesh may be several times smaller.
 doubtful_factor <- 100
 
+# Checks the fields of a request, which change together. Returns list(paths, field (the first one)).
+requested_field <- function(plan, paths) {
+  paths <- unlist(paths)
+  if (!is.character(paths) || length(paths) > most_edits || any(nchar(paths) > most_characters)) {
+    abort_argument("The path of the field is missing.")
+  }
+  field <- plan_field(plan, paths[1L])
+  if (is.null(field$node) || !is_number_node(field$node)) {
+    abort_argument("The plan has no number at {.val {paths[1]}}; choose another field.")
+  }
+  list(paths = paths, field = field)
+}
+
 # Returns list(plan, understood) after changes of fields; the plan may be invalid. `understood` has
 # list(text, doubt) for each typed number, by path; `doubt` is NULL or list(message, instead).
 # `edits` is a list by path with these items.

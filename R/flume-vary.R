@@ -3,19 +3,6 @@
 
 most_varied <- 41L
 
-# Checks the fields of a request, which change together. Returns list(paths, field (the first one)).
-requested_field <- function(plan, paths) {
-  paths <- unlist(paths)
-  if (!is.character(paths) || length(paths) > most_edits || any(nchar(paths) > most_characters)) {
-    abort_argument("The path of the field is missing.")
-  }
-  field <- plan_field(plan, paths[1L])
-  if (is.null(field$node) || !is_number_node(field$node)) {
-    abort_argument("The plan has no number at {.val {paths[1]}}; choose another field.")
-  }
-  list(paths = paths, field = field)
-}
-
 # Checks a request: `said` = list(paths (fields that change together), unit, from, to (as typed, a
 # bare number in `unit`), number (of values)). Returns list(paths, unit, values, now (value of the
 # first field)), with values in this unit.
