@@ -69,9 +69,9 @@ double next_front(const Front& here, const std::optional<Front>& before,
 
 class LevelSettler {
  public:
-  LevelSettler(const GearNumbers& numbers, const Gear& gear, const GearSettling& how, double nodes,
-               const InitialShape* from)
-      : numbers_(numbers), gear_(gear), how_(how), from_(from) {
+  LevelSettler(const GearNumbers& numbers, const Gear& gear, const GearSettling& how, bool gradual,
+               double nodes, const InitialShape* from)
+      : numbers_(numbers), gear_(gear), how_(how), gradual_(gradual), from_(from) {
     {
       const Stopwatch watch(out_.seconds_mesh);
       build(nodes);
@@ -143,7 +143,7 @@ class LevelSettler {
     control.pause = how_.pause;
     out_.position = shape ? shape->position : mesh().start;
     const std::vector<double> still(out_.position.size(), 0.0);
-    out_.report = settle_from(assembly, control, still.data(), out_.position.data());
+    out_.report = settle(assembly, attempt(control, gradual_), still.data(), out_.position.data());
     assembly.strain(out_.strain);
     out_.strain.resize(static_cast<std::size_t>(out_.gear.model.lines()));
     wake_ = assembly.has_wake() ? assembly.wake() : std::vector<double>();
@@ -195,6 +195,7 @@ class LevelSettler {
   const GearNumbers& numbers_;
   const Gear& gear_;
   const GearSettling& how_;
+  const bool gradual_;  // path (PathControl)
   const InitialShape* from_;
   Start start_ = Start::crude;
   std::vector<double> strain_, wake_;
@@ -224,30 +225,12 @@ std::vector<double> measures_of(const GearNumbers& numbers, const Gear& gear,
   return measures_at(numbers, gear, found.gear, assembly, found.position);
 }
 
-}  // namespace
-
-std::vector<double> coarse_levels(double nodes) {
-  std::vector<double> out;
-  for (double by = level_ratio; nodes / by > 2 * coarsest_nodes; by *= level_ratio) {
-    out.insert(out.begin(), nodes / by);
-  }
-  if (out.empty() && nodes >= 4 * coarsest_nodes) out.push_back(std::sqrt(nodes * coarsest_nodes));
-  if (nodes > 2 * coarsest_nodes) out.insert(out.begin(), coarsest_nodes);
-  return out;
-}
-
-SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how) {
+// Solves a gear through its levels, all on the direct or on the gradual path.
+SettledGear settle_on_path(const GearNumbers& numbers, const GearSettling& how, bool gradual) {
   const Gear& gear = numbers.gear;
   const auto settle_level = [&](const Gear& of, double nodes, const InitialShape* from) {
-    return LevelSettler(numbers, of, how, nodes, from).settled();
+    return LevelSettler(numbers, of, how, gradual, nodes, from).settled();
   };
-  if (gear.has_bag && !(numbers.blocked > 0)) {
-    throw InputError("blocked", "blocked must be positive");
-  }
-  if (how.from) {
-    how.from->map.check(gear, how.from->position.size() / 3);
-    how.from->lines.check(gear);
-  }
   const InitialShape* from = how.from;
   std::vector<SettledLevel> levels;
   InitialShape shape;
@@ -291,6 +274,34 @@ SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how) {
   return out;
 }
 
+}  // namespace
+
+std::vector<double> coarse_levels(double nodes) {
+  std::vector<double> out;
+  for (double by = level_ratio; nodes / by > 2 * coarsest_nodes; by *= level_ratio) {
+    out.insert(out.begin(), nodes / by);
+  }
+  if (out.empty() && nodes >= 4 * coarsest_nodes) out.push_back(std::sqrt(nodes * coarsest_nodes));
+  if (nodes > 2 * coarsest_nodes) out.insert(out.begin(), coarsest_nodes);
+  return out;
+}
+
+SettledGear settle_gear(const GearNumbers& numbers, const GearSettling& how) {
+  const Gear& gear = numbers.gear;
+  if (gear.has_bag && !(numbers.blocked > 0)) {
+    throw InputError("blocked", "blocked must be positive");
+  }
+  if (how.from) {
+    how.from->map.check(gear, how.from->position.size() / 3);
+    how.from->lines.check(gear);
+  }
+  SettledGear direct = settle_on_path(numbers, how, false);
+  if (direct.full_bag > 0 || !needs_gradual_path(direct.report, how.iterations)) return direct;
+  SettledGear gradual = settle_on_path(numbers, how, true);
+  gradual.report.add(direct.report);
+  return gradual;
+}
+
 std::optional<SettledGear> extra_mesh(const GearNumbers& numbers, const GearSettling& how,
                                       const InitialShape& from, double nodes,
                                       const std::vector<double>& levels, double& asked) {
@@ -298,7 +309,7 @@ std::optional<SettledGear> extra_mesh(const GearNumbers& numbers, const GearSett
   for (const double wanted : extra_nodes(nodes, levels, !free.panels.empty())) {
     asked = wanted;
     try {
-      SettledGear found = LevelSettler(numbers, free, how, wanted, &from).settled();
+      SettledGear found = LevelSettler(numbers, free, how, false, wanted, &from).settled();
       if (found.report.converged && differ_enough(nodes, found.gear.mesh.nodes)) return found;
     } catch (const InputError&) {
       // The next node number may give a valid mesh.

@@ -3,6 +3,8 @@
 // shape. A gear that is shot along a rope hangs almost entirely slack: it converges from an
 // approximate shape only on a coarse mesh. If the catch is given by its volume, the front moves
 // until the netting behind it encloses that volume.
+//
+// Without equilibrium, all levels are solved again on the gradual path (PathControl).
 #pragma once
 
 #include <optional>
@@ -60,7 +62,7 @@ struct GearSettling {
   // Solve on coarser mesh levels first; else solve the gear itself from `from`.
   bool through_levels = true;
   double tolerance = 1e-8;  // largest residual over the largest tension
-  int iterations = 300;     // maximum iterations per level
+  int iterations = 300;     // maximum iterations per level, on both paths
   // Called with every discretisation before it is solved; an exception from it ends the
   // computation.
   std::function<void(const Mesh&)> built;

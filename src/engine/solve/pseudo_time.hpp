@@ -33,15 +33,13 @@ class PseudoTime {
   void judge(double rotation, double correction);
   // Shortens the step after a singular matrix.
   void shorten() { step_ *= control_.shorter; }
-  // Limits the target rotation of all later steps to careful_rotation.
-  void take_care() { aim_ = most_aim_ = control_.careful_rotation; }
 
  private:
   const PseudoTimeControl& control_;
   double step_ = 1.0;
   double rotation_ = 1.0;
-  double aim_ = 1.0, most_aim_ = 1.0;  // target rotation and its limit
-  int steps_ = 0;                      // since begin()
+  double aim_ = 1.0;  // target rotation
+  int steps_ = 0;     // since begin()
   int held_steps_ = 0;
   double held_step_ = 0.0;
 };

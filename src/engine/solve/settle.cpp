@@ -30,7 +30,7 @@ class Settling {
 
  private:
   void find() {
-    for (;; ++report_.iterations, ++steps_) {
+    for (;; ++report_.iterations) {
       iteration_.measure();
       if (report_.iterations == 0) {
         report_.first_residual = report_.residual;
@@ -40,11 +40,11 @@ class Settling {
       } else if (closing_in_ && iteration_.wanders()) {
         iteration_.relax();
         closing_in_ = false;
-        steps_ = 0;
-      } else if (!closing_in_ && !careful_ && steps_ >= control_.pseudo_time.direct_steps) {
-        restart_with_care();
       }
-      if (control_.watch && !control_.watch({report_.iterations, report_.residual})) return;
+      if (control_.watch && !control_.watch({report_.iterations, report_.residual})) {
+        report_.stopped = true;
+        return;
+      }
       follow_wake();
       report_.converged = iteration_.balanced();
       if (report_.converged && wake_is_due()) {
@@ -71,16 +71,6 @@ class Settling {
     iteration_.begin();
     closing_in_ = false;
     return true;
-  }
-
-  // Returns to the last settled shape, or the start, and limits rotations from there on.
-  void restart_with_care() {
-    std::copy(settled_.begin(), settled_.end(), x_);
-    iteration_.measure();
-    iteration_.begin();
-    if (control_.start == Start::near) iteration_.begin_near();
-    iteration_.take_care();
-    careful_ = true;
   }
 
   // A settled start that needs no step keeps its stored wake.
@@ -117,7 +107,6 @@ class Settling {
     iteration_.resume();
     closing_in_ = true;
     settled_.assign(x_, x_ + settled_.size());
-    steps_ = 0;
   }
 
   void leave_if_unstable() {
@@ -131,7 +120,6 @@ class Settling {
     if (report_.perturbations == control_.perturbation.most) return;
     iteration_.perturb(growing, report_.perturbations % 2 == 1);
     closing_in_ = false;
-    steps_ = 0;
     ++report_.perturbations;
     report_.converged = false;
     iteration_.measure();
@@ -149,14 +137,12 @@ class Settling {
   const SettleControl& control_;
   SettleReport& report_;
   double* x_;
-  int steps_ = 0;                  // from the last settled shape
   int far_searches_ = 0;           // for wakes, far from equilibrium
   bool wake_is_searched_ = false;  // near equilibrium or in it
   int wake_rounds_ = 0;            // updates of the wake in equilibrium
   const bool from_settled_;
   // Iterating from the last settled shape under changed loads or wakes.
   bool closing_in_;
-  bool careful_ = false;  // rotations are limited
   std::vector<double> settled_;
   std::vector<double> unstable_;  // the last unstable equilibrium of a wall
   SettleIteration iteration_;
@@ -187,15 +173,25 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
   return report;
 }
 
+SettleControl attempt(SettleControl control, bool gradual) {
+  control.gradual = gradual;
+  const int direct = std::min(control.iterations, PathControl().direct_iterations);
+  control.iterations = gradual ? control.iterations - direct : direct;
+  if (gradual && control.start == Start::settled) control.start = Start::near;
+  return control;
+}
+
+bool needs_gradual_path(const SettleReport& direct, int iterations) {
+  return !direct.converged && !direct.stopped && iterations > PathControl().direct_iterations;
+}
+
 SettleReport settle_from(Assembly& assembly, const SettleControl& control, const double* v,
                          double* x) {
   const std::vector<double> start(x, x + 3 * static_cast<std::ptrdiff_t>(assembly.model().nodes));
-  const SettleReport first = settle(assembly, control, v, x);
-  if (first.converged || control.start != Start::settled || first.wake_renewals > 0) return first;
+  const SettleReport first = settle(assembly, attempt(control, false), v, x);
+  if (!needs_gradual_path(first, control.iterations)) return first;
   std::copy(start.begin(), start.end(), x);
-  SettleControl anew = control;
-  anew.start = first.first_residual < control.law.near_residual ? Start::near : Start::crude;
-  SettleReport report = settle(assembly, anew, v, x);
+  SettleReport report = settle(assembly, attempt(control, true), v, x);
   report.add(first);
   return report;
 }

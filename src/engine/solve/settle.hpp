@@ -6,6 +6,8 @@
 // the nodes, with a pseudo time step h that grows while lines rotate little. Both vanish near the
 // solution, where the step is plain Newton on the constitutive law.
 //
+// The only fallback is continuation in the parameter of the interior path (PathControl).
+//
 // An unstable equilibrium (stability.hpp) is perturbed, and nodes are damped until they follow.
 #pragma once
 
@@ -27,6 +29,7 @@ struct SettleCost {
 
 struct SettleReport : SettleCost {
   bool converged = false;
+  bool stopped = false;  // by SettleControl::watch
   double residual = 0.0;
   double first_residual = 0.0;   // at the start
   double largest_tension = 0.0;  // N
@@ -44,8 +47,13 @@ struct SettleReport : SettleCost {
 // are the velocities of fixed nodes in the frame of the gear (m/s, 3 per node), usually zero.
 SettleReport settle(Assembly& assembly, const SettleControl& control, const double* v, double* x);
 
-// Calls settle(). If a settled start fails, it solves again: as a near start if the first residual
-// was below LawControl's near_residual, otherwise as a crude one. The cost includes both.
+// Returns the control of an attempt on the direct path or on the gradual one (PathControl). The
+// gradual path gets the remaining iterations, and a near start instead of a settled one.
+SettleControl attempt(SettleControl control, bool gradual);
+// True if an attempt on the gradual path must follow one on the direct path.
+bool needs_gradual_path(const SettleReport& direct, int iterations);
+
+// Calls settle() on the direct path and, if needed, on the gradual one. The cost includes both.
 SettleReport settle_from(Assembly& assembly, const SettleControl& control, const double* v,
                          double* x);
 

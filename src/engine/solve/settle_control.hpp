@@ -41,11 +41,6 @@ struct PseudoTimeControl {
   // times this one. Otherwise it grows up to 1. A singular matrix shortens h by the same factor.
   int free_steps = 10;
   double shorter = 0.7;
-  // Fallback: without convergence after `direct_steps` steps, the solution restarts with this limit
-  // of the target rotation. It then follows the motion of slack netting, whose drag turns within a
-  // few degrees, to its equilibrium.
-  int direct_steps = 300;
-  double careful_rotation = 0.1;
 };
 
 // Stabilisation of netting parallel to the flow. Its tension is nearly zero, so that steps would
@@ -67,6 +62,13 @@ struct PathControl {
   // The same factorisation corrects it, for corrections below this fraction of the step (Mehrotra
   // 1992, On the implementation of a primal-dual interior point method, SIAM J. Optim. 2, 575-601).
   double most_correction = 0.5;
+  // Limit of iterations on this direct path. Without convergence, the solution restarts on the
+  // gradual path, where mu falls only when the shape has converged: first by `gradual_factor`, then
+  // by the power 3/2 of the last factor. After `patience` steps without convergence, the iteration
+  // returns to the last converged shape and takes the square root of the factor.
+  int direct_iterations = 200;
+  double gradual_factor = 0.1;
+  int patience = 60;
 };
 
 // Trials of the constitutive law. A trial fails if the shape is no longer converged, or if `steps`
@@ -121,6 +123,7 @@ struct PerturbationControl {
 struct SettleControl {
   double tolerance = 1e-8;  // of the residual, or its rounding error if larger
   int iterations = 500;     // limit
+  bool gradual = false;     // on the gradual path (PathControl)
   Start start = Start::crude;
   // Strains of all lines in a similar state, which set the first tensions of a near or settled
   // start; empty: strains of x.

@@ -32,7 +32,7 @@ SettleIteration::SettleIteration(Assembly& assembly, const SettleControl& contro
       parts_(assembly, control.part),
       from_x_(force_.size()),
       path_steps_(control.law.steps) {
-  path_.keep(left_path_);  // avoids allocations during steps
+  path_.keep(before_law_.path);  // avoids allocations during steps
 }
 
 void SettleIteration::measure() {
@@ -88,7 +88,7 @@ void SettleIteration::resume() {
   path_ = TensionPath(assembly_.model(), load_);
   path_.follow(strain_, TensionPath::settled_parameter);
   try_law();
-  left_pseudo_step_ = control_.pseudo_time.longest;
+  before_law_.pseudo_step = control_.pseudo_time.longest;
   pseudo_time_.begin(pseudo_time_.step(), control_.pseudo_time.found_rotation);
 }
 
@@ -174,10 +174,11 @@ void SettleIteration::relax() {
 void SettleIteration::step() {
   choose_law();
   if (!on_law_) {
+    const double factor = reduction();
     Stopwatch watch(report_.seconds_forces, control_.timed);
     assembly_.sag_to(path_.current());
     assembly_.strain(strain_);
-    path_.prepare(assembly_, strain_, reduction(), least_parameter());
+    path_.prepare(assembly_, strain_, factor, least_parameter());
     assembly_.residual(force_.data(), &path_.predicted());
   }
   {
@@ -215,18 +216,26 @@ void SettleIteration::choose_law() {
 void SettleIteration::try_law() {
   on_law_ = true;
   law_steps_ = 0;
-  left_x_.assign(x_, x_ + force_.size());
-  path_.keep(left_path_);
-  left_pseudo_step_ = pseudo_time_.step();
+  keep(before_law_);
 }
 
 void SettleIteration::leave_law() {
   on_law_ = false;
   steps_to_law_ = path_steps_;
   path_steps_ *= 2;
-  std::copy(left_x_.begin(), left_x_.end(), x_);
-  path_.go_back(left_path_);
-  pseudo_time_.set_step(left_pseudo_step_);
+  return_to(before_law_);
+}
+
+void SettleIteration::keep(Place& place) const {
+  place.x.assign(x_, x_ + force_.size());
+  path_.keep(place.path);
+  place.pseudo_step = pseudo_time_.step();
+}
+
+void SettleIteration::return_to(const Place& place) {
+  std::copy(place.x.begin(), place.x.end(), x_);
+  path_.go_back(place.path);
+  pseudo_time_.set_step(place.pseudo_step);
   measure();
 }
 
@@ -236,11 +245,32 @@ double SettleIteration::reduction() {
     begun_ = true;
     return 1.0;
   }
+  if (control_.gradual) return gradual_reduction();
   return std::clamp(pseudo_time_.rotation(), control_.path.least_factor, 1.0);
+}
+
+// Returns to the last converged shape if the present mu was too small.
+double SettleIteration::gradual_reduction() {
+  const PathControl& path = control_.path;
+  ++waited_;
+  if (pseudo_time_.found()) {
+    keep(converged_);
+    gradual_factor_ = gradual_factor_ == 0.0
+                          ? path.gradual_factor
+                          : std::max(std::pow(gradual_factor_, 1.5), path.least_factor);
+  } else if (waited_ > path.patience && !converged_.x.empty()) {
+    return_to(converged_);
+    gradual_factor_ = std::sqrt(gradual_factor_);
+  } else {
+    return 1.0;
+  }
+  waited_ = 0;
+  return gradual_factor_;
 }
 
 // Lower bound of mu in this step.
 double SettleIteration::least_parameter() const {
+  if (control_.gradual) return 0.0;
   const double rotation = pseudo_time_.rotation();
   return std::min(control_.path.least_by_turn * rotation * rotation,
                   control_.path.most_rise * path_.parameter());

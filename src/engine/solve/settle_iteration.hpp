@@ -30,8 +30,6 @@ class SettleIteration {
   void begin_near();
   // Starts from the present measured positions as settled under other loads, with equal strains.
   void begin_settled();
-  // Limits the rotations of all later steps (PseudoTimeControl).
-  void take_care() { pseudo_time_.take_care(); }
   // Continues from a settled shape, measured, under changed loads. Tries the constitutive law
   // first, then the path from this shape's tensions.
   void resume();
@@ -66,6 +64,7 @@ class SettleIteration {
   void count_settled_step();
   void try_law();
   double reduction();
+  double gradual_reduction();
   double least_parameter() const;
   const DualTension& matrix_tension();
   void spread_step();
@@ -109,10 +108,17 @@ class SettleIteration {
   int law_steps_ = 0, steps_to_law_ = 0;
   int path_steps_;
   double residual_on_law_ = 0.0;
-  // State of the path before a trial.
-  std::vector<double> left_x_;
-  TensionPath::Place left_path_;
-  double left_pseudo_step_ = 1.0;
+  // State of the path, to return to it: before a trial, and where the gradual path last converged.
+  struct Place {
+    std::vector<double> x;
+    TensionPath::Place path;
+    double pseudo_step = 1.0;
+  };
+  void keep(Place& place) const;
+  void return_to(const Place& place);
+  Place before_law_, converged_;
+  double gradual_factor_ = 0.0;  // the last factor of mu; 0: none
+  int waited_ = 0;               // steps at this mu
 };
 
 }  // namespace codend
