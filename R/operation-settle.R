@@ -67,7 +67,8 @@
 #'
 #' @section Initial state:
 #' With `from`, a small change takes only a few iterations if the number of nodes stays the same.
-#' The solver falls back to a cold start if the initial state does not lead to convergence.
+#' If the solver does not converge from the initial state, it starts again from its positions, with
+#' a small tension in all slack lines that it reduces slowly.
 #'
 #' @section Several equilibria:
 #' A codend with a catch can have a round and a flat equilibrium, and both can be stable. Without

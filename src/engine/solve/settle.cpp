@@ -17,7 +17,7 @@ class Settling {
         control_(control),
         report_(report),
         x_(x),
-        from_settled_(control.start == Start::settled),
+        from_settled_(control.start == Start::settled && !control.gradual),
         closing_in_(from_settled_),
         settled_(x, x + 3 * static_cast<std::ptrdiff_t>(assembly.model().nodes)),
         iteration_(assembly, control, v, x, report) {}
@@ -59,8 +59,15 @@ class Settling {
   }
 
   void take_start() {
-    if (control_.start == Start::near) iteration_.begin_near();
-    if (from_settled_) iteration_.begin_settled();
+    // On the gradual path, a settled start is one that has failed.
+    const bool near = control_.start == Start::settled
+                          ? report_.residual < control_.law.near_residual
+                          : control_.start == Start::near;
+    if (from_settled_) {
+      iteration_.begin_settled();
+    } else if (near) {
+      iteration_.begin_near();
+    }
   }
 
   // Returns to the last settled shape after divergence. Returns false if this is the start.
@@ -177,7 +184,6 @@ SettleControl attempt(SettleControl control, bool gradual) {
   control.gradual = gradual;
   const int direct = std::min(control.iterations, PathControl().direct_iterations);
   control.iterations = gradual ? control.iterations - direct : direct;
-  if (gradual && control.start == Start::settled) control.start = Start::near;
   return control;
 }
 

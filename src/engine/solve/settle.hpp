@@ -48,7 +48,7 @@ struct SettleReport : SettleCost {
 SettleReport settle(Assembly& assembly, const SettleControl& control, const double* v, double* x);
 
 // Returns the control of an attempt on the direct path or on the gradual one (PathControl). The
-// gradual path gets the remaining iterations, and a near start instead of a settled one.
+// gradual path gets the remaining iterations.
 SettleControl attempt(SettleControl control, bool gradual);
 // True if an attempt on the gradual path must follow one on the direct path.
 bool needs_gradual_path(const SettleReport& direct, int iterations);
