@@ -2,7 +2,7 @@
 
 # Largest residual relative to the largest tension, and maximum number of iterations per level.
 settle_tolerance <- 1e-8
-settle_iterations <- 600L
+settle_iterations <- 800L
 
 # Returns the approximate number of nodes if the plan prescribes the mesh of every part; else Inf.
 fixed_nodes <- function(si, netting) {
