@@ -182,13 +182,13 @@ SettleReport settle(Assembly& assembly, const SettleControl& control, const doub
 
 SettleControl attempt(SettleControl control, bool gradual) {
   control.gradual = gradual;
-  const int direct = std::min(control.iterations, PathControl().direct_iterations);
+  const int direct = std::min(control.iterations, PathControl::direct_iterations);
   control.iterations = gradual ? control.iterations - direct : direct;
   return control;
 }
 
 bool needs_gradual_path(const SettleReport& direct, int iterations) {
-  return !direct.converged && !direct.stopped && iterations > PathControl().direct_iterations;
+  return !direct.converged && !direct.stopped && iterations > PathControl::direct_iterations;
 }
 
 SettleReport settle_from(Assembly& assembly, const SettleControl& control, const double* v,

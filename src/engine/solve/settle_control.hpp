@@ -66,7 +66,7 @@ struct PathControl {
   // gradual path, where mu falls only when the shape has converged: first by `gradual_factor`, then
   // by the power 3/2 of the last factor. After `patience` steps without convergence, the iteration
   // returns to the last converged shape and takes the square root of the factor.
-  int direct_iterations = 300;
+  static constexpr int direct_iterations = 300;
   double gradual_factor = 0.1;
   int patience = 60;
 };
