@@ -77,9 +77,10 @@ solve_square_net <- function(n) {
   stop("the net written by hand does not settle")
 }
 
-square_net <- function(n) {
+# plan: name of a plan of a square net with 8 x 8 knots.
+square_net <- function(n, plan = "square_net") {
   half <- (n - 1) / 4
-  update(read_gear(test_path("plans", "square_net.yaml")),
+  update(read_gear(test_path("plans", paste0(plan, ".yaml"))),
     panels.net.meshes = list(upper = n - 1, lower = n - 1, deep = n - 1),
     panels.net.columns = n - 1, pieces.sinkers.number = n,
     points.port.position = c(0, -half, -10), points.starboard.position = c(0, half, -10)

@@ -43,17 +43,26 @@ integrate_stiff_line <- function(name, ...) {
   tow(case$gear(), tow_schedule(heave = case$heave), case$until, case$every, ...)
 }
 
-# Compared values: eleven nodes and the largest tension. Returns a data frame of case, time (s),
-# kind ("x", "z", m, or "largest_tension", N), node and value.
-stiff_line_rows <- function(name, found) {
-  node <- unique(c(1, 2, round(seq(3, dim(found$position)[2], length.out = 9))))
+# Compared values of a trajectory after its start: coordinates `axes` of nodes (m), tensions of bars
+# and the largest tension (N). `column`: list with the name and value of the first column. Returns a
+# data frame with that column, time (s), kind, number (of the node or bar, 0: all) and value.
+motion_rows <- function(column, found, axes, node, bar = integer()) {
   late <- which(found$time > 0)
-  of <- function(kind, node, value) {
-    data.frame(case = name, time = rep(found$time[late], each = length(node)), kind = kind,
-      node = node, value = as.vector(value))
+  of <- function(kind, number, value) {
+    data.frame(column, time = rep(found$time[late], each = length(number)), kind = kind,
+      number = number, value = as.vector(value))
   }
+  coordinates <- lapply(axes, function(axis) {
+    of(axis, node, found$position[match(axis, c("x", "y", "z")), node, late])
+  })
   rbind(
-    of("x", node, found$position[1, node, late]), of("z", node, found$position[3, node, late]),
+    do.call(rbind, coordinates),
+    if (length(bar)) of("tension", bar, found$bar_tension[bar, late]),
     of("largest_tension", 0, apply(found$bar_tension[, late], 2, max))
   )
+}
+
+stiff_line_rows <- function(name, found) {
+  node <- unique(c(1, 2, round(seq(3, dim(found$position)[2], length.out = 9))))
+  motion_rows(list(case = name), found, c("x", "z"), node)
 }

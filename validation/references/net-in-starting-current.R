@@ -3,7 +3,9 @@
 # takes some CPU minutes.
 library(codend)
 source("validation/manifest.R")
-source("validation/cases/started-net.R")
+for (name in c("square-net", "stiff-lines", "started-net")) {
+  source(file.path("validation", "cases", paste0(name, ".R")))
+}
 
 rows <- lapply(c(8, 20, 40), function(n) {
   found <- tow(started_net(n), scheme = "rk4", nodes = 1e4)
