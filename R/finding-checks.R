@@ -12,9 +12,11 @@ finding_checks <- new.env(parent = emptyenv())
 # `case`. `field`: the field to change in the plan or the part, empty for the location itself.
 finding_strings <- package_table("findings.csv")
 
+no_values <- function() NULL
+
 # Defines a check of a table. `test(gear, state)`: returns a list of `finding()` and NULL.
 # `values()`: returns values for the placeholders of the message.
-define_finding <- function(name, test, values = function() NULL, table = finding_strings) {
+define_finding <- function(name, test, values = no_values, table = finding_strings) {
   row <- table[match(name, table$check), ]
   finding_checks[[name]] <- list(name = name, of = row$of, rank = row$rank, test = test,
     message = row$message, values = values)

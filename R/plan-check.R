@@ -1,10 +1,27 @@
 # Validates plans against the schema file, which defines all fields. The schema is compiled when the
 # package is installed. Only the keywords in this file are supported.
 
-# Returns the compiled schema: one node per kind of plan, the default first.
-compile_schema <- function() {
+# Returns the schema with numbers instead of its descriptions, attribute `texts`. Many nodes share a
+# description, and R stores each copy of a text.
+read_schema <- function() {
   file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
-  schema <- jsonlite::fromJSON(file, simplifyVector = FALSE)
+  texts <- character()
+  numbered <- function(node) {
+    if (!is.list(node)) return(node)
+    if (is.character(node$description)) {
+      texts <<- union(texts, node$description)
+      node$description <- match(node$description, texts)
+    }
+    lapply(node, numbered)
+  }
+  structure(numbered(jsonlite::fromJSON(file, simplifyVector = FALSE)), texts = texts)
+}
+
+# Returns the description with a number, or NULL.
+schema_text <- function(number) if (!is.null(number)) schema_texts[number]
+
+# Returns the compiled schema: one node per kind of plan, the default first.
+compile_schema <- function(schema) {
   kinds <- union(schema$properties$kind$default, unlist(schema$properties$kind$enum))
   lapply(
     stats::setNames(schema$`$defs`[kinds], kinds), compile_node, definitions = schema$`$defs`
@@ -250,7 +267,7 @@ open_property <- function(name, value, node, path) {
     abort_plan(
       sprintf(
         "Plan field `%s` has a name that is not allowed: \"%s\". %s",
-        path, name, if (is.null(rule)) "It must not be empty." else rule$description
+        path, name, if (is.null(rule)) "It must not be empty." else schema_text(rule$description)
       ),
       path, name
     )

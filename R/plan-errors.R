@@ -87,8 +87,9 @@ describe <- function(node, value = NULL) {
     number = paste0("a number", bounds_text(node, format)),
     integer = paste0("a whole number", bounds_text(node, format)),
     boolean = "yes or no",
-    string = if (is.null(node$pattern)) "text" else sentence_part(first_of(node$meaning,
-      first_of(node$description, first_of(node$title, "text")))),
+    string = if (is.null(node$pattern)) "text" else sentence_part(first_of(
+      schema_text(first_of(node$meaning, node$description)), first_of(node$title, "text")
+    )),
     array = paste0("a list", count_text(node)),
     object = paste0("a map", if (length(node$properties)) {
       paste(" with fields such as", paste0("`", utils::head(names(node$properties), 4), "`",

@@ -1,6 +1,8 @@
 # Runs once, when the package is installed. The name makes this the last plan file in loading order.
-for (kind in names(compiled <- compile_schema())) {
+schema <- read_schema()
+schema_texts <- attr(schema, "texts")
+for (kind in names(compiled <- compile_schema(schema))) {
   assign(paste0("plan_kind_", kind), compiled[[kind]])
 }
 plan_kinds <- names(compiled)
-rm(kind, compiled)
+rm(kind, schema, compiled)
