@@ -17,16 +17,6 @@ picked_units <- c(
   buoyancy_kgf = "kgf", strength_kN = "kN"
 )
 
-# Returns the catalogue classes that fit a part, from the fields in its schema.
-picked_classes <- function(node) {
-  has <- function(...) all(c(...) %in% names(node$properties))
-  if (has("lift_coefficient", "area", "mass")) return("board")
-  if (has("buoyancy", "diameter")) return("float")
-  if (has("rtex")) return("twine")
-  if (has("mass_per_length", "material", "strength")) return(c("rope", "wire", "chain"))
-  character()
-}
-
 # Returns list(class, title, `says` (a note), values (strings by plan field), source) for each row.
 offered_catalogue <- remembered(function() {
   table <- catalogue()

@@ -307,15 +307,6 @@ request_number <- function(given) {
   if (is.numeric(number) && length(number) == 1L) number else 0
 }
 
-# Returns the plan field of a part or support. The fallback for a support is a rope that ends there.
-clicked_field <- function(gear, name) {
-  path <- finding_field(gear$plan, name, NULL)
-  if (!is.na(path)) return(path)
-  ends_there <- Filter(function(rope) name %in% c(rope$from, rope$to), gear_si(gear)$ropes)
-  if (!length(ends_there)) return(NA_character_)
-  finding_field(gear$plan, names(ends_there)[1L], NULL)
-}
-
 # Returns the names of the parts that a plan field describes, or whose description contains it.
 parts_of_field <- function(gear, path) {
   kinds <- gear_si(gear)[c("ropes", "panels", "pieces")]

@@ -1,11 +1,6 @@
 # Required values of measures, typed into the results of the design on screen. The slow worker finds
 # the value of a field by find_value(), within the range of the field's slider.
 
-# Units that a user may choose, by dimension. The first unit is codend's default.
-preferred_units <- list(
-  length = c("m", "fathom", "ft"), force = c("kN", "tf", "lbf"), speed = c("m/s", "knot")
-)
-
 # `said`: list(paths (fields that change together), measure (its name), target (as typed), unit (of
 # a bare number)). Returns list(paths, value, unit, low, high (in this unit), reached, measure,
 # measure_unit, target, result (both in its unit)).

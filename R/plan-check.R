@@ -18,7 +18,7 @@ read_schema <- function() {
 }
 
 # Returns the description with a number, or NULL.
-schema_text <- function(number) if (!is.null(number)) schema_texts[number]
+schema_text <- function(number) if (!is.null(number)) schema_sentences[number]
 
 # Returns the compiled schema: one node per kind of plan, the default first.
 compile_schema <- function(schema) {

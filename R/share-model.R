@@ -28,10 +28,13 @@ shared_model <- function(state, fields) {
   packed <- packed_arrays(arrays)
   boards <- state$si$otter_boards
   list(
-    head = packed$head, body = packed$body, nodes = state$mesh$nodes,
-    tolerance = settle_tolerance, steps = settle_iterations,
-    fields = lapply(series$fields, slider_field), terms = terms, touched = I(touched),
-    programs = measured$programs, order = I(measured$order), scene = scene,
+    head = packed$head, body = packed$body, tolerance = settle_tolerance,
+    steps = settle_iterations,
+    fields = lapply(unname(series$fields), function(field) {
+      list(paths = I(field$paths), whole = field$whole, value = field$value, lower = field$lower,
+        upper = field$upper)
+    }),
+    terms = terms, touched = I(touched), order = measured$order, scene = scene,
     names = I(vapply(gsub("_", " ", state$mesh$parts$name), capital, "", USE.NAMES = FALSE)),
     boards = I(vapply(gsub("_", " ", names(boards)), capital, "", USE.NAMES = FALSE)),
     fallen_heel = fallen_heel, knot = plan_units$speed[["knot"]],
@@ -51,11 +54,4 @@ first_shape <- function(state) {
   arrays <- flat_arrays(from, "from.")
   arrays[["from.strain"]] <- single_floats(few_figures(shape$strain, 13))
   arrays
-}
-
-slider_field <- function(field) {
-  list(
-    name = field$name, label = field$label, unit = field$unit, whole = field$whole,
-    value = field$value, lower = field$lower, upper = field$upper, step = slider_step(field)
-  )
 }

@@ -4,9 +4,9 @@
 # plan allows and a series covers.
 slider_shares <- c(0.25, 0.15, 0.1, 0.05, 0.02)
 
-# Adds to free_fields() `label`, `fixed` (TRUE if the user gave the range) and `asked` (TRUE if the
-# user gave the sliders). `sliders`: as in sensitivities(), or NULL for the fields that users change
-# first. `ranges`: by path, or NULL.
+# Adds to free_fields() `fixed` (TRUE if the user gave the range) and `asked` (TRUE if the user gave
+# the sliders). `sliders`: as in sensitivities(), or NULL for the fields that users change first.
+# `ranges`: by path, or NULL.
 slider_fields <- function(gear, sliders, ranges) {
   if (!is.null(ranges) && !(is.list(ranges) && length(ranges) && !is.null(names(ranges)))) {
     abort_argument("{.arg ranges} must be a list of ranges by the paths of fields, such as
@@ -21,8 +21,7 @@ slider_fields <- function(gear, sliders, ranges) {
     abort_argument("{.arg ranges} has {.field {lost[1]}}, which is not a slider; the sliders are
       {.field {name}}.")
   }
-  labels <- slider_labels(gear, found)
-  fields <- Map(function(field, label) {
+  fields <- lapply(found, function(field) {
     at <- match(field$name, given)
     fixed <- !is.na(at)
     range <- if (fixed) {
@@ -35,8 +34,8 @@ slider_fields <- function(gear, sliders, ranges) {
       abort_argument("{.arg sliders} has {.field {field$name}}, which has no valid default range in
         this plan: give it a range in {.arg ranges}.")
     }
-    c(range, list(label = label, fixed = fixed, asked = !is.null(sliders)))
-  }, found, labels)
+    c(range, list(fixed = fixed, asked = !is.null(sliders)))
+  })
   Filter(Negate(is.null), fields)
 }
 
@@ -70,18 +69,28 @@ usual_range <- function(gear, field, most) {
   NULL
 }
 
-slider_labels <- function(gear, fields) {
-  usual <- usual_of_plan(gear$plan)
-  vapply(fields, function(field) {
-    at <- Find(function(one) setequal(one$paths, field$paths), usual)
-    if (!is.null(at)) return(unname(at$label))
-    path <- sub("^(ropes|pieces|panels|points|otter_boards)[.](?=.*[.])", "", field$paths[1L],
-      perl = TRUE)
-    capital(gsub("_", " ", gsub(".", ", ", path, fixed = TRUE), fixed = TRUE))
-  }, "")
-}
-
-# Returns the step of about a hundred steps.
-slider_step <- function(field) {
-  if (field$whole) 1 else round_step((field$upper - field$lower) / 200)
+# Returns the tank's form with only the fields that the page can change, in their ranges.
+shared_form <- function(gear, fields) {
+  ranged <- function(controls) {
+    found <- lapply(controls, function(control) {
+      field <- Find(function(field) setequal(field$paths, control$paths), fields)
+      if (is.null(field)) return(NULL)
+      ends <- vapply(field[c("lower", "upper")], shortest_decimal, "")
+      control[c("low", "high", "step", "required", "must")] <- list(field$lower, field$upper,
+        if (field$whole) 1 else round_step((field$upper - field$lower) / 200), TRUE,
+        trimws(paste("from", ends[1L], "to", ends[2L], control$unit)))
+      control
+    })
+    Filter(Negate(is.null), found)
+  }
+  form <- form_message(gear$plan, lapply(fields, `[[`, "paths"), 1)
+  form$groups <- lapply(form$groups, function(group) {
+    parts <- lapply(group$parts, function(part) {
+      list(path = part$path, help = part$help, fields = ranged(part$fields), required = TRUE)
+    })
+    list(title = group$title, parts = Filter(function(part) length(part$fields), parts),
+      open = FALSE, absent = I(character()))
+  })
+  form$quick <- ranged(form$quick)
+  form
 }

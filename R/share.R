@@ -4,9 +4,11 @@
 #' codend's engine settles the gear in the browser, on a computer or a phone and without a network.
 #'
 #' @section Contents of the page:
-#' - the gear in three dimensions, and the sliders;
+#' The page is the page of [flume()] without the functions that need R:
+#'
+#' - the gear in three dimensions, the plan drawing, and the fields of the sliders;
 #' - the measures with their changes and estimated discretisation errors, and warnings;
-#' - the plan drawing, the notes and sources of the plan, and the version of codend;
+#' - undo, comparison of designs and units, the plan, and the version of codend;
 #' - a tow, if given, which the page plays.
 #'
 #' @section Accuracy:
@@ -59,7 +61,7 @@ share <- function(state, file, sliders = NULL, ranges = NULL, tow = NULL) {
   with_plain_numbers({
     model <- shared_model(state, fields)
     parts <- shared_parts(state, model, tow)
-    write_file(file, function(path) write_shared_page(path, state, model, parts))
+    write_file(file, function(path) write_shared_page(path, state, parts))
   })
   invisible(file)
 }

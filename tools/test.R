@@ -6,7 +6,7 @@
 # Test files that `fast` skips, because each takes more than 4.5 s.
 slow <- c(
   "command", "command-line", "draw-gear", "engine-file", "export-vtk", "file-write", "finding",
-  "flume", "flume-form", "flume-shared", "flume-tow", "flume-translation", "flume-worker", "gear",
+  "flume", "flume-shared", "flume-tow", "flume-worker", "gear",
   "gear-check", "gear-new-plan", "input-current", "kind-beam-trawl", "kind-bottom-trawl",
   "kind-cage", "kind-demersal-seine", "kind-longline", "kind-midwater-trawl", "kind-purse-seine",
   "kind-set-nets", "kites", "measure-error", "measure-state", "measure-turn", "misuse",

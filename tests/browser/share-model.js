@@ -2,7 +2,7 @@
 'use strict';
 const fs = require('fs'), zlib = require('zlib');
 
-const bytes = (text) => zlib.inflateSync(Buffer.from(text, 'base64'));
+const bytes = (text) => zlib.unzipSync(Buffer.from(text, 'base64'));
 
 // Returns {model, page, move(values): TRUE if the solve converged}.
 exports.opened = async function (file) {

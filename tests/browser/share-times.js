@@ -19,8 +19,7 @@ async function timed(browser, file) {
   await page.goto('file://' + path.resolve(file), { waitUntil: 'commit' });
   await page.waitForFunction(() => window.codendShared?.ready || window.codendShared?.failed, null, { timeout: 120000 });
   const found = await page.evaluate(async () => {
-    const fields = Array.from(document.querySelectorAll('#sliders input'))
-      .map((input) => ({ lower: Number(input.min), upper: Number(input.max), value: Number(input.value) }));
+    const { fields } = window.codendShared;
     let seed = 38;
     const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
     let stall = 0, before = performance.now();
@@ -30,8 +29,9 @@ async function timed(browser, file) {
     }, 4);
     async function move(values) {
       const began = performance.now();
-      window.codendShared.move(values);
-      while (!window.codendShared.settled) await new Promise((go) => setTimeout(go, 2));
+      window.codendTank.Form.edits(Object.fromEntries(fields.flatMap(({ paths, unit }, k) =>
+        paths.map((path) => [path, { value: values[k], unit }]))));
+      while (!window.codendTank.Form.still()) await new Promise((go) => setTimeout(go, 2));
       return performance.now() - began;
     }
     const own = fields.map((field) => field.value), moves = [], jumps = [];

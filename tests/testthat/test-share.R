@@ -77,7 +77,9 @@ test_that("share() checks its arguments before any computation", {
   argument(slider_fields(state$gear, "towing.speed", list(towing.speed = c("6 knot", "8 knot"))))
   range <- list(towing.speed = c("2 knot", "6 knot"))
   field <- slider_fields(state$gear, "towing.speed", range)[[1]]
-  expect_equal(c(field$lower, field$upper, slider_step(field)), c(2, 6, 0.02))
+  control <- shared_form(state$gear, list(field))$quick[[1]]
+  expect_equal(unlist(control[c("value", "low", "high", "step")], use.names = FALSE),
+    c(4, 2, 6, 0.02))
 })
 
 bytes_of <- function(text) memDecompress(jsonlite::base64_dec(text), "gzip")

@@ -13,15 +13,6 @@ export function error_digits(error: number): string {
   return up.toFixed(Math.min(Math.max(-Math.round(Math.log10(unit)), 0), 4));
 }
 
-// Returns the nearest value of a slider, in its steps and range. The shared value is one of them.
-export function snapped(
-  field: { value: number; step: number; lower: number; upper: number }, value: number
-): number {
-  if (Math.abs(value - field.value) < field.step / 2) return field.value;
-  const low = Math.round(value / field.step) * field.step;
-  return Math.min(Math.max(Number(low.toPrecision(12)), field.lower), field.upper);
-}
-
 // Returns the decimals that give four digits of the largest value, but at most four.
 export function decimals_of(...values: number[]): number {
   const largest = Number(Math.max(0, ...values.map(Math.abs)).toPrecision(4));

@@ -11,14 +11,14 @@ export interface Edit {
 }
 export type Edits = Record<string, Edit>;
 
-// A control of the form; R/flume-fields.R describes it. The page adds labels and titles, here and below.
+// A control of the form; R/page-fields.R describes it. The page adds labels and titles, here and below.
 export interface Field {
   label: string; usual?: boolean; paths: string[]; help: string; must: string | null; required: boolean;
   kind: 'number' | 'choice' | 'truth' | 'word' | 'yaml'; value: string | number | boolean | null;
   unit: string; factor: number; dimension: string | null; whole: boolean; low?: number; high?: number; step?: number;
   typed: string | null; choices: string[]; suggest: string[];
 }
-// A part of a group of the form; R/flume-form.R describes both. The fields of a group itself are a part
+// A part of a group of the form; R/page-form.R describes both. The fields of a group itself are a part
 // without a path.
 export interface Part {
   path: string; title: string; fields: Field[] | null; help?: string; picks?: { path: string; classes: string[] }[];
@@ -70,7 +70,8 @@ export interface Change { from: string; over: string; to?: string; by?: string }
 // A table by columns. `parts` names the gear's parts in each row.
 export interface Table { columns: (string | number | null)[][]; parts: string[][] }
 
-// Messages from R. `answers` is the number of a request, 0 without one.
+// Messages from R. `answers` is the number of a request, 0 without one. A page without R has `about`, a note about
+// itself, and `tows` if it has a tow.
 export interface FromR {
   flume_begin: {
     language: string;
@@ -89,6 +90,8 @@ export interface FromR {
     shares: boolean;
     can_share: boolean;
     guide: boolean;
+    about?: string;
+    tows?: boolean;
   };
   flume_opened: {
     answers: number;
@@ -197,6 +200,15 @@ export interface FromR {
 export interface FileHeader { file: string }
 export interface PredictionHeader { predicts: string[]; value: number; counts: Record<string, number> }
 export interface MovedHeader { answers: number; counts: Record<string, number>; part: Partial<Scene> }
+
+// A server in the page (web/src/share/page.ts) instead of R. It receives the handlers of its messages and returns the
+// handler of the page's messages.
+export type Server = (
+  said: <Name extends keyof FromR>(name: Name, message: FromR[Name]) => void,
+  said_shape: (header: MovedHeader, arrays: Record<string, Float32Array>) => void
+) => (name: string, what: unknown) => void;
+
+declare global { interface Window { codendServer?: Server } }
 
 // Requests with an answer. `asked` of the message has the type that is listed here.
 export interface Asked {

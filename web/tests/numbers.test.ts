@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { decimals_of, error_digits, figures, fixed_decimals, signed, snapped } from '../src/numbers';
+import { decimals_of, error_digits, figures, fixed_decimals, signed } from '../src/numbers';
 
 test('figures() and error_digits() write numbers like R', () => {
   assert.deepEqual([0, 12345.6, -0.01234, 1e-9, NaN].map(figures), ['0', '12\u202f346', '\u22120.0123', '0', 'none']);
@@ -15,9 +15,4 @@ test('signed() and fixed_decimals() write tables like R', () => {
 
 test('decimals_of() keeps four digits of the largest value', () => {
   assert.deepEqual([[153.91, 2], [0.08823], [11443], [0], []].map((values) => decimals_of(...values)), [1, 4, 0, 0, 0]);
-});
-
-test('snapped() keeps the shared value and the ends of the range', () => {
-  const field = { value: 1.234, step: 0.1, lower: 0.55, upper: 2 };
-  assert.deepEqual([1.26, 1.31, 0, 9].map((value) => snapped(field, value)), [1.234, 1.3, 0.55, 2]);
 });

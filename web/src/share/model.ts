@@ -19,19 +19,16 @@ export interface Engine {
   _codend_error(): number;
 }
 
-export interface Field {
-  name: string; label: string; unit: string; whole: boolean; value: number; lower: number; upper: number; step: number;
-}
+// Values are in the unit of the field in the plan.
+export interface Field { paths: string[]; whole: boolean; value: number; lower: number; upper: number }
 interface Meshes { panel: string; unit: string; means: { count: string; column: string; weight: string } }
 interface Groups { element: string; group: string; weight: string; count: number; split: number }
 // The description of a gear by R/share-model.R. Strings are names of arrays.
 export interface SharedGear {
   head: Head; tolerance: number; steps: number; fields: Field[]; touched: string[];
   terms: { of: number[]; nodes: number[][]; index: string; change: string }[];
-  programs: Record<string, {
-    kind: string; unit: string; size: number; words: string; value: number; definition: string; error: number | null;
-  }>;
-  order: string[]; names: string[]; boards: string[]; fallen_heel: number; knot: number;
+  order: { name: string; kind: string; size: number }[];
+  names: string[]; boards: string[]; fallen_heel: number; knot: number;
   conditions: { waves: string; still: string; water: boolean };
   scene: {
     drawn: string; marks: number[][]; rope: Groups; u: Groups; v: Groups;
@@ -214,7 +211,7 @@ export function new_model(engine: Engine, page: SharedGear, bytes: Uint8Array) {
     checked(engine._codend_evaluate());
     const bars = found('bar_tension'), at = found('points'), drag = new Float32Array(found('drag'));
     const values: Record<string, number> = {};
-    found('measures').forEach((value, k) => { values[page.order[k]] = value; });
+    found('measures').forEach((value, k) => { values[page.order[k].name] = value / page.order[k].size; });
     const scene = page.scene, drawn = numbers(scene.drawn), size = numbers('page/size');
     for (let k = 0; k < drag.length; k++) {
       drag[k] = size[k] > 0 ? Math.max(drag[k], 0) / Math.max(size[k], 1e-9) : 0;
@@ -264,9 +261,9 @@ export function new_model(engine: Engine, page: SharedGear, bytes: Uint8Array) {
     found('load').forEach((share, part) => {
       if (share > 1) out.push(page.names[part] + ' carries ' + (100 * share).toFixed(0) + ' % of its breaking load.');
     });
-    Object.keys(page.programs).forEach((name) => {
-      if (page.programs[name].kind === 'pull_used' && values[name] > 1) {
-        out.push('The vessel cannot tow this gear so fast: it would take ' + (100 * values[name]).toFixed(0) +
+    page.order.forEach(({ name, kind, size }) => {
+      if (kind === 'pull_used' && size * values[name] > 1) {
+        out.push('The vessel cannot tow this gear so fast: it would take ' + (100 * size * values[name]).toFixed(0) +
           ' % of what it can pull.');
       }
     });

@@ -1,220 +1,190 @@
-// A shared page: viewer, sliders and measures of a gear that a worker settles. The picture is shown
-// before the engine starts.
+// The server of a shared page. The page is the flume tank's (web/src/tank); a worker with the engine settles the gear
+// at the values of its fields. The picture is shown before the engine starts.
 
+import type {
+  Asked, Design, Edit, Edits, Field, Form, FromR, MeasureAbout, MeasureNumbers, Problem, Server, Told
+} from '../protocol';
 import type * as View from '../view';
 import type { ToPage, ToWorker } from './messages';
 import type { SharedGear, Shape } from './model';
 import { unpacker, type Part } from './packed';
-import { error_digits, figures, snapped } from '../numbers';
 
-// `codendView` is defined by the packed viewer, `codendShared` is for tests.
-declare global {
-  interface Window { codendView: typeof View; codendShared: typeof state }
+// The data of shared_page() in R/share-page.R
+interface Page {
+  begin: Pick<FromR['flume_begin'], 'language' | 'words' | 'sought' | 'units' | 'preferred' | 'about'>;
+  form: Form; measures: MeasureAbout[]; numbers: MeasureNumbers; notes: string[]; parts: Record<string, string>;
+  plan: string;
 }
+type Handlers = { [Name in keyof Told]?: (what: Told[Name]) => void } &
+  { words(what: { number: number; asked: Asked['words'] }): void };
+
+declare global { interface Window { codendShared: typeof state } }
+// For tests
 const state = {
   times: { picture: 0, first: 0, moves: 0, stuck: 0 },
   ready: false, settled: false, failed: undefined as string | undefined,
-  shown: null as Pick<Shape, 'measures' | 'values'> | null, sizes: {} as Record<string, number>,
-  move: undefined as ((to: number[]) => void) | undefined
+  shown: null as Pick<Shape, 'measures' | 'values'> | null, fields: [] as (SharedGear['fields'][number] & Field)[]
 };
 window.codendShared = state;
 
-function by_id<Kind extends HTMLElement>(id: string): Kind { return document.getElementById(id) as Kind; }
-const told = by_id('told'), packed = JSON.parse(by_id('packed').textContent ?? '') as Record<Part, string>;
+const packed = JSON.parse(document.getElementById('packed')?.textContent ?? '') as Record<Part, string>;
 const { bytes, text, json } = unpacker(packed);
+// a page without R
+const without = {
+  languages: [], checked: true, catalogue: { things: [], fields: {} }, gears: [], kinds: [], formats: [], opens: true,
+  shares: false, can_share: false, guide: false, tow_saves: []
+};
 
 function failed(error: unknown) {
-  told.textContent = 'This browser cannot run the page: ' + (error instanceof Error ? error.message : String(error)) +
-    '. The page needs Chrome 91, Firefox 113, Safari 16.4 or newer.';
   state.failed = String(error);
+  document.body.append('This browser cannot run the page: ' + (error instanceof Error ? error.message : String(error)) +
+    '. The page needs Chrome 91, Firefox 113, Safari 16.4 or newer.');
 }
 
-const moving = ['points', 'places', 'boards', 'rope_tension', 'u', 'v', 'drag', 'opening', 'angle'] as const;
+function new_server({ begin, form, ...page }: Page, gear: SharedGear, scene: View.Scene): Server {
+  const drawing = text('drawing'), base = scene.name, own = gear.fields.map((field) => field.value);
+  const all = [...form.quick, ...form.groups.flatMap(({ parts }) => parts ?? []).flatMap(({ fields }) => fields ?? [])];
+  const place = ({ paths }: Pick<Field, 'paths'>) => state.fields.findIndex((one) => one.paths.join() === paths.join());
+  state.fields = gear.fields.map((field) =>
+    ({ ...all.find((one) => one.paths.join() === field.paths.join()) as Field, ...field }));
+  return (said, said_shape) => {
+    let values = own.slice(), send: (said: ToWorker) => void = () => {}, waiting: number | null = null;
 
-function start(scene: View.Scene, page: SharedGear) {
-  const { element, new_viewer } = window.codendView, viewer = new_viewer(by_id('tank'));
-  viewer?.show(scene);
-  state.times.picture = performance.now();
+    // Returns the form with the present values.
+    function form_now(): Form {
+      const now = (one: Field) => ({ ...one, value: values[place(one)] });
+      return {
+        ...form, quick: form.quick.map(now), groups: form.groups.map((group) => ({
+          ...group, parts: group.parts?.map((part) => ({ ...part, fields: part.fields?.map(now) ?? null })) ?? null
+        }))
+      };
+    }
+    // Returns a value in the unit of its field, NaN if it is invalid.
+    function read({ unit, factor, dimension, whole }: Field, edit: Edit) {
+      const [, number, named] = /^([-+\d.,e]+)\s*(.*)$/.exec(String(edit.value).trim()) ?? [];
+      const wanted = named || edit.unit || unit;
+      const size = wanted === unit ? factor : begin.units[dimension ?? '']?.[wanted];
+      const value = Number(number?.replace(',', '.')) * (size / factor);
+      return whole ? Math.round(value) : value;
+    }
+    function take(edits: Edits) {
+      state.fields.forEach((field, k) => {
+        if (field.paths.every((path) => path in edits)) values[k] = read(field, edits[field.paths[0]]);
+      });
+    }
+    function tell_draft(laid_out: boolean) {
+      const problems: Problem[] = state.fields
+        .filter(({ lower, upper }, k) => !(values[k] >= lower && values[k] <= upper))
+        .map(({ paths, must }) => ({ path: paths[0], message: 'The value must be ' + must + '.' }));
+      said('flume_draft', { ...laid_out && { form: form_now() }, understood: {}, problems, settling: false });
+      return !problems.length;
+    }
+    function settle(number: number) {
+      if (waiting !== null) said('flume_idle', { answers: waiting });
+      waiting = number;
+      state.settled = false;
+      send({ kind: 'move', number, values });
+    }
+    function design({ edits = [] }: Design) {
+      values = own.slice();
+      edits.forEach(take);
+    }
+    function picture(answers: number, notes: string[], part: Partial<View.Scene>) {
+      said('flume_picture', { answers, edited: answers, notes, towed: false, scene: { name: base, ...part } });
+    }
+    function show({ moved, flow, conditions, measures, values, warnings }: Shape, answers: number, done: boolean) {
+      said_shape({ answers: done ? answers : 0, counts: {}, part: { flow, conditions } }, { ...moved });
+      state.shown = { measures, values };
+      if (!done) return;
+      const now = page.measures.map(({ name }) => measures[name]);
+      picture(answers, warnings, { conditions });
+      said('flume_measures', { now, error: now.map((value, k) =>
+        Math.abs(value * (page.numbers.error[k] ?? NaN) / (page.numbers.now[k] ?? NaN))) });
+    }
+    function hear(answer: ToPage) {
+      const { number } = answer;
+      if (answer.kind === 'failed') {
+        state.failed = answer.words;
+        said('flume_refused', { answers: number, where: 'page', message: 'The engine stopped: ' + answer.words });
+        return;
+      }
+      const { step, shape } = answer, latest = number === waiting, first = !state.ready;
+      if (first) {
+        state.times.first = performance.now();
+        state.ready = true;
+      } else if (!latest) return;
+      const done = latest && step !== 'more';
+      if (done) {
+        waiting = null;
+        state.settled = true;
+        state.times[step === 'done' ? 'moves' : 'stuck'] += 1;
+      }
+      // the page may send its next move now
+      show(shape, number, done && step === 'done');
+      if (step !== 'stuck') return;
+      const met = state.fields.filter((_, k) => shape.values[k] !== values[k]).map(({ paths, unit }) =>
+        `${paths[0]} ${Number(shape.values[place({ paths })].toPrecision(6))} ${unit}`);
+      said('flume_draft', { understood: {}, settling: false, problems: [{ path: null,
+        message: `The gear does not settle beyond ${met.join(', ')}; the picture shows the gear there.` }] });
+      said('flume_idle', { answers: number });
+    }
 
-  // ---- sliders ----------------------------------------------------------------------------------
-
-  const fields = page.fields, own = fields.map((field) => field.value), values = own.slice();
-  const outputs: HTMLOutputElement[] = [], inputs = fields.map(({ label, lower, upper }, k) => {
-    const box = element('div', 'slider'), id = 'slider-' + (k + 1);
-    const about = { type: 'range', id, min: lower, max: upper, step: 'any', disabled: '' };
-    const input = element('input', '', undefined, about);
-    outputs.push(element('output', '', undefined, { for: id }));
-    box.append(element('label', '', label, { for: id }), outputs[k], input);
-    by_id('sliders').appendChild(box);
-    return input;
-  });
-  const reset = by_id<HTMLButtonElement>('reset');
-  function with_unit(k: number, value: number) { return (Number(value.toPrecision(6)) + ' ' + fields[k].unit).trim(); }
-  function tell_slider(k: number) {
-    outputs[k].value = with_unit(k, values[k]);
-    inputs[k].setAttribute('aria-valuetext', outputs[k].value);
-  }
-  // Returns the sliders that stopped early, each with the reached and the requested value.
-  function met(at: number[]) {
-    return fields.map((field, k) => at[k] === values[k] ? '' :
-      field.label + ' ' + with_unit(k, at[k]) + ' (of ' + with_unit(k, values[k]) + ')').filter(Boolean).join(', ');
-  }
-  let number = 0, shown = 0;
-  function move() {
-    number += 1;
-    reset.disabled = values.every((v, k) => v === own[k]);
-    if (towing) tow_off();
-    state.settled = false;
-    send({ kind: 'move', number, values: values.slice() });
-    busy(true);
-  }
-  function slide(k: number, value: number) {
-    values[k] = snapped(fields[k], value);
-    tell_slider(k);
-    move();
-  }
-  const steps: Record<string, number> = {
-    ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10
+    const handlers: Handlers = {
+      design({ number, edits, design: whole, anew }) {
+        if (whole) design(whole);
+        else take(edits ?? {});
+        if (tell_draft(anew)) settle(number);
+        else said('flume_idle', { answers: number });
+      },
+      words({ number, asked }) {
+        design(asked);
+        said('flume_opened', { answers: number, design: { base } });
+        tell_draft(true);
+        settle(number);
+      },
+      kept({ number }) { said('flume_kept', { number, design: null }); },
+      async drawing_wanted() { said('flume_drawing', { svg: await drawing }); },
+      plan_wanted() { said('flume_plan', { text: page.plan }); },
+      part_wanted({ name, path = page.parts[name ?? ''] ?? '' }) {
+        const within = (inner: string, outer: string) => (inner + '.').startsWith(outer + '.');
+        const names = Object.keys(page.parts).filter((one) =>
+          within(page.parts[one], path) || within(path, page.parts[one]));
+        said('flume_part', { path, names, clicked: name !== undefined });
+      },
+      async tow_wanted() { said('flume_tow', { scene: await json<View.Scene>('tow') }); }
+    };
+    // the page receives its handler first
+    queueMicrotask(() => {
+      said('flume_begin', { ...without, ...begin, tows: 'tow' in packed });
+      // the address may have a design
+      if (waiting === null) said('flume_opened', { answers: 0, design: { base } });
+      picture(0, page.notes, scene);
+      said('flume_measures', { about: page.measures, ...page.numbers });
+      tell_draft(true);
+      state.times.picture = performance.now();
+    });
+    Promise.all([text('worker'), bytes('wasm'), bytes('arrays')]).then(([code, wasm, arrays]) => {
+      const made = new Worker(URL.createObjectURL(new Blob([code], { type: 'text/javascript' })));
+      made.onmessage = (event) => hear(event.data);
+      made.onerror = (event) => failed(event.message || 'the worker did not start');
+      send = (said) => made.postMessage(said);
+      const first: ToWorker = { kind: 'start', page: gear, wasm, bytes: new Uint8Array(arrays) };
+      made.postMessage(first, [wasm, arrays]);
+      if (waiting !== null) send({ kind: 'move', number: waiting, values });
+    }).catch(failed);
+    return (name, what) => handlers[name as keyof Handlers]?.(what as never);
   };
-  inputs.forEach((input, k) => {
-    input.addEventListener('input', () => slide(k, Number(input.value)));
-    // A key moves the slider by one step or by ten.
-    input.addEventListener('keydown', (event) => {
-      const by = steps[event.key];
-      if (!by) return;
-      event.preventDefault();
-      slide(k, values[k] + by * fields[k].step);
-      input.value = String(values[k]);
-    });
-  });
-  function set(to: number[]) {
-    to.forEach((value, k) => {
-      values[k] = value;
-      inputs[k].value = String(value);
-      tell_slider(k);
-    });
-  }
-  set(own);
-  reset.addEventListener('click', () => { set(own); move(); });
-  state.move = (to) => { set(to); move(); };
-
-  // ---- results ----------------------------------------------------------------------------------
-
-  const names = Object.keys(page.programs), rows = names.map((name) => {
-    const row = by_id<HTMLTableSectionElement>('measures').insertRow(), { size, words } = page.programs[name];
-    state.sizes[name] = size;
-    row.append(element('th', '', words, { scope: 'row' }),
-      ...['now', 'error', 'change'].map((kind) => element('td', kind)));
-    return row;
-  });
-  function busy(is: boolean) { document.body.classList.toggle('busy', is); }
-  function write(measures: Record<string, number>) {
-    names.forEach((name, k) => {
-      const of = page.programs[name], now = measures[name] / of.size, cells = rows[k].cells;
-      cells[1].textContent = figures(now) + ' ' + of.unit;
-      cells[2].textContent = of.error ? error_digits(of.error * Math.abs(now)) : '';
-      const change = now - of.value, size = Math.max(Math.abs(of.value), 1e-12);
-      const words = Math.abs(change) < 5e-4 * size ? '' : (change > 0 ? '+' : '') + figures(change) + (of.value !== 0 ?
-        ' (' + (change > 0 ? '+' : '\u2212') + Math.abs(100 * change / of.value).toFixed(1) + ' %)' : '');
-      cells[3].textContent = words;
-      cells[3].className = 'change' + (words ? change > 0 ? ' more' : ' less' : '');
-    });
-  }
-  write(Object.fromEntries(names.map((name) => [name, page.programs[name].value * page.programs[name].size])));
-  function show(shape: Shape) {
-    const fixed: Partial<View.Scene> = { flow: shape.flow };
-    moving.forEach((name) => {
-      const floats = shape.moved[name];
-      if (floats) fixed[name] = { floats };
-    });
-    viewer?.pass(fixed);
-    write(shape.measures);
-    by_id('conditions').textContent = shape.conditions;
-    const list = by_id('warnings');
-    list.replaceChildren(...shape.warnings.map((words) => element('li', '', words)));
-    list.hidden = !shape.warnings.length;
-    state.shown = { measures: shape.measures, values: shape.values };
-  }
-
-  // ---- the worker -------------------------------------------------------------------------------
-
-  let send: (said: ToWorker) => void = () => {};
-  function hear(said: ToPage) {
-    if (said.kind === 'failed') {
-      told.textContent = 'The engine stopped: ' + said.words;
-      state.failed = said.words;
-      busy(false);
-      return;
-    }
-    show(said.shape);
-    if (!state.ready) {
-      state.times.first = performance.now();
-      inputs.forEach((input) => { input.disabled = false; });
-      told.textContent = 'Move a slider: the gear settles in this page.';
-      state.ready = true;
-      return;
-    }
-    if (said.number < number) return;
-    if (said.step === 'stuck') {
-      state.times.stuck += 1;
-      told.textContent = 'The gear does not settle beyond ' + met(said.shape.values) +
-        '; the picture shows the gear there.';
-      set(said.shape.values);
-      busy(false);
-    } else if (said.step === 'done') {
-      state.times.moves += 1;
-      shown = said.number;
-      told.textContent = 'Settled.';
-      busy(false);
-    }
-    state.settled = shown === number || said.step === 'stuck';
-  }
-  Promise.all([text('worker'), bytes('wasm'), bytes('arrays')]).then(([code, wasm, arrays]) => {
-    const made = new Worker(URL.createObjectURL(new Blob([code], { type: 'text/javascript' })));
-    made.onmessage = (event) => hear(event.data);
-    made.onerror = (event) => failed(event.message || 'the worker did not start');
-    send = (said) => made.postMessage(said);
-    const first: ToWorker = { kind: 'start', page, wasm, bytes: new Uint8Array(arrays) };
-    made.postMessage(first, [wasm, arrays]);
-  }).catch(failed);
-
-  // ---- drawing and tow --------------------------------------------------------------------------
-
-  const drawing = by_id<HTMLDetailsElement>('drawing'), place = drawing.querySelector('.drawing') as Element;
-  drawing.addEventListener('toggle', async () => {
-    if (!drawing.open || !('drawing' in packed)) return;
-    const svg = new Blob([await bytes('drawing')], { type: 'image/svg+xml' });
-    place.appendChild(element('img', '', undefined, {
-      alt: 'The net laid flat with meshes, mesh sizes, twines and cutting rates, and its rigging. ' +
-        'The plan as text is at the end of this page.',
-      src: URL.createObjectURL(svg)
-    }));
-  });
-  let towing = false, motion: View.Scene | null = null;
-  const button = document.getElementById('tow');
-  function tow_off() {
-    towing = false;
-    button?.setAttribute('aria-pressed', 'false');
-    if (button) button.textContent = 'Play the tow';
-    viewer?.show(scene);
-  }
-  button?.addEventListener('click', async () => {
-    if (!viewer) return;
-    if (towing) { tow_off(); move(); return; }
-    motion = motion ?? await json<View.Scene>('tow');
-    towing = true;
-    button.setAttribute('aria-pressed', 'true');
-    button.textContent = 'Back to the sliders';
-    viewer.show(motion);
-  });
 }
 
 async function open() {
-  const script = document.createElement('script');
-  script.textContent = await text('viewer');
-  document.head.appendChild(script);
-  const [scene, page] = await Promise.all([json<View.Scene>('scene'), json<SharedGear>('model')]);
-  start(scene, page);
+  const [page, gear, scene] =
+    await Promise.all([json<Page>('page'), json<SharedGear>('model'), json<View.Scene>('scene')]);
+  window.codendServer = new_server(page, gear, scene);
+  for (const name of ['viewer', 'tank'] as const) {
+    const script = document.createElement('script');
+    script.textContent = await text(name);
+    document.head.appendChild(script);
+  }
 }
 
 if (!('DecompressionStream' in window) || !('WebAssembly' in window) || !('Worker' in window)) failed('it is too old');

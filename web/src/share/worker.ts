@@ -48,6 +48,8 @@ globalThis.onmessage = (event: MessageEvent<ToWorker>) => {
     codendEngine({ wasmBinary: said.wasm, print() {}, printErr() {} }).then((engine) => {
       model = new_model(engine, said.page, said.bytes);
       show(model, 'done');
+      busy = true;
+      work(model);
     }).catch(failed);
     return;
   }

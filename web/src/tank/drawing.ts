@@ -77,7 +77,8 @@ function open_view() {
   const wide = Math.min(whole[2], place.clientWidth * least / legible);
   box = [whole[0], whole[1], wide, wide * place.clientHeight / place.clientWidth];
   const [first] = things('[data-component="panel"]');
-  if (first && wide < whole[2]) {
+  if (!first) return see_all();
+  if (wide < whole[2]) {
     const b = first.getBBox();
     box[0] = Math.max(0, b.x + b.width / 2 - box[2] / 2);
     box[1] = Math.max(0, b.y - 0.1 * box[3]);

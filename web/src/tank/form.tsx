@@ -1,4 +1,4 @@
-// The flume tank's form: all fields of the plan, from the description that R/flume-form.R makes of
+// The flume tank's form: all fields of the plan, from the description that R/page-form.R makes of
 // the schema. Edits are sent to R as changes of the plan that the form shows.
 
 import { render } from 'preact';

@@ -93,17 +93,13 @@ function picture(message: FromR['flume_picture']) {
 }
 
 // A file, a derivative of the shape, or an intermediate shape while a slider moves; other outputs follow.
-function take_bytes(header: MovedHeader | PredictionHeader | FileHeader, bytes: ArrayBuffer, from: number) {
+function take_bytes(
+  header: MovedHeader | PredictionHeader | FileHeader, arrays: Record<string, Float32Array>, rest: ArrayBuffer
+) {
   if ('file' in header) {
-    save_as(new Blob([new Uint8Array(bytes, from)]), header.file);
+    save_as(new Blob([rest]), header.file);
     return;
   }
-  let at = from;
-  const arrays: Record<string, Float32Array> = {};
-  Object.entries(header.counts).forEach(([name, count]) => {
-    arrays[name] = new Float32Array(bytes, at, count);
-    at += 4 * count;
-  });
   const { points, places, boards } = arrays, shape = { points, places, boards };
   if ('predicts' in header) {
     Predict.take(header, shape);

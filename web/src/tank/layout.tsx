@@ -133,7 +133,7 @@ function Sheets() {
   </div>;
 }
 
-const Measures = ({ guide }: Begin) => <section class="measures" aria-label={say('measures')}>
+const Measures = ({ guide, about }: Begin) => <section class="measures" aria-label={say('measures')}>
   <div id="measures" />
   <div id="target_asks" class="asks" hidden>
     <label><span id="target_label" /><input id="target_value" type="text" autocomplete="off" /></label>
@@ -147,8 +147,8 @@ const Measures = ({ guide }: Begin) => <section class="measures" aria-label={say
   <details id="measures_more"><summary>{say('all_other_measures')}</summary><div id="other_measures" /></details>
   <label class="check"><input type="checkbox" id="with_intervals" />{say('how_sure')}</label>
   <FieldError id="uncertainty_error" />
-  <Note>{guide ? <a href="doc/measures.html" target="_blank">{say('what_measures_mean')}</a> :
-    <>{say('what_measures_mean')} <code>vignette("measures", "codend")</code></>}</Note>
+  <Note>{about ?? (guide ? <a href="doc/measures.html" target="_blank">{say('what_measures_mean')}</a> :
+    <>{say('what_measures_mean')} <code>vignette("measures", "codend")</code></>)}</Note>
   <details id="more_of">
     <summary>{say('little_more')}</summary>
     <div class="control-row">
@@ -277,7 +277,7 @@ function Tabs(begin: Begin) {
 
 export const Page = (begin: Begin) => <>
   <a class="skip-link" href="#controls">{say('skip')}</a>
-  <div id="flume" data-sheet="tow" data-seen="">
+  <div id="flume" class={begin.about && 'alone' + (begin.tows ? '' : ' still')} data-sheet="tow" data-seen="">
     <Header {...begin} />
     <div id="working" role="status" hidden>
       <span id="working_words">{say('settling')}</span><span id="working_time" />

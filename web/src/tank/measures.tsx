@@ -48,8 +48,9 @@ function row(one: MeasureAbout, measures: Measures, kept: Measures, compares: bo
   const share = moved === '0' ? '0' : before === 0 ? '' : signed(100 * change / Math.abs(before), 1);
   return <tr key={one.name}>
     <th scope="row" title={one.definition}>{label(one)}</th>
-    <td class="number"><button type="button" class="measure-value" title={say('target_tip')} data-measure={one.name}
-      data-unit={unit} data-label={label(one)}>{lines.filter(Boolean).join('\n')}</button></td>
+    <td class="number">{window.codendServer ? lines[0] : <button type="button" class="measure-value"
+      title={say('target_tip')} data-measure={one.name} data-unit={unit} data-label={label(one)}>
+      {lines.filter(Boolean).join('\n')}</button>}</td>
     {compares && [fixed_decimals(before, decimals), moved, share].map((words) => <td class="number">{words}</td>)}
   </tr>;
 }

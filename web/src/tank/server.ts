@@ -1,12 +1,18 @@
-// The WebSocket to R. Each text message is a JSON object with one item: its type and its content.
+// The connection to R by a WebSocket, or to the server of a shared page. Each text message is a JSON object with one
+// item: its type and its content.
 
-import type { Asked, FromR, Told } from '../protocol';
+import type { Asked, FileHeader, FromR, MovedHeader, PredictionHeader, Told } from '../protocol';
 
 type Heard = { [Name in keyof FromR]?: (message: FromR[Name]) => void };
 
-let socket: WebSocket | null = null;
+type HeardBytes = (
+  header: MovedHeader | PredictionHeader | FileHeader, arrays: Record<string, Float32Array>, rest: ArrayBuffer
+) => void;
+
+let to_server: (name: string, what: unknown) => void = () => {};
 const heard: Heard = {};
-let hear_header: (header: never, bytes: ArrayBuffer, at: number) => void = () => {};
+let hear_arrays: HeardBytes = () => {};
+function take<Name extends keyof FromR>(name: Name, message: FromR[Name]) { heard[name]?.(message); }
 
 // For tests: called with the type of each sent message.
 export const sending: { watch?(name: string): void } = {};
@@ -15,33 +21,43 @@ export function send<Name extends keyof Told>(name: Name, what: Told[Name]): voi
 export function send<Name extends keyof Asked>(name: Name, what: { number: number; asked: Asked[Name] }): void;
 export function send(name: string, what: unknown): void {
   sending.watch?.(name);
-  if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify({ [name]: what }));
+  to_server(name, what);
 }
 
 export function hear(handlers: Heard): void { Object.assign(heard, handlers); }
-// Calls act() with the header of each binary message and the position of its data.
-export function hear_bytes<Header>(act: (header: Header, bytes: ArrayBuffer, at: number) => void): void {
-  hear_header = act;
-}
+// Calls act() with the header of each binary message, its arrays and the bytes that follow.
+export function hear_bytes(act: HeardBytes): void { hear_arrays = act; }
 
 // Connects to the server of the page. After a lost connection, calls lost() and connects again.
 // continues: returns true if the page will open its design again.
 export function connect(lost: () => void, continues: () => boolean): void {
+  if (window.codendServer) {
+    to_server = window.codendServer(take, (header, arrays) => hear_arrays(header, arrays, new ArrayBuffer()));
+    return;
+  }
   const address = new URL(window.location.href);
   address.protocol = address.protocol.replace('http', 'ws');
   address.hash = '';
   if (continues()) address.searchParams.set('continues', '1');
-  socket = new WebSocket(address);
+  const socket = new WebSocket(address);
+  to_server = (name, what) => {
+    if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify({ [name]: what }));
+  };
   socket.binaryType = 'arraybuffer';
   socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => {
     if (typeof data !== 'string') {
       const size = new DataView(data).getUint32(0, true);
       const header = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, size)));
-      hear_header(header as never, data, 4 + size);
+      let at = 4 + size;
+      const arrays = Object.fromEntries(Object.entries<number>(header.counts ?? {}).map(([name, count]) => {
+        at += 4 * count;
+        return [name, new Float32Array(data, at - 4 * count, count)];
+      }));
+      hear_arrays(header, arrays, data.slice(at));
       return;
     }
     const [name, message] = Object.entries(JSON.parse(data) as object)[0];
-    heard[name as keyof FromR]?.(message as never);
+    take(name as keyof FromR, message as never);
   };
   socket.onclose = ({ code }) => {
     // The server refused the page, with a message.

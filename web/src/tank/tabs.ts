@@ -33,7 +33,8 @@ on('click', (target) => { if (target.role === 'tab') open(target); });
 on('keydown', (target, { key }) => {
   const step = { ArrowRight: 1, ArrowLeft: -1 }[key];
   if (target.role !== 'tab' || !step) return;
-  const tabs = all(), next = tabs[(tabs.indexOf(target) + step + tabs.length) % tabs.length];
+  const tabs = all().filter((tab) => tab.checkVisibility());
+  const next = tabs[(tabs.indexOf(target) + step + tabs.length) % tabs.length];
   next.focus();
   open(next);
 });

@@ -142,3 +142,17 @@ check_marked <- function(marked, plan) {
   }
   as.list(marked)
 }
+
+# Units that a user may choose, by dimension. The first unit is codend's default.
+preferred_units <- list(
+  length = c("m", "fathom", "ft"), force = c("kN", "tf", "lbf"), speed = c("m/s", "knot")
+)
+
+# Returns the plan field of a part or support. The fallback for a support is a rope that ends there.
+clicked_field <- function(gear, name) {
+  path <- finding_field(gear$plan, name, NULL)
+  if (!is.na(path)) return(path)
+  ends_there <- Filter(function(rope) name %in% c(rope$from, rope$to), gear_si(gear)$ropes)
+  if (!length(ends_there)) return(NA_character_)
+  finding_field(gear$plan, names(ends_there)[1L], NULL)
+}

@@ -152,3 +152,13 @@ form_message <- function(plan, marked, turn) {
     groups = plan_form(plan)
   )
 }
+
+# Returns the catalogue classes that fit a part, from the fields in its schema.
+picked_classes <- function(node) {
+  has <- function(...) all(c(...) %in% names(node$properties))
+  if (has("lift_coefficient", "area", "mass")) return("board")
+  if (has("buoyancy", "diameter")) return("float")
+  if (has("rtex")) return("twine")
+  if (has("mass_per_length", "material", "strength")) return(c("rope", "wire", "chain"))
+  character()
+}
