@@ -25,6 +25,7 @@
 // Lines have different mu along and across their direction, and an ellipse as slip limit.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry.hpp"
@@ -84,10 +85,12 @@ struct Ground {
 
   Rubbing rubbing() const { return {friction, friction, Vector::Zero()}; }
 
+  // Returns the part of x along the ground.
+  Vector along(const Vector& x) const { return x - normal.dot(x) * normal; }
+
   // Returns w at x - anchor (m) and v (m/s). A body slips if w is longer than 1.
   Vector stretch(const Vector& from_anchor, const Vector& v) const {
-    const Vector w = (from_anchor + stick_lag * (v - velocity)) / slip_distance;
-    return w - normal.dot(w) * normal;
+    return along((from_anchor + stick_lag * (v - velocity)) / slip_distance);
   }
 
   // Returns the anchor (m) after a step to x, v: x without contact, dragged along by slip.
@@ -98,39 +101,31 @@ struct Ground {
     return size > 1.0 ? Vector(x - slip_distance / size * w) : anchor;
   }
 
-  // Returns the contact force on a point with velocity v per unit normal force, and its derivatives
-  // by position and velocity. from_anchor: x - anchor (m); null selects sliding friction.
+  // Returns the contact force on a point with velocity v per unit normal force. from_anchor: x -
+  // anchor (m); null selects sliding friction. Sets the derivatives by position and velocity unless
+  // they are null.
   Vector per_press(const Vector& v, const Rubbing& rub, const Vector* from_anchor,
-                   Matrix& by_position, Matrix& by_velocity) const {
-    const Matrix along = Matrix::Identity() - normal * normal.transpose();
-    Vector e;
-    if (from_anchor) {
-      const Vector w = stretch(*from_anchor, v);
-      const double size = w.norm();
-      Matrix slope = along;
-      e = w;
-      if (size > 1.0) {
-        e = w / size;
-        slope = (along - e * e.transpose()) / size;
+                   Matrix* by_position = nullptr, Matrix* by_velocity = nullptr) const {
+    const Vector w = from_anchor ? stretch(*from_anchor, v) : along(v - velocity);
+    const double size =
+        from_anchor ? std::max(1.0, w.norm()) : std::sqrt(w.squaredNorm() + slip * slip);
+    const Vector e = w / size, way = along(rub.way);
+    const double square = way.squaredNorm();
+    const double anisotropy = square > 0.0 ? (rub.along - rub.across) / square : 0.0;
+    if (by_velocity) {
+      const double turning = !from_anchor || size > 1.0 ? 1.0 : 0.0;
+      const Vector other = anisotropy * (way - (turning * way.dot(e)) * e);
+      // Single numbers, because products of small matrices take ten times as long.
+      for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+          const double flat = (i == k ? 1.0 : 0.0) - normal[i] * normal[k] - turning * e[i] * e[k];
+          const double slope = -(rub.across * flat + way[i] * other[k]) / size;
+          (*by_position)(i, k) = from_anchor ? slope / slip_distance : 0.0;
+          (*by_velocity)(i, k) = from_anchor ? stick_lag / slip_distance * slope : slope;
+        }
       }
-      by_position = slope / slip_distance;
-      by_velocity = slope * (stick_lag / slip_distance);
-    } else {
-      const Vector sliding = along * (v - velocity);
-      const double speed = std::sqrt(sliding.squaredNorm() + slip * slip);
-      e = sliding / speed;
-      by_position.setZero();
-      by_velocity = (along - e * e.transpose()) / speed;
     }
-    Matrix share = -rub.across * Matrix::Identity();
-    const Vector way = along * rub.way;
-    const double length = way.norm();
-    if (length > 0.0) {
-      share -= (rub.along - rub.across) / (length * length) * way * way.transpose();
-    }
-    by_position = share * by_position;
-    by_velocity = share * by_velocity;
-    return normal + share * e;
+    return normal - rub.across * e - (anisotropy * way.dot(e)) * way;
   }
 
   // Returns the penetration (m) at x. clearance (m): distance from a point down to its underside.
@@ -150,7 +145,8 @@ struct Ground {
     by_velocity.setZero();
     if (slope == 0.0) return;
     const Vector away = anchor ? Vector(x - *anchor) : Vector::Zero();
-    const Vector direction = per_press(v, rub, anchor ? &away : nullptr, by_position, by_velocity);
+    const Vector direction =
+        per_press(v, rub, anchor ? &away : nullptr, &by_position, &by_velocity);
     force = press_force * direction;
     by_position = Matrix(press_force * by_position - slope * direction * normal.transpose());
     by_velocity *= press_force;

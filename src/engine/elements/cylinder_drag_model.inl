@@ -96,6 +96,9 @@ INLINE Slope choo_casarella_normal(Slope re, Slope log_re) {
 // Replaces a, b and their derivatives in lanes whose drag model depends on speed.
 void use_speed_laws(const TwineMaterial* const* laws, double viscosity, Pack q_n, Pack q_t,
                     Coefficients& k) {
+  bool none = true;
+  for (int l = 0; l < lanes; ++l) none = none && !laws[l];
+  if (none) return;
   double kinds[lanes], scales[lanes], squares[lanes], normals[lanes], tangentials[lanes];
   for (int l = 0; l < lanes; ++l) {
     kinds[l] = scales[l] = squares[l] = normals[l] = tangentials[l] = 1.0;

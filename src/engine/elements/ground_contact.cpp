@@ -13,8 +13,8 @@ void GroundContacts::prepare() {
   }
 }
 
-Vector GroundContacts::per_press(int e, const Field& field, Matrix& by_position,
-                                 Matrix& by_velocity) const {
+Vector GroundContacts::per_press(int e, const Field& field, Matrix* by_position,
+                                 Matrix* by_velocity) const {
   const Ground& ground = *field.ground;
   Rubbing rub = ground.rubbing();
   if (line_[e] >= 0) {
@@ -42,8 +42,7 @@ Vector GroundContacts::element_force(int e, const Field& field) const {
   double slope;
   const double press = law(e, field, slope);
   if (press == 0.0) return Vector::Zero();
-  Matrix by_position, by_velocity;
-  return press * per_press(e, field, by_position, by_velocity);
+  return press * per_press(e, field);
 }
 
 void GroundContacts::add_force(const Field& field, const double* press, double* force) const {
@@ -52,9 +51,7 @@ void GroundContacts::add_force(const Field& field, const double* press, double* 
       at(force, node[e]) += element_force(e, field);
       continue;
     }
-    if (press[e] == 0.0) continue;
-    Matrix by_position, by_velocity;
-    at(force, node[e]) += press[e] * per_press(e, field, by_position, by_velocity);
+    if (press[e] != 0.0) at(force, node[e]) += press[e] * per_press(e, field);
   }
 }
 
@@ -72,7 +69,7 @@ void GroundContacts::add_jacobian(const Field& field, const JacobianRequest& req
     }
     if (slope == 0.0 && normal_force == 0.0) continue;
     Matrix by_position, by_velocity;
-    const Vector direction = per_press(e, field, by_position, by_velocity);
+    const Vector direction = per_press(e, field, &by_position, &by_velocity);
     sink.add(
         e, 0, 0,
         Matrix((request.stiffness * slope) * direction * ground.normal.transpose() -

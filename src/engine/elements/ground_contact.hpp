@@ -62,8 +62,9 @@ class GroundContacts {
   void add_drag_scale(const Field& field, double* scale) const;
 
  private:
-  // Force of the ground per unit of normal force, and its derivatives by position and velocity.
-  Vector per_press(int e, const Field& field, Matrix& by_position, Matrix& by_velocity) const;
+  // Force of the ground per unit of normal force, and its derivatives (Ground::per_press()).
+  Vector per_press(int e, const Field& field, Matrix* by_position = nullptr,
+                   Matrix* by_velocity = nullptr) const;
   double law(int e, const Field& field, double& slope) const {
     double press;
     field.ground->press(penetration(e, field), area[e], press, slope);

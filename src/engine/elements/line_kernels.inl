@@ -310,8 +310,9 @@ INLINE LineStiffness line_stiffness(const LineArrays& lines, const LineRequest& 
   return out;
 }
 
-// Derivatives of drag, for one point's fraction of drag and of U.
+// Drag and its derivatives, for one point's fraction of drag and of U.
 struct DragSlopes {
+  Triple drag;        // only with `everywhere`
   Tensor turn;        // d drag/de
   Tensor everywhere;  // by the water's velocity, identical at all points
 };
@@ -348,6 +349,7 @@ INLINE DragSlopes drag_slopes(const LineArrays& lines, const LineRequest& reques
     const Pack straight = share * weight, curled = 1.0 - share;
     const Pack inverse_speed = inverse_or_zero(s.speed);
     const Pack by_identity = straight * s.by_u + curled * load(lines.loose + i);
+    out.drag = by_identity * s.u + (straight * s.by_t) * s.t;
     const Pack by_flow = inverse_speed * (straight * s.k.c + curled * load(lines.loose_slope + i));
     const Pack by_axis = straight * (s.k.b + s.k.b_t * size(s.along) - s.k.a);
     const Triple by_across =

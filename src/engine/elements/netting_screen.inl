@@ -246,11 +246,14 @@ INLINE void blend(const LineArrays* lines, int i, const CellFlow& f, CellForce& 
     const Triple e = load(lines[family].e, i);
     const Pack inverse_rest = load(lines[family].inverse_rest + i);
     const Pack inverse_span = inverse_length(root(dot(e, e)), inverse_rest);
-    sum = sum + line_drag(lines[family], i, e, inverse_span, inverse_rest);
-    if (!with_slopes) continue;
+    if (!with_slopes) {
+      sum = sum + line_drag(lines[family], i, e, inverse_span, inverse_rest);
+      continue;
+    }
     store(lines[family].inverse_span + i, inverse_span);
     const DragSlopes slopes =
         drag_slopes<true>(lines[family], {1.0, 1.0, nullptr, nullptr, 0}, i, 1.0);
+    sum = sum + slopes.drag;
     turn[family] = rest * slopes.turn;
     by_velocity = by_velocity + slopes.everywhere;
   }
