@@ -1,27 +1,37 @@
 #include "blended_netting.hpp"
 
+#include <algorithm>
+
 namespace codend {
 
-void BlendedNetting::set_twine(std::size_t e, int place, NettingStrip& strip) const {
+void BlendedNetting::describe(std::size_t e, std::size_t place, double density,
+                              const CellShape& shape, NettingProperties& to,
+                              TwineProperties* twines) const {
   const TwineMaterial& m = materials[static_cast<std::size_t>(material[e])];
   const CylinderLaw& law = m.law;
-  const double metres = shape(e).bars * multiplicity[e] * rest[e];
-  strip.law[place] = static_cast<double>(NettingScreenLaw::kristiansen_faltinsen);
-  strip.twine_area[place] = 2.0 * metres * m.diameter;
-  strip.diameter[place] = m.diameter;
-  NettingStrip::Twines& t = *strip.twines;
-  t.curved = slack == SlackDrag::curved;
-  for (int f = 0; f < 2 && strip.with_slopes; ++f) {
-    for (int k = 0; k < 4; ++k) t.along[f][k][place] = shape(e).along[f][k];
+  const double metres = shape.bars * multiplicity[e] * rest[e];
+  to.law[place] = static_cast<double>(NettingScreenLaw::kristiansen_faltinsen);
+  to.twine_area[place] = 2.0 * metres * m.diameter;
+  to.diameter[place] = m.diameter;
+  for (int f = 0; f < 2; ++f) {
+    for (int k = 0; k < 4; ++k) twines->along[f][k][place] = shape.along[f][k];
   }
-  t.inverse_rest[place] = 1.0 / rest[e];
-  t.drag_weight[place] = 0.5 * strip.density * m.diameter * metres;
-  t.normal[place] = law.normal * law.normal_share;
-  t.tangential[place] = law.tangential * law.tangential_share;
-  t.skin[place] = law.skin * law.tangential_share;
-  t.speed_law[place] = law.kind == CylinderLawKind::constant ? nullptr : &m;
-  t.by_speed = t.by_speed || t.speed_law[place];
-  t.own[place] = 1.0;
+  twines->inverse_rest[place] = 1.0 / rest[e];
+  twines->drag_weight[place] = 0.5 * density * m.diameter * metres;
+  twines->normal[place] = law.normal * law.normal_share;
+  twines->tangential[place] = law.tangential * law.tangential_share;
+  twines->skin[place] = law.skin * law.tangential_share;
+}
+
+void BlendedNetting::set_laws(std::size_t first, NettingStrip::Twines& twines) const {
+  twines.curved = slack == SlackDrag::curved;
+  twines.by_speed = false;
+  for (std::size_t place = 0; place < NettingProperties::most; ++place) {
+    const std::size_t e = std::min(first + place, material.size() - 1);
+    const TwineMaterial& m = materials[static_cast<std::size_t>(material[e])];
+    twines.speed_law[place] = m.law.kind == CylinderLawKind::constant ? nullptr : &m;
+    twines.by_speed = twines.by_speed || twines.speed_law[place];
+  }
 }
 
 }  // namespace codend

@@ -45,8 +45,10 @@ class BlendedNetting : public WholeCells {
   }
 
  private:
-  void set_twine(std::size_t e, int place, NettingStrip& strip) const override;
+  void describe(std::size_t e, std::size_t place, double density, const CellShape& shape,
+                NettingProperties& to, TwineProperties* twines) const override;
   bool has_twines() const override { return true; }
+  void set_laws(std::size_t first, NettingStrip::Twines& twines) const override;
 };
 
 }  // namespace codend

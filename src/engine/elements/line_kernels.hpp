@@ -84,35 +84,47 @@ struct SagRequest {
   const double *tension, *modulus, *mismatch, *change;
 };
 
-// Some netting cells with screen or blended drag (netting_screen.hpp). Entries beyond `count` up to
-// a multiple of 8 repeat the last cell.
-struct NettingStrip {
+// Constant properties of some netting cells with screen or blended drag (netting_screen.hpp).
+// Entries beyond the last cell repeat it.
+struct NettingProperties {
   static constexpr int most = 32;
+  double law[most];  // NettingScreenLaw
+  double twine_area[most], overlap[most], diameter[most], multiplicity[most];
+  double share[4][most];  // fraction of an evenly distributed load at each corner
+};
+// Of both families of twines in cells with blended drag; see LineArrays.
+struct TwineProperties {
+  static constexpr int most = NettingProperties::most;
+  double along[2][4][most];
+  double inverse_rest[most], drag_weight[most], normal[most], tangential[most], skin[most];
+};
+
+// Some netting cells in the flow. Entries beyond `count` up to a multiple of 8 repeat the last cell.
+struct NettingStrip : NettingProperties {
   int count = 0;
   double density, viscosity;  // kg/m3, m2/s
   double drag_multiplier, lift_multiplier;
-  LawRange range[3];  // per NettingScreenLaw
-  double law[most];   // NettingScreenLaw
-  double twine_area[most], overlap[most], diameter[most], multiplicity[most];
+  LawRange range[3];          // per NettingScreenLaw
   double across[2][3][most];  // halves of the diagonals 0 to 2 and 1 to 3, m
   double u[3][most];          // mean relative velocity U, m/s
-  double share[4][most];      // fraction of an evenly distributed load at each corner
-  // Only with slopes: fraction of each corner's own velocity in U, derivative of U by its height.
-  bool with_slopes = false;
+  // Only with derivatives by velocity: fraction of each corner's own velocity in U, derivative of U
+  // by its height.
   double own[4][most], slope[4][3][most];
   double force[3][most];  // on whole cells, N
 
-  // Both families of twines as lines; see LineArrays.
-  struct Twines {
+  struct Twines : TwineProperties {
     bool curved, by_speed = false;
-    double along[2][4][most];
     double e[2][3][most];
-    double inverse_rest[most], drag_weight[most], normal[most], tangential[most], skin[most];
     const TwineMaterial* speed_law[most];
     double own[most];  // 1
     double speed[most], loose[most], loose_slope[most], drag_scale[most], inverse_span[2][most];
   };
   Twines* twines = nullptr;  // null: screens only
+};
+
+// Corners of the cells of a strip: positions (m) and velocities of the water past them (m/s).
+struct NettingCorners {
+  double position[4][3][NettingProperties::most], flow[4][3][NettingProperties::most];
 };
 
 // Inner loops, compiled once per instruction set.
@@ -162,10 +174,13 @@ struct LineKernels {
   void (*add_sag_strains)(const LineArrays& lines, const CellArrays& cells, std::int64_t begin,
                           std::int64_t end, const SagRequest& request, double* strain);
 
+  // Sets the half diagonals, bar vectors and mean velocities of netting cells.
+  void (*set_screen_flow)(NettingStrip& cells, const NettingCorners& corners);
   // Sets the forces of netting cells with screen or blended drag.
   void (*set_screen_forces)(NettingStrip& cells);
-  // Adds their blocks (JacobianRequest), from element `first` on.
-  void (*add_screen_blocks)(NettingStrip& cells, double stiffness, double damping,
+  // Adds their blocks (JacobianRequest), from element `first` on. by_velocity: false if U and its
+  // effect on forces are constant.
+  void (*add_screen_blocks)(NettingStrip& cells, double stiffness, double damping, bool by_velocity,
                             std::int64_t first, const BlockSink& sink);
 };
 

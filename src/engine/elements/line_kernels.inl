@@ -312,7 +312,7 @@ INLINE LineStiffness line_stiffness(const LineArrays& lines, const LineRequest& 
 
 // Drag and its derivatives, for one point's fraction of drag and of U.
 struct DragSlopes {
-  Triple drag;        // only with `everywhere`
+  Triple drag;
   Tensor turn;        // d drag/de
   Tensor everywhere;  // by the water's velocity, identical at all points
 };
@@ -345,11 +345,11 @@ INLINE DragSlopes drag_slopes(const LineArrays& lines, const LineRequest& reques
   out.turn = add_diagonal(
       aside, outer(along_t, s.t) + outer(turning * (u_slope * s.u + t_slope * s.t), s.across));
 
+  const Pack straight = share * weight, curled = 1.0 - share;
+  const Pack by_identity = straight * s.by_u + curled * load(lines.loose + i);
+  out.drag = by_identity * s.u + (straight * s.by_t) * s.t;
   if (with_everywhere) {
-    const Pack straight = share * weight, curled = 1.0 - share;
     const Pack inverse_speed = inverse_or_zero(s.speed);
-    const Pack by_identity = straight * s.by_u + curled * load(lines.loose + i);
-    out.drag = by_identity * s.u + (straight * s.by_t) * s.t;
     const Pack by_flow = inverse_speed * (straight * s.k.c + curled * load(lines.loose_slope + i));
     const Pack by_axis = straight * (s.k.b + s.k.b_t * size(s.along) - s.k.a);
     const Triple by_across =
@@ -650,6 +650,17 @@ void slopes(const LineArrays& lines, const LineRequest& request, std::int64_t be
 
 #undef INLINE
 
-constexpr LineKernels kernels{
-    flow,    evaluate, change,     add_bar_blocks,  add_cell_forces,   add_cell_blocks,  slopes,
-    set_sag, lead_sag, change_sag, add_sag_strains, set_screen_forces, add_screen_blocks};
+constexpr LineKernels kernels{flow,
+                              evaluate,
+                              change,
+                              add_bar_blocks,
+                              add_cell_forces,
+                              add_cell_blocks,
+                              slopes,
+                              set_sag,
+                              lead_sag,
+                              change_sag,
+                              add_sag_strains,
+                              set_screen_flow,
+                              set_screen_forces,
+                              add_screen_blocks};

@@ -30,29 +30,32 @@ class WholeCells : public ElementKind {
   ScreenMultipliers multipliers;     // of the screen force
 
   int count() const { return static_cast<int>(multiplicity.size()); }
-  // Call once after filling.
-  void prepare();
+  // Call once after filling. density: of the water, kg/m3.
+  void prepare(double density);
   int nodes_per_element() const override { return 4; }
   const std::vector<int>& nodes() const override { return node; }
   void add_force(const Field& field, double* force) const override;
-  // Force on the whole cell, N.
-  Vector element_force(int e, const Field& field) const;
+  // Forces on whole cells, N, 3 per cell.
+  std::vector<double> element_forces(const Field& field) const;
   void add_jacobian(const Field& field, const JacobianRequest& request,
                     const BlockSink& sink) const override;
   void add_drag_scale(const Field& field, double, double* scale) const override;
 
- protected:
-  const CellShape& shape(std::size_t cell) const { return shape_[cell]; }
-
  private:
-  // Sets the law, twine area and diameter of cell `e` in a strip, and its twines.
-  virtual void set_twine(std::size_t e, int place, NettingStrip& strip) const = 0;
+  // Sets the other properties of cell `e` at a place of its strip. twines: null without twines.
+  virtual void describe(std::size_t e, std::size_t place, double density, const CellShape& shape,
+                        NettingProperties& to, TwineProperties* twines) const = 0;
   virtual bool has_twines() const { return false; }
-  void set_flow(std::size_t e, int place, const Field& field, NettingStrip& strip) const;
-  // Calls visit(first cell, strip) for strips of cells [begin, end).
+  // Sets the drag models of the twines in the strip that begins with cell `first`.
+  virtual void set_laws(std::size_t /*first*/, NettingStrip::Twines&) const {}
+  void read_corners(std::size_t e, std::size_t place, const Field& field, bool by_velocity,
+                    NettingCorners& to, NettingStrip& strip) const;
+  // Calls visit(first cell, strip) for strips of all cells.
   template <class Visit>
-  void in_strips(int begin, int end, const Field& field, bool with_slopes, Visit visit) const;
-  std::vector<CellShape> shape_;
+  void in_strips(const Field& field, bool by_velocity, Visit visit) const;
+  // Per strip.
+  std::vector<NettingProperties> properties_;
+  std::vector<TwineProperties> twines_;
 };
 
 class NettingScreens : public WholeCells {
@@ -74,7 +77,8 @@ class NettingScreens : public WholeCells {
   }
 
  private:
-  void set_twine(std::size_t e, int place, NettingStrip& strip) const override;
+  void describe(std::size_t e, std::size_t place, double density, const CellShape& shape,
+                NettingProperties& to, TwineProperties* twines) const override;
 };
 
 }  // namespace codend

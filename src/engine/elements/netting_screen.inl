@@ -155,7 +155,7 @@ struct CellForce {
   Tensor by_area, by_velocity;
 };
 
-template <bool with_slopes>
+template <bool with_slopes, bool by_velocity>
 INLINE CellForce screen_force(const NettingStrip& cells, int i, const CellFlow& f) {
   // Solidity (base/solidity.hpp).
   const Pack overlap = load(cells.overlap + i);
@@ -183,18 +183,19 @@ INLINE CellForce screen_force(const NettingStrip& cells, int i, const CellFlow& 
   const Pack closing = by_closing * f.inverse_area;
   const Pack drag_by_area =
       drags * (law.base.by_solidity + law.drag.by_solidity * drag_of) * closing;
-  const Pack drag_by_speed =
-      drags * (law.base.by_reynolds + law.drag.by_reynolds * drag_of) * re_per_speed;
   const Triple g_by_area =
       g_by_cosine * f.cosine_by_area - (lifts * law.lift.by_solidity * lift_of * closing) * n;
-  const Triple g_by_velocity = g_by_cosine * f.cosine_by_velocity +
-                               (lifts * law.lift.by_reynolds * lift_of * re_per_speed) * way;
   const Triple p_by_area =
       (drag_by_cosine - g) * f.cosine_by_area - drag_by_area * n - f.cosine * g_by_area;
-  const Triple p_by_velocity =
-      (drag_by_cosine - g) * f.cosine_by_velocity + drag_by_speed * way - f.cosine * g_by_velocity;
   out.by_area = add_diagonal(normal * g, outer(c_speed * f.u, f.area * p_by_area + p * n) +
                                              outer(normal * f.s, g_by_area));
+  if (!by_velocity) return out;
+  const Pack drag_by_speed =
+      drags * (law.base.by_reynolds + law.drag.by_reynolds * drag_of) * re_per_speed;
+  const Triple g_by_velocity = g_by_cosine * f.cosine_by_velocity +
+                               (lifts * law.lift.by_reynolds * lift_of * re_per_speed) * way;
+  const Triple p_by_velocity =
+      (drag_by_cosine - g) * f.cosine_by_velocity + drag_by_speed * way - f.cosine * g_by_velocity;
   out.by_velocity =
       add_diagonal(c_speed * p * f.area,
                    outer((c * f.area) * f.u, f.speed * p_by_velocity + p * way) +
@@ -229,7 +230,7 @@ INLINE LineArrays twine_lines(NettingStrip& cells, int family) {
 
 // Adds the twines' drag to `out`, the force of cells as screens. Sets the derivatives `turn` by the
 // bar vectors.
-template <bool with_slopes>
+template <bool with_slopes, bool by_velocity>
 INLINE void blend(const LineArrays* lines, int i, const CellFlow& f, CellForce& out, Tensor* turn) {
   // Cosines of 60 and 80 degrees.
   constexpr double first_cosine = 0.5, last_cosine = 0.17364817766693034;
@@ -241,7 +242,7 @@ INLINE void blend(const LineArrays* lines, int i, const CellFlow& f, CellForce& 
   const Mask flows = (f.area > 0.0) & (f.speed > 0.0);
   const Pack w = flows ? lies.value * screens : Pack{}, rest = 1.0 - w;
   Triple sum = {};
-  Tensor by_velocity = {};
+  Tensor everywhere = {};
   for (int family = 0; family < 2; ++family) {
     const Triple e = load(lines[family].e, i);
     const Pack inverse_rest = load(lines[family].inverse_rest + i);
@@ -252,10 +253,10 @@ INLINE void blend(const LineArrays* lines, int i, const CellFlow& f, CellForce& 
     }
     store(lines[family].inverse_span + i, inverse_span);
     const DragSlopes slopes =
-        drag_slopes<true>(lines[family], {1.0, 1.0, nullptr, nullptr, 0}, i, 1.0);
+        drag_slopes<by_velocity>(lines[family], {1.0, 1.0, nullptr, nullptr, 0}, i, 1.0);
     sum = sum + slopes.drag;
     turn[family] = rest * slopes.turn;
-    by_velocity = by_velocity + slopes.everywhere;
+    if (by_velocity) everywhere = everywhere + slopes.everywhere;
   }
   if (with_slopes) {
     const Pack by_solidity = shields.slope * (1.0 - closes.value) - shields.value * closes.slope;
@@ -264,10 +265,31 @@ INLINE void blend(const LineArrays* lines, int i, const CellFlow& f, CellForce& 
     const Triple change = out.value - sum;
     out.by_area = w * out.by_area +
                   outer(change, by_cosine * f.cosine_by_area - (by_size * f.inverse_area) * f.s);
-    out.by_velocity =
-        w * out.by_velocity + outer(change, by_cosine * f.cosine_by_velocity) + rest * by_velocity;
+    if (by_velocity) {
+      out.by_velocity =
+          w * out.by_velocity + outer(change, by_cosine * f.cosine_by_velocity) + rest * everywhere;
+    }
   }
   out.value = rest * sum + w * out.value;
+}
+
+void set_screen_flow(NettingStrip& cells, const NettingCorners& corners) {
+  for (int i = 0; i < cells.count; i += lanes) {
+    for (int c = 0; c < 3; ++c) {
+      Pack x[4], u = {};
+      for (int k = 0; k < 4; ++k) {
+        x[k] = load(corners.position[k][c] + i);
+        u = u + load(cells.share[k] + i) * load(corners.flow[k][c] + i);
+      }
+      store(cells.u[c] + i, u);
+      for (int d = 0; d < 2; ++d) store(cells.across[d][c] + i, 0.5 * (x[d + 2] - x[d]));
+      for (int f = 0; f < 2 && cells.twines; ++f) {
+        Pack e = {};
+        for (int k = 1; k < 4; ++k) e = e + load(cells.twines->along[f][k] + i) * (x[k] - x[0]);
+        store(cells.twines->e[f][c] + i, e);
+      }
+    }
+  }
 }
 
 void set_screen_forces(NettingStrip& cells) {
@@ -278,16 +300,17 @@ void set_screen_forces(NettingStrip& cells) {
   }
   for (int i = 0; i < cells.count; i += lanes) {
     const CellFlow f = cell_flow(cells, i);
-    CellForce force = screen_force<false>(cells, i, f);
-    if (cells.twines) blend<false>(lines, i, f, force, nullptr);
+    CellForce force = screen_force<false, false>(cells, i, f);
+    if (cells.twines) blend<false, false>(lines, i, f, force, nullptr);
     store(cells.force[0] + i, force.value.x);
     store(cells.force[1] + i, force.value.y);
     store(cells.force[2] + i, force.value.z);
   }
 }
 
-void add_screen_blocks(NettingStrip& cells, double stiffness, double damping, std::int64_t first,
-                       const BlockSink& sink) {
+template <bool by_velocity>
+void add_screens(NettingStrip& cells, double stiffness, double damping, std::int64_t first,
+                 const BlockSink& sink) {
   alignas(64) double block[4][block_step * lanes];
   LineArrays lines[2];
   if (cells.twines) {
@@ -296,9 +319,9 @@ void add_screen_blocks(NettingStrip& cells, double stiffness, double damping, st
   }
   for (int i = 0; i < cells.count; i += lanes) {
     const CellFlow f = cell_flow(cells, i);
-    CellForce force = screen_force<true>(cells, i, f);
+    CellForce force = screen_force<true, by_velocity>(cells, i, f);
     Tensor turn[2] = {};
-    if (cells.twines) blend<true>(lines, i, f, force, turn);
+    if (cells.twines) blend<true, by_velocity>(lines, i, f, force, turn);
     const Pack minus = Pack{} - stiffness;
     for (int l = 0; l < 4; ++l) {
       // dS = dx_l x (half diagonal), with the sign of the corner.
@@ -309,12 +332,14 @@ void add_screen_blocks(NettingStrip& cells, double stiffness, double damping, st
         for (int family = 0; family < 2; ++family)
           by = by + (minus * load(cells.twines->along[family][l] + i)) * turn[family];
       }
-      by = by + (damping * load(cells.own[l] + i)) * force.by_velocity;
-      const Triple slope = {load(cells.slope[l][0] + i), load(cells.slope[l][1] + i),
-                            load(cells.slope[l][2] + i)};
-      by.x.z += minus * dot(force.by_velocity.x, slope);
-      by.y.z += minus * dot(force.by_velocity.y, slope);
-      by.z.z += minus * dot(force.by_velocity.z, slope);
+      if (by_velocity) {
+        by = by + (damping * load(cells.own[l] + i)) * force.by_velocity;
+        const Triple slope = {load(cells.slope[l][0] + i), load(cells.slope[l][1] + i),
+                              load(cells.slope[l][2] + i)};
+        by.x.z += minus * dot(force.by_velocity.x, slope);
+        by.y.z += minus * dot(force.by_velocity.y, slope);
+        by.z.z += minus * dot(force.by_velocity.z, slope);
+      }
       store(block[l], by);
     }
     const int here = cells.count - i < lanes ? cells.count - i : lanes;
@@ -327,4 +352,12 @@ void add_screen_blocks(NettingStrip& cells, double stiffness, double damping, st
       }
     }
   }
+}
+
+void add_screen_blocks(NettingStrip& cells, double stiffness, double damping, bool by_velocity,
+                       std::int64_t first, const BlockSink& sink) {
+  if (by_velocity)
+    add_screens<true>(cells, stiffness, damping, first, sink);
+  else
+    add_screens<false>(cells, stiffness, damping, first, sink);
 }

@@ -52,6 +52,11 @@ std::vector<double> of_elements(const Assembly& assembly) {
   return out;
 }
 
+template <auto kind>
+std::vector<double> of_cells(const Assembly& assembly) {
+  return (assembly.model().*kind).element_forces(assembly.field());
+}
+
 std::vector<double> pressure_force(const Assembly& assembly) {
   const InnerPressure& pressure = assembly.model().pressure;
   const Vector mean = pressure.mean_velocity(assembly.field());
@@ -116,8 +121,8 @@ const std::vector<ReportedForce>& reported_forces() {
   static const std::vector<ReportedForce> all = {
       {"bar_drag", "bars", Cause::flow, bar_drag},
       {"cell_drag", "cells", Cause::flow, cell_drag},
-      {"screen_force", "screens", Cause::flow, of_elements<&Model::screens>},
-      {"blended_force", "blended", Cause::flow, of_elements<&Model::blended>},
+      {"screen_force", "screens", Cause::flow, of_cells<&Model::screens>},
+      {"blended_force", "blended", Cause::flow, of_cells<&Model::blended>},
       {"sphere_drag", "spheres", Cause::flow, of_elements<&Model::spheres>},
       {"lift_force", "lifts", Cause::flow, of_elements<&Model::lifts>},
       {"plate_force", "plates", Cause::flow, of_plates<&PlateAttitude::force>},

@@ -152,8 +152,8 @@ struct Model {
     contacts.prepare();
     plates.prepare();
     blended.slack = slack;
-    screens.prepare();
-    blended.prepare();
+    screens.prepare(water.density);
+    blended.prepare(water.density);
     openings.prepare();
     twists.prepare(materials, water);
     for (SlidingRope& rope : sliding) rope.prepare(bars);
