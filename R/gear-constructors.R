@@ -49,7 +49,7 @@ field_help <- function(node) {
       paste0("`list(", paste(names(choice$properties), collapse = ", "), ")`")
     }
   }))
-  paste(c(schema_text(node$description), if (length(taken)) {
+  paste(c(schema_description(node$description), if (length(taken)) {
     all_words <- all(lengths(lapply(choices, `[[`, "enum")) > 0L)
     lead <- if (all_words) "One of " else if (length(choices) == 1L) "As " else "It may be "
     paste0(lead, paste(taken, collapse = ", "), ".")
@@ -195,5 +195,5 @@ measure <- constructor("measure", "measures")
 # Returns roxygen `@param` lines for the kinds of measures, from the schema.
 measure_questions <- function() {
   kinds <- kind_node("assembly")$properties$measures$additionalProperties$properties
-  paste("@param", names(kinds), vapply(kinds, function(kind) schema_text(kind$description), ""))
+  paste("@param", names(kinds), vapply(kinds, function(kind) schema_description(kind$description), ""))
 }

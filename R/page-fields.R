@@ -37,7 +37,7 @@ simple_control <- function(paths, field) {
 new_control <- function(paths, field, required = TRUE) {
   node <- field$node
   about <- list(
-    paths = I(as.character(paths)), help = first_of(schema_text(node$description), ""),
+    paths = I(as.character(paths)), help = first_of(schema_description(node$description), ""),
     must = describe(node), required = required
   )
   value <- first_of(field$value, FALSE)

@@ -73,7 +73,7 @@ form_parts <- function(value, node, path, required, is_named = FALSE) {
   inner <- Filter(is_part, value)
   apart <- if (steps == 1L || steps == 2L && startsWith(path, "gears.")) names(inner)
   part <- list(list(
-    path = path, help = first_of(schema_text(node$description), ""),
+    path = path, help = first_of(schema_description(node$description), ""),
     fields = form_fields(value[setdiff(names(value), apart)], node, path),
     picks = part_picks(value, node, path),
     absent = I(as.character(absent_fields(value, node, path))),

@@ -1,24 +1,25 @@
 # Validates plans against the schema file, which defines all fields. The schema is compiled when the
 # package is installed. Only the keywords in this file are supported.
 
-# Returns the schema with numbers instead of its descriptions, attribute `texts`. Many nodes share a
-# description, and R stores each copy of a text.
+# Returns the schema with numbers instead of descriptions, which are in attribute `descriptions`.
+# Many nodes share a description, and R stores each copy of a text.
 read_schema <- function() {
   file <- system.file("schema", "plan.schema.json", package = "codend", mustWork = TRUE)
-  texts <- character()
+  known <- character()
   numbered <- function(node) {
     if (!is.list(node)) return(node)
     if (is.character(node$description)) {
-      texts <<- union(texts, node$description)
-      node$description <- match(node$description, texts)
+      known <<- union(known, node$description)
+      node$description <- match(node$description, known)
     }
     lapply(node, numbered)
   }
-  structure(numbered(jsonlite::fromJSON(file, simplifyVector = FALSE)), texts = texts)
+  schema <- numbered(jsonlite::fromJSON(file, simplifyVector = FALSE))
+  structure(schema, descriptions = known)
 }
 
 # Returns the description with a number, or NULL.
-schema_text <- function(number) if (!is.null(number)) schema_sentences[number]
+schema_description <- function(number) if (!is.null(number)) schema_descriptions[number]
 
 # Returns the compiled schema: one node per kind of plan, the default first.
 compile_schema <- function(schema) {
@@ -267,7 +268,7 @@ open_property <- function(name, value, node, path) {
     abort_plan(
       sprintf(
         "Plan field `%s` has a name that is not allowed: \"%s\". %s",
-        path, name, if (is.null(rule)) "It must not be empty." else schema_text(rule$description)
+        path, name, if (is.null(rule)) "It must not be empty." else schema_description(rule$description)
       ),
       path, name
     )

@@ -88,7 +88,7 @@ describe <- function(node, value = NULL) {
     integer = paste0("a whole number", bounds_text(node, format)),
     boolean = "yes or no",
     string = if (is.null(node$pattern)) "text" else sentence_part(first_of(
-      schema_text(first_of(node$meaning, node$description)), first_of(node$title, "text")
+      schema_description(first_of(node$meaning, node$description)), first_of(node$title, "text")
     )),
     array = paste0("a list", count_text(node)),
     object = paste0("a map", if (length(node$properties)) {

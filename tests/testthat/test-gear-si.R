@@ -11,7 +11,8 @@ test_that("gear_si() fills in defaults and converts units", {
   expect_identical(c(net$lost_left, net$lost_right), rep((net$upper - net$lower) / 2, 2))
   # the schema's default
   expect_equal(net$knot_diameter, 2 * net$twine_diameter, tolerance = 1e-15)
-  expect_match(schema_text(path_node(list(), "panels.any.knot_diameter")$description), fixed = TRUE,
+  node <- path_node(list(), "panels.any.knot_diameter")
+  expect_match(schema_description(node$description), fixed = TRUE,
     "Default: twice the twine diameter")
   expect_null(net$bar_segments)
   expect_identical(net$added_mass, c(normal = 1, tangential = 0))

@@ -86,8 +86,8 @@ test_that("measure_definitions() covers exactly the kinds a plan may request", {
   defined <- measure_definitions()
   expect_setequal(defined$name[defined$user_defined], names(fields))
   for (kind in names(fields)) {
-    expect_true(startsWith(schema_text(fields[[kind]]$description),
-      user_measure_kinds()[[kind]]$definition))
+    description <- schema_description(fields[[kind]]$description)
+    expect_true(startsWith(description, user_measure_kinds()[[kind]]$definition))
   }
   for (unit in defined$unit) expect_gt(unit_size(unit), 0)
   expect_false(anyDuplicated(defined$name) > 0)
