@@ -195,5 +195,6 @@ measure <- constructor("measure", "measures")
 # Returns roxygen `@param` lines for the kinds of measures, from the schema.
 measure_questions <- function() {
   kinds <- kind_node("assembly")$properties$measures$additionalProperties$properties
-  paste("@param", names(kinds), vapply(kinds, function(kind) schema_description(kind$description), ""))
+  descriptions <- vapply(kinds, function(kind) schema_description(kind$description), "")
+  paste("@param", names(kinds), descriptions)
 }

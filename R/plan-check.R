@@ -268,7 +268,7 @@ open_property <- function(name, value, node, path) {
     abort_plan(
       sprintf(
         "Plan field `%s` has a name that is not allowed: \"%s\". %s",
-        path, name, if (is.null(rule)) "It must not be empty." else schema_description(rule$description)
+        path, name, first_of(schema_description(rule$description), "It must not be empty.")
       ),
       path, name
     )
