@@ -7,7 +7,7 @@ namespace codend {
 void PseudoTime::begin(double step, double rotation) {
   step_ = step;
   rotation_ = rotation;
-  aim_ = 1.0;
+  aim_ = limit_;
   steps_ = 0;
 }
 
@@ -20,7 +20,12 @@ double PseudoTime::share(double rotation) const { return std::min(1.0, aim_ / ro
 
 void PseudoTime::judge(double rotation, double correction) {
   aim_ = correction > 1.0 ? control_.shorter * std::min(aim_, rotation)
-                          : std::min(1.0, aim_ / control_.shorter);
+                          : std::min(limit_, aim_ / control_.shorter);
+}
+
+void PseudoTime::scale_limit(double factor) {
+  limit_ = std::min(1.0, factor * limit_);
+  aim_ = std::min(aim_, limit_);
 }
 
 void PseudoTime::advance(double rotation) {

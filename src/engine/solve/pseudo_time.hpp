@@ -31,6 +31,8 @@ class PseudoTime {
   bool judged() const { return steps_ >= control_.free_steps; }
   // Adapts the target rotation. `correction` is the size of the step's correction over the step.
   void judge(double rotation, double correction);
+  // Scales the largest target rotation, which is at first 1 and never more.
+  void scale_limit(double factor);
   // Shortens the step after a singular matrix.
   void shorten() { step_ *= control_.shorter; }
 
@@ -38,8 +40,9 @@ class PseudoTime {
   const PseudoTimeControl& control_;
   double step_ = 1.0;
   double rotation_ = 1.0;
-  double aim_ = 1.0;  // target rotation
-  int steps_ = 0;     // since begin()
+  double limit_ = 1.0;  // of the target rotation
+  double aim_ = 1.0;    // target rotation
+  int steps_ = 0;       // since begin()
   int held_steps_ = 0;
   double held_step_ = 0.0;
 };

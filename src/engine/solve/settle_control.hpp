@@ -65,7 +65,8 @@ struct PathControl {
   // Limit of iterations on this direct path. Without convergence, the solution restarts on the
   // gradual path, where mu falls only when the shape has converged: first by `gradual_factor`, then
   // by the power 3/2 of the last factor. After `patience` steps without convergence, the iteration
-  // returns to the last converged shape and takes the square root of the factor.
+  // returns to the last converged shape and takes the square root of the factor. It also halves the
+  // limit of rotations, which convergence doubles again.
   static constexpr int direct_iterations = 300;
   double gradual_factor = 0.1;
   int patience = 60;

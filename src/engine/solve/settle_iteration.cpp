@@ -252,19 +252,21 @@ double SettleIteration::reduction() {
 // Returns to the last converged shape if the present mu was too small.
 double SettleIteration::gradual_reduction() {
   const PathControl& path = control_.path;
-  ++waited_;
-  if (pseudo_time_.found()) {
+  const bool found = pseudo_time_.found();
+  if (!found && ++waited_ <= path.patience) return 1.0;
+  waited_ = 0;
+  pseudo_time_.scale_limit(found ? 2.0 : 0.5);
+  if (found) {
     keep(converged_);
     gradual_factor_ = gradual_factor_ == 0.0
                           ? path.gradual_factor
                           : std::max(std::pow(gradual_factor_, 1.5), path.least_factor);
-  } else if (waited_ > path.patience && !converged_.x.empty()) {
+  } else if (converged_.x.empty()) {
+    return 1.0;
+  } else {
     return_to(converged_);
     gradual_factor_ = std::sqrt(gradual_factor_);
-  } else {
-    return 1.0;
   }
-  waited_ = 0;
   return gradual_factor_;
 }
 
