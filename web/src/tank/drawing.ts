@@ -1,7 +1,7 @@
 // The net drawing in the flume tank, which is also an editor. Users zoom and pan, click a number to
 // change it, or drag the lower edge of a panel to make it deeper.
 
-import { element, find } from '../view';
+import { element, find, listen_pointers } from '../view';
 import { on } from './events';
 import * as Form from './form';
 import { tell } from './notices';
@@ -138,50 +138,24 @@ export function seek(path: string): void {
   choose(thing);
 }
 
-const fingers: Record<string, number[]> = {};
-let apart = 0, moved = 0;
-function share_of(event: MouseEvent) {
-  const r = find('drawing').getBoundingClientRect();
-  return { x: (event.clientX - r.left) / r.width, y: (event.clientY - r.top) / r.height, r };
-}
+let moved = () => 0;
 function thing_of(event: Event) { return (event.target as Element).closest<Thing>('[data-path]'); }
 function path_of(thing: Thing) { return thing.dataset.path ?? ''; }
 const in_form = (event: Event) => (event.target as Element).closest('.typed');
 export function listen() {
   const place = find('drawing');
-  place.addEventListener('wheel', (event) => {
-    if (!box) return;
-    event.preventDefault();
-    const at = share_of(event);
-    zoom(Math.exp(event.deltaY * 0.0015), at.x, at.y);
-  }, { passive: false });
-  place.addEventListener('pointerdown', (event) => {
-    if (in_form(event)) return;
-    fingers[event.pointerId] = [event.clientX, event.clientY];
-    moved = 0;
-    if ((event.target as Element).classList.contains('edge-handle')) begin_drag(event);
-  });
-  place.addEventListener('pointermove', (event) => {
-    const before = fingers[event.pointerId];
-    if (!before || !box) return;
-    const { r } = share_of(event), dx = event.clientX - before[0], dy = event.clientY - before[1];
-    if (dragged) { drag(event); return; }
-    moved += Math.abs(dx) + Math.abs(dy);
-    before[0] = event.clientX;
-    before[1] = event.clientY;
-    const all = Object.keys(fingers);
-    if (all.length > 1) {
-      const a = fingers[all[0]], b = fingers[all[1]], gap = Math.hypot(a[0] - b[0], a[1] - b[1]);
-      if (apart) zoom(apart / gap, ((a[0] + b[0]) / 2 - r.left) / r.width, ((a[1] + b[1]) / 2 - r.top) / r.height);
-      apart = gap;
-    } else if (moved > 4) pan(-dx / r.width, -dy / r.height);
-  });
-  (['pointerup', 'pointercancel', 'pointerleave'] as const).forEach((name) => {
-    place.addEventListener(name, (event) => {
-      delete fingers[event.pointerId];
-      apart = 0;
-      if (dragged) end_drag();
-    });
+  moved = listen_pointers(place, {
+    down(event) {
+      if (in_form(event)) return false;
+      if ((event.target as Element).classList.contains('edge-handle')) begin_drag(event);
+    },
+    move(dx, dy, event) {
+      if (dragged) drag(event);
+      else if (moved() > 4) pan(-dx / place.clientWidth, -dy / place.clientHeight);
+    },
+    zoom(by, x, y) { if (!dragged) zoom(1 / by, x / place.clientWidth, y / place.clientHeight); },
+    up() { if (dragged) end_drag(); },
+    wheels: () => !!box
   });
   new ResizeObserver(() => { look(); want(); }).observe(place);
   place.addEventListener('keydown', (event) => {
@@ -200,12 +174,12 @@ export function listen() {
   });
   place.addEventListener('focusin', (event) => {
     const thing = thing_of(event);
-    if (!thing || !box || moved) return;
+    if (!thing || !box || moved()) return;
     bring(thing);
   });
   place.addEventListener('click', (event) => {
     const thing = thing_of(event);
-    if (moved > 4 || !thing) return;
+    if (moved() > 4 || !thing) return;
     change(thing);
   });
 }

@@ -2,6 +2,7 @@
 export { element, fill, file_name, find, save_as, say, translate_by } from './element';
 export { new_graph } from './graph';
 export { kept_colour } from './materials';
+export { listen_pointers } from './pointers';
 export { new_viewer } from './viewer';
 export { h, render } from 'preact';
 export * from 'preact/jsx-runtime';

@@ -9,6 +9,7 @@ import { axes, dot, longest, middle, round, type Axes } from './geometry';
 import { ColourBar } from './legend';
 import { kept_colour, new_materials } from './materials';
 import { motion_keys, new_motion, type Motion, type MotionOptions } from './motion';
+import { listen_pointers } from './pointers';
 import { new_saver } from './save';
 import { join, type Mode, type Range, type Scene } from './scene';
 import { described, three, type Found } from './tip';
@@ -813,22 +814,18 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
     if (!places[choice.align]) choice.align = places.bosom ? 'bosom' : 'towing';
   }
 
-  const fingers: Record<string, number[]> = {};
-  let apart = 0, hovering: number[] | null = null, chosen = false;
-  // The wheel scrolls the page until the picture is clicked, unless the picture fills the window.
-  function wheel_is_ours() {
-    return chosen || host.clientHeight > window.innerHeight - 60;
-  }
+  let hovering: number[] | null = null, chosen = false;
   document.addEventListener('pointerdown', (event) => { chosen = host.contains(event.target as Node); });
-  canvas.addEventListener('pointerdown', (event) => {
-    canvas.setPointerCapture(event.pointerId);
-    fingers[event.pointerId] = [event.clientX, event.clientY, event.clientX, event.clientY];
-    tip.hidden = true;
-  });
-  canvas.addEventListener('pointermove', (event) => {
-    const before = fingers[event.pointerId];
-    if (!before) {
-      const box = canvas.getBoundingClientRect();
+  function place_of(event: PointerEvent) {
+    const box = canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+  const moved = listen_pointers(canvas, {
+    down({ pointerId }) {
+      canvas.setPointerCapture(pointerId);
+      tip.hidden = true;
+    },
+    hover(event) {
       if (!hovering) {
         window.requestAnimationFrame(() => {
           const at = hovering;
@@ -836,44 +833,23 @@ export function new_viewer(host: HTMLElement & { codendViewer?: unknown }, optio
           if (at) point_at(at[0], at[1]);
         });
       }
-      hovering = [event.clientX - box.left, event.clientY - box.top];
-      return;
-    }
-    const dx = event.clientX - before[0], dy = event.clientY - before[1];
-    before[0] = event.clientX;
-    before[1] = event.clientY;
-    const all = Object.keys(fingers);
-    if (all.length === 1) {
-      if (event.shiftKey || event.buttons === 2 || event.buttons === 4) move_by(dx, dy);
+      hovering = place_of(event);
+    },
+    move(dx, dy, { shiftKey, buttons }, count) {
+      if (count > 1 || shiftKey || buttons === 2 || buttons === 4) move_by(dx, dy);
       else turn_by(dx * 0.008, dy * 0.008);
-      return;
-    }
-    const a = fingers[all[0]], b = fingers[all[1]], gap = Math.hypot(a[0] - b[0], a[1] - b[1]);
-    if (apart) zoom_by(gap / apart);
-    apart = gap;
-    move_by(dx / 2, dy / 2);
-  });
-  function lift(event: PointerEvent) {
-    const was = fingers[event.pointerId];
-    delete fingers[event.pointerId];
-    apart = 0;
+    },
+    zoom: zoom_by,
     // A tap shows the values at its position.
-    if (was && event.type === 'pointerup' &&
-      Math.hypot(event.clientX - was[2], event.clientY - was[3]) < 4) {
-      const box = canvas.getBoundingClientRect();
-      point_at(event.clientX - box.left, event.clientY - box.top);
-    }
-  }
-  canvas.addEventListener('pointerup', lift);
-  canvas.addEventListener('pointercancel', lift);
+    up(event) {
+      const [x, y] = place_of(event);
+      if (event.type === 'pointerup' && moved() < 4) point_at(x, y);
+    },
+    // The wheel scrolls the page until the picture is clicked, unless the picture fills the window.
+    wheels: () => chosen || host.clientHeight > window.innerHeight - 60
+  });
   canvas.addEventListener('pointerleave', () => { hovering = null; tip.hidden = true; });
   canvas.addEventListener('contextmenu', (event) => { event.preventDefault(); });
-  canvas.addEventListener('wheel', (event) => {
-    if (!wheel_is_ours()) return;
-    event.preventDefault();
-    const box = canvas.getBoundingClientRect();
-    zoom_by(Math.exp(-event.deltaY * 0.0015), event.clientX - box.left, event.clientY - box.top);
-  }, { passive: false });
 
   function next_colour() {
     const all = colours();
