@@ -112,11 +112,13 @@ design_file <- function(folder, author, name) {
   file.path(folder, paste0(paste(words, collapse = "-"), ".json"))
 }
 
-# Characters that names must not have: control characters, marks, and characters that NFKC replaces.
-# NFKC replaces forms of presentation, half and full width, letters in circles and squares, and
-# mathematical letters.
+# Characters that names must not have: control characters, marks, blank letters, letters of two
+# alphabets that look the same, and characters that NFKC replaces. NFKC replaces other spaces, forms
+# of presentation, half and full width, letters in circles and squares, and mathematical letters.
 unclear_characters <- paste0(
-  "(*UTF)[\\p{C}\\p{M}\\p{Lm}\\p{No}\\x{2100}-\\x{218F}\\x{2460}-\\x{24FF}\\x{3200}-\\x{33FF}",
+  "(*UTF)\\p{Latin}.*[\\p{Greek}\\p{Cyrillic}]|[\\p{Greek}\\p{Cyrillic}].*\\p{Latin}|[\\p{C}\\p{M}",
+  "\\p{Lm}\\p{No}\\x{A0}\\x{115F}\\x{1160}\\x{1680}\\x{2000}-\\x{200A}\\x{2028}-\\x{202F}\\x{205F}",
+  "\\x{2800}\\x{3000}\\x{3164}\\x{2100}-\\x{218F}\\x{2460}-\\x{24FF}\\x{3200}-\\x{33FF}",
   "\\x{F900}-\\x{FDFF}\\x{FE70}-\\x{FEFF}\\x{FF00}-\\x{FFEF}\\x{1D400}-\\x{1D7FF}",
   "\\x{1F100}-\\x{1F2FF}]"
 )

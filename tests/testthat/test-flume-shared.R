@@ -48,9 +48,9 @@ test_that("new_shared() rejects wrong or large input and writes nothing", {
     expect_error(shared$put("Anna", key_of("a"), name, words), "name of the design")
   }
   # a zero-width space, a direction mark, a combining accent, a ligature, letters of full width and
-  # of mathematics, a letter in a circle
+  # of mathematics, a letter in a circle, a wide space, blank letters, a Cyrillic letter
   for (name in c("An\u200bna", "\u202eAnna", "Ande\u0301", "\ufb01n", "\uff21nna", "\U1d400nna",
-    "\u24b6nna")) {
+    "\u24b6nna", "Anna\u00a0x", "Anna\u3164", "Anna\u2800", "\u0410nna")) {
     expect_error(shared$put(name, key_of("a"), "net", words), "invisible, combining or decorated")
   }
   for (key in list(NULL, "short", strrep("g", 32), 123456, NA_character_)) {
@@ -58,6 +58,10 @@ test_that("new_shared() rejects wrong or large input and writes nothing", {
   }
   large <- list(now = list(plan = strrep("x", most_shared_bytes)))
   expect_error(shared$put("Anna", key_of("a"), "net", large), "too large")
+  # letters with accents, of another alphabet, and punctuation
+  for (name in c("\u00c8ve d\u2019Or", "\u0410\u043d\u043d\u0430", "A & B \u2013 2")) {
+    expect_match(hex_of_name(name, "author"), "^[0-9a-f]+$")
+  }
   expect_identical(list.files(folder, all.files = TRUE, no.. = TRUE), character())
   # files that are not designs
   writeLines("{", file.path(folder, "61-62.json"))
