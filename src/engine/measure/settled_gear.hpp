@@ -62,7 +62,7 @@ struct GearSettling {
   // Solve on coarser mesh levels first; else solve the gear itself from `from`.
   bool through_levels = true;
   double tolerance = 1e-8;  // largest residual over the largest tension
-  int iterations = 300;     // maximum iterations per level, on both paths
+  int iterations = 800;     // maximum iterations per level, on both paths
   // Called with every discretisation before it is solved; an exception from it ends the
   // computation.
   std::function<void(const Mesh&)> built;
