@@ -13,8 +13,6 @@ slider_fields <- function(gear, sliders, ranges) {
       {.code list(warps.length = c(\"300 m\", \"600 m\"))}.")
   }
   found <- sensitivity_fields(gear, if (is.null(sliders)) "all" else slider_paths(sliders))
-  # the form has no control for an item of a list
-  if (is.null(sliders)) found <- Filter(function(one) !grepl("[.][0-9]+$", one$name), found)
   name <- vapply(found, `[[`, "", "name")
   given <- vapply(names(ranges), function(path) paste(paths_of(path), collapse = " + "), "",
     USE.NAMES = FALSE)
