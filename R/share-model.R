@@ -1,6 +1,8 @@
 # The data of a gear in a shared page: arrays, and input of the page's scripts (web/src/share).
 
-# Returns a list for JSON: `head` and `body` of packed arrays, and input of the scripts.
+# Returns a list for JSON: `head` and `body` of packed arrays, and input of the scripts. `left_out`
+# has the reason for each field without a slider. `misfit` is the largest error of the sliders'
+# series.
 shared_model <- function(state, fields) {
   measured <- shared_measures(state)
   series <- slider_series(state, fields, measured$standard)
@@ -20,8 +22,7 @@ shared_model <- function(state, fields) {
   # positions in the concatenation of the arrays that sliders change
   place <- cumsum(filler$array %in% filler$array[index])
   terms <- lapply(series$terms, function(term) {
-    list(of = term$of - 1L, degree = ncol(term$change),
-      product = keep(as.integer(series$product[term$index])),
+    list(of = I(term$of - 1L), nodes = lapply(unname(term$nodes), I),
       index = keep(place[term$index] - 1L), change = keep(as.vector(term$change)))
   })
   packed <- packed_arrays(arrays)
@@ -31,7 +32,7 @@ shared_model <- function(state, fields) {
     steps = settle_iterations,
     fields = lapply(unname(series$fields), function(field) {
       list(paths = I(field$paths), whole = field$whole, value = field$value, lower = field$lower,
-        upper = field$upper, asked = field$asked)
+        upper = field$upper)
     }),
     terms = terms, touched = I(touched), order = measured$order, scene = scene,
     names = I(vapply(gsub("_", " ", state$mesh$parts$name), capital, "", USE.NAMES = FALSE)),
@@ -40,7 +41,8 @@ shared_model <- function(state, fields) {
     conditions = list(
       waves = wave_conditions(state), still = still_conditions(state),
       water = state$si$water$density > 0
-    )
+    ),
+    left_out = series$left_out, misfit = series$misfit
   )
 }
 

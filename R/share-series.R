@@ -1,27 +1,28 @@
 # The effect of sliders on the numbers of a gear, from its plan at several values of the sliders.
 #
-# Over the range of a slider, the change of each number is a polynomial in the distance from the
-# gear's own value. If several sliders change the same number, it is the sum or the product of their
-# effects; without one of these rules, a slider is left out. Sliders without common numbers move
-# together, so that one evaluation of the plan serves many sliders.
+# Over the range of a slider, each number that changes is the polynomial through its values at the
+# nodes of the slider: the gear's own value, where the change is 0, and Chebyshev-Lobatto nodes.
+# Linear and quadratic changes are exact, others such as roots accurate to rounding. If two sliders
+# change the same number, a polynomial in both adds their interaction. All polynomials are checked
+# against the plan at other values.
 #
-# A term is list(of = slider, index = numbers that change, change = coefficients [numbers x
-# powers]).
+# A term is list(of = one or two sliders, nodes = values of each slider, index = numbers that
+# change, change = changes [numbers x nodes of both sliders], the first slider fastest).
 
-# Residual of a sufficient degree, its limit, and the limit of the error with all sliders moved, as
-# fractions of the largest number in an array.
-series_reached <- 1e-12
-series_limit <- 1e-10
-series_refused <- 1e-9
-# Degrees to try with a number of values. The residual is a check, as there are more values.
-series_degrees <- list(`5` = 1:2, `24` = c(4L, 8L, 16L))
+# Target and limit of the misfit, as a fraction of the largest number in an array.
+series_reached <- 1e-13
+series_refused <- 1e-10
+# Numbers of nodes to try, for one slider and for each of two sliders.
+series_nodes <- list(c(3L, 5L, 9L, 17L), c(2L, 3L, 5L))
+# Fractions of the range, -1 to 1, at which terms are checked against the plan.
+series_checks <- cbind(c(0.83, -0.57, 0.31, -0.14), c(-0.71, 0.64, -0.26, 0.93))
 
 # Numbers for the initial layout and the meshing. A page needs neither, as it starts from a shape.
 layout_numbers <- "^numbers[.]gear[.].*[.](near|upright|room|segments)$"
 
 # Returns list(base = arrays of the gear, names = of its arrays of numbers, array = array of each
-# number, own = numbers of the gear, fill). `fill(values)` returns all numbers at values of the
-# sliders, or a string with the reason why the plan allows none.
+# number, fill). `fill(values)` returns all numbers at values of the sliders, or a string with the
+# reason why the plan allows none.
 gear_filler <- function(state, fields, standard) {
   asked <- state$mesh$counts$asked
   netting <- requested_netting(state)
@@ -40,15 +41,23 @@ gear_filler <- function(state, fields, standard) {
   layout <- grep(layout_numbers, names(base), value = TRUE)
   is_number <- vapply(base, function(x) is.numeric(x) && !inherits(x, "groups"), NA)
   numbers <- setdiff(names(base)[is_number], layout)
+  known <- list()
   fill <- function(values = own) {
+    key <- paste(format(values, digits = 17), collapse = " ")
+    if (!is.null(known[[key]])) return(known[[key]])
     arrays <- tryCatch(arrays_at(values),
       codend_error_plan = function(e) "is not allowed by the plan")
-    if (is.character(arrays)) return(arrays)
-    arrays[layout] <- base[layout]
-    first_of(odd_array(arrays, base), as.double(unlist(arrays[numbers], use.names = FALSE)))
+    found <- arrays
+    if (is.list(arrays)) {
+      arrays[layout] <- base[layout]
+      found <- odd_array(arrays, base)
+      if (is.null(found)) found <- as.double(unlist(arrays[numbers], use.names = FALSE))
+    }
+    known[[key]] <<- found
+    found
   }
   list(
-    base = base, names = numbers, fill = fill, own = fill(),
+    base = base, names = numbers, fill = fill,
     array = factor(rep(seq_along(numbers), lengths(base[numbers])), seq_along(numbers))
   )
 }
@@ -64,108 +73,58 @@ odd_array <- function(arrays, base) {
   paste0("changes ", gsub("[._/]", " ", sub("^[a-z]+[./]", "", name)))
 }
 
-# Returns list(fields = sliders with a series, terms, filler, product = TRUE for numbers that are
-# products, left_out = reasons by field, misfit).
+# Returns list(fields = sliders with a series, terms, filler, left_out = reasons by field, misfit).
 # If the user requested a slider that has no series, it throws an error.
 slider_series <- function(state, fields, standard) {
   filler <- gear_filler(state, fields, standard)
   name <- vapply(fields, `[[`, "", "name")
-  own <- own_values(fields)
-  every <- seq_along(fields)
-  base <- filler$own
-  size <- array_sizes(filler, base)
   left_out <- character()
-  kept <- function() which(!name %in% names(left_out))
   leave <- function(k, found, instead = "a shared page cannot change it") {
     if (fields[[k]]$asked) {
       abort_argument("{.arg sliders} has {.field {name[k]}}, which {found}: {instead}.")
     }
     left_out[name[k]] <<- found
   }
-  # Returns the values of all sliders with `of` at fractions `t` of their ranges.
-  values_at <- function(of, t) replace(own, of, mapply(of_share, fields[of], t[of]))
-
-  # Reduces the range of a slider. Returns FALSE if this is not possible.
-  narrow <- function(k, share) {
-    range <- if (!fields[[k]]$fixed) usual_range(state$gear, fields[[k]], share)
-    if (!is.null(range)) fields[[k]][c("lower", "upper")] <<- range[c("lower", "upper")]
-    !is.null(range)
-  }
-  shares <- c(slider_shares[-1L], 0)
-  # numbers that each slider changes
-  numbers <- lapply(every, function(k) {
-    for (share in shares) {
-      ends <- lapply(c(-1, 1), function(t) filler$fill(values_at(k, rep(t, k))))
-      found <- first_of(Find(is.character, ends), ends[[2L]])
-      if (is.numeric(found)) return(which(abs(found - base) > 1e-15 * size))
-      if (!narrow(k, share)) break
-    }
-    leave(k, found)
-    integer()
-  })
-  meet <- crossprod(vapply(numbers, function(index) 1 * (seq_along(base) %in% index), base)) > 0
-  group <- integer(length(every))
-  for (k in kept()) group[k] <- setdiff(every, group[meet[k, ]])[1L]
-
-  # Returns all numbers with sliders moved. If the plan does not allow them together, halves move;
-  # a single slider that it does not allow has no effect, which no series fits.
-  moved <- function(of, t) {
-    found <- filler$fill(values_at(of, t))
-    if (is.numeric(found)) return(found)
-    if (length(of) == 1L) return(base)
-    half <- seq_along(of) <= length(of) / 2
-    index <- unlist(numbers[of[!half]])
-    replace(moved(of[half], t), index, moved(of[!half], t)[index])
-  }
+  kept <- function() which(!name %in% names(left_out))
   terms <- list()
-  # Adds terms of sliders from a number of values. Returns the sliders that need more values.
-  add_terms <- function(of, values) {
-    if (!length(of)) return(of)
-    t <- cos(pi * seq(0, 1, length.out = as.integer(values)))
-    change <- vapply(t, function(t) moved(of, rep(t, length(every))) - base, base)
-    found <- lapply(of, function(k) {
-      x <- slider_position(fields[[k]], vapply(t, of_share, 0, field = fields[[k]]))
-      fitted_term(k, numbers[[k]], t(change[numbers[[k]], , drop = FALSE]), x,
-        size[numbers[[k]]], series_degrees[[values]])
-    })
-    good <- vapply(found, function(term) term$off <= series_limit, NA)
-    terms <<- c(terms, found[good])
-    of[!good]
-  }
-  pending <- kept()
-  for (share in shares) {
-    pending <- as.integer(unlist(lapply(split(pending, group[pending]), function(of) {
-      add_terms(add_terms(of, "5"), "24")
-    })))
-    for (k in Filter(function(k) !narrow(k, share), pending)) {
-      leave(k, "changes the model too irregularly for a series")
+  for (k in seq_along(fields)) {
+    found <- fitted_term(filler, fields, k)
+    for (share in slider_shares[-1L]) {
+      if (!is.character(found) || fields[[k]]$fixed) break
+      range <- usual_range(state$gear, fields[[k]], share)
+      if (is.null(range)) break
+      narrower <- range$upper - range$lower < fields[[k]]$upper - fields[[k]]$lower
+      if (!narrower) next
+      fields[[k]][c("lower", "upper")] <- range[c("lower", "upper")]
+      found <- fitted_term(filler, fields, k)
     }
-    pending <- intersect(pending, kept())
+    if (is.character(found)) leave(k, found) else terms[[k]] <- found
   }
-  # Returns the largest errors at three places that the plan allows, NULL if it allows none.
-  misfits <- function(product) {
-    t <- lapply(1:12, function(k) cos(pi * (((every * 0.618034 + 0.1) * k) %% 1)) / (1 + k %/% 4))
-    found <- list()
-    for (t in t) if (length(found) < 3L) {
-      off <- misfit(terms, filler, fields, values_at(kept(), t), product)
-      if (is.numeric(off)) found <- c(found, list(off))
+  for (f in kept()) for (g in kept()[kept() > f]) {
+    if (!all(c(f, g) %in% kept())) next
+    # sliders without common numbers do not interact
+    if (!length(intersect(terms[[f]]$index, terms[[g]]$index))) next
+    found <- fitted_term(filler, fields, c(f, g), terms[c(f, g)])
+    if (is.character(found)) {
+      leave(g, paste("together with", name[f], found), "use only one slider, or narrower ranges")
+    } else if (length(found$index)) {
+      terms <- c(terms, list(found))
     }
-    if (length(found)) do.call(pmax, found)
   }
-  product <- base != 0 & first_of(misfits(base != 0), Inf) <= series_limit
-  while (max(0, off <- misfits(product)) > series_refused) {
-    wrong <- which(off > series_refused)
-    # the slider that changes few other numbers is left out
-    share <- vapply(numbers, function(index) mean(c(index %in% wrong, FALSE)), 0)
-    share <- share * (every %in% kept())
-    leave(max(which(share == max(share))),
-      "changes the same numbers as other sliders, but neither as sum nor as product",
+  of_kept <- function() {
+    Filter(function(term) length(term$index) && all(term$of %in% kept()), terms)
+  }
+  # series do not cover interactions of three or more sliders
+  while ((off <- misfit_together(filler, fields, of_kept(), kept())) > 10 * series_refused) {
+    joint <- unlist(lapply(of_kept(), function(term) if (length(term$of) > 1L) term$of))
+    leave(max(joint, kept()[1L]), "changes the same numbers as two other sliders",
       "use fewer sliders")
   }
-  terms <- Filter(function(term) term$of %in% kept(), terms)
-  terms <- lapply(terms, function(term) replace(term, "of", match(term$of, kept())))
-  list(fields = fields[kept()], terms = terms, filler = filler, product = product,
-    left_out = left_out, misfit = max(0, off))
+  terms <- lapply(of_kept(), function(term) {
+    term$of <- match(term$of, kept())
+    term
+  })
+  list(fields = fields[kept()], terms = terms, filler = filler, left_out = left_out, misfit = off)
 }
 
 # Returns the value of a slider at a fraction of its range, -1 to 1.
@@ -174,21 +133,28 @@ of_share <- function(field, t) {
   if (field$whole) round(value) else value
 }
 
-# Returns the distance of values from the gear's own value, as a fraction of half the range.
-slider_position <- function(field, values) {
-  2 * (values - field$value) / (field$upper - field$lower)
+# Returns the nodes of a slider: the gear's own value, and those of `n` nodes that differ from it.
+slider_nodes <- function(field, n) {
+  nodes <- unique(of_share(field, -cos(pi * (seq_len(n) - 1L) / (n - 1L))))
+  c(field$value, nodes[abs(nodes - field$value) > 1e-3 * (field$upper - field$lower)])
 }
 
-# Returns all numbers at values of all sliders.
-series_numbers <- function(terms, fields, values, base, product) {
-  x <- base
+# Returns the weights of the changes at all nodes of a term's sliders: Lagrange's polynomials.
+node_weights <- function(nodes, values) {
+  each <- Map(function(nodes, value) {
+    vapply(seq_along(nodes), function(k) prod((value - nodes[-k]) / (nodes[k] - nodes[-k])), 0)
+  }, nodes, values)
+  as.vector(Reduce(outer, each))
+}
+
+# Returns the change of all numbers by terms at values of all sliders.
+series_change <- function(terms, filler, values) {
+  change <- numeric(length(filler$array))
   for (term in terms) {
-    k <- term$index
-    position <- slider_position(fields[[term$of]], values[term$of])
-    change <- drop(term$change %*% position^seq_len(ncol(term$change)))
-    x[k] <- x[k] + change * ifelse(product[k], x[k] / base[k], 1)
+    change[term$index] <- change[term$index] +
+      drop(term$change %*% node_weights(term$nodes, values[term$of]))
   }
-  x
+  change
 }
 
 # Returns the largest number in the array of each number, but at least 1e-6.
@@ -196,25 +162,63 @@ array_sizes <- function(filler, x) {
   pmax(as.vector(tapply(abs(x), filler$array, max))[filler$array], 1e-6)
 }
 
-# Returns the errors of terms as fractions of the largest number in each array, or a string with
-# the reason why the plan allows no such gear.
-misfit <- function(terms, filler, fields, values, product) {
+# Returns the largest error of terms as a fraction of the largest number in its array, or a string
+# with the reason why the plan allows no such gear.
+misfit <- function(terms, filler, values) {
+  base <- filler$fill()
   x <- filler$fill(values)
   if (is.character(x)) return(x)
-  off <- x - series_numbers(terms, fields, values, filler$own, product)
-  abs(off) / array_sizes(filler, filler$own)
+  off <- x - base - series_change(terms, filler, values)
+  max(0, abs(off) / array_sizes(filler, pmax(abs(x), abs(base))))
 }
 
-# Returns the term of a slider with its largest residual `off`. change: of the numbers `index`
-# [positions x numbers].
-fitted_term <- function(of, index, change, positions, size, degrees) {
-  for (degree in degrees) {
-    powers <- qr(outer(positions, seq_len(degree), `^`))
-    found <- qr.coef(powers, change)
-    off <- max(0, abs(t(qr.resid(powers, change))) / size)
-    if (off <= series_reached) break
+# Returns the term of one slider, or of two in addition to `terms`, or a string with a reason.
+fitted_term <- function(filler, fields, of, terms = list()) {
+  own <- own_values(fields)
+  base <- filler$fill()
+  values_at <- function(t) replace(own, of, mapply(of_share, fields[of], t))
+  checks <- lapply(seq_len(nrow(series_checks)), function(k) {
+    values_at(series_checks[k, seq_along(of)])
+  })
+  # Returns the largest misfit, or a string with a reason.
+  held_to <- function(terms) {
+    off <- lapply(checks, function(values) misfit(terms, filler, values))
+    odd <- Filter(is.character, off)
+    if (length(odd)) odd[[1L]] else max(unlist(off))
   }
-  # a whole number has fewer values than powers
-  found[is.na(found)] <- 0
-  list(of = of, index = index, change = t(found), off = off)
+  nothing <- list(of = of, nodes = list(), index = integer(), change = matrix(0, 0L, 0L))
+  if (length(terms)) {
+    off <- held_to(terms)
+    if (is.character(off)) return(off)
+    if (off <= 10 * series_reached) return(nothing)
+  }
+  for (n in series_nodes[[length(of)]]) {
+    nodes <- lapply(fields[of], slider_nodes, n)
+    values <- apply(expand.grid(nodes), 1L, function(at) replace(own, of, at), simplify = FALSE)
+    all <- lapply(values, filler$fill)
+    odd <- Filter(is.character, all)
+    if (length(odd)) return(odd[[1L]])
+    y <- mapply(function(x, values) x - base - series_change(terms, filler, values), all, values)
+    y <- matrix(y, ncol = length(all))
+    index <- which(do.call(pmax, as.data.frame(abs(y))) > 1e-15 * array_sizes(filler, base))
+    found <- list(of = of, nodes = nodes, index = index, change = y[index, , drop = FALSE])
+    off <- held_to(c(terms, list(found)))
+    if (is.character(off)) return(off)
+    if (off <= 10 * series_reached || any(lengths(nodes) < n)) break
+  }
+  if (off > series_refused) {
+    return(sprintf("changes the model too irregularly for a series (relative residual %.0e)", off))
+  }
+  found
+}
+
+# Returns the misfit with all sliders moved at once, at a few values that the plan allows.
+misfit_together <- function(filler, fields, terms, kept) {
+  if (length(kept) < 2L) return(0)
+  off <- lapply(1:3, function(k) {
+    t <- cos(pi * ((kept * 0.618034 * k + 0.1 * k) %% 1))
+    values <- replace(own_values(fields), kept, mapply(of_share, fields[kept], t))
+    misfit(terms, filler, values)
+  })
+  max(0, unlist(Filter(is.numeric, off)))
 }

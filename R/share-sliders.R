@@ -5,14 +5,14 @@
 slider_shares <- c(0.25, 0.15, 0.1, 0.05, 0.02)
 
 # Adds to free_fields() `fixed` (TRUE if the user gave the range) and `asked` (TRUE if the user gave
-# the sliders). `sliders`: as in sensitivities(), or NULL for all numeric fields.
+# the sliders). `sliders`: as in sensitivities(), or NULL for the fields that users change first.
 # `ranges`: by path, or NULL.
 slider_fields <- function(gear, sliders, ranges) {
   if (!is.null(ranges) && !(is.list(ranges) && length(ranges) && !is.null(names(ranges)))) {
     abort_argument("{.arg ranges} must be a list of ranges by the paths of fields, such as
       {.code list(warps.length = c(\"300 m\", \"600 m\"))}.")
   }
-  found <- sensitivity_fields(gear, if (is.null(sliders)) "all" else slider_paths(sliders))
+  found <- sensitivity_fields(gear, slider_paths(sliders))
   name <- vapply(found, `[[`, "", "name")
   given <- vapply(names(ranges), function(path) paste(paths_of(path), collapse = " + "), "",
     USE.NAMES = FALSE)
@@ -83,8 +83,7 @@ shared_form <- function(gear, fields) {
     })
     Filter(Negate(is.null), found)
   }
-  asked <- Filter(function(field) field$asked, fields)
-  form <- form_message(gear$plan, lapply(asked, `[[`, "paths"), 1)
+  form <- form_message(gear$plan, lapply(fields, `[[`, "paths"), 1)
   form$groups <- lapply(form$groups, function(group) {
     parts <- lapply(group$parts, function(part) {
       list(path = part$path, help = part$help, fields = ranged(part$fields), required = TRUE)

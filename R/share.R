@@ -13,7 +13,7 @@
 #'
 #' @section Accuracy:
 #' - `share()` reads the plan at several values of each field, and interpolates the effect of its
-#'   slider on the gear. The interpolation is checked to one part in 10^9 with all sliders moved.
+#'   slider on the gear. The interpolation is checked to one part in 10^10 at values in between.
 #' - The page uses the mesh of the state. A field that changes the mesh, such as a count of meshes,
 #'   cannot be a slider.
 #' - The page settles from the displayed shape, and in several steps if sliders move far.
@@ -28,8 +28,8 @@
 #'   hundred suit a slow computer.
 #' @param file The HTML file to write. It is written atomically.
 #' @param sliders Paths of the fields that the page may change, such as `"towing.speed"`, or a list
-#'   of paths that change together, as in [sensitivities()]. `NULL` (default): all numeric fields
-#'   that can be sliders.
+#'   of paths that change together, as in [sensitivities()]. `NULL` (default): a dozen fields that
+#'   users change first, if they can be sliders.
 #' @param ranges A list of ranges by path of a slider, each two values with units, such as
 #'   `list(warps.length = c("300 m", "600 m"))`. Default: 25 % of the value to both sides, or less
 #'   if the plan does not allow it.

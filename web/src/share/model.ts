@@ -26,7 +26,7 @@ interface Groups { element: string; group: string; weight: string; count: number
 // The description of a gear by R/share-model.R. Strings are names of arrays.
 export interface SharedGear {
   head: Head; tolerance: number; steps: number; fields: Field[]; touched: string[];
-  terms: { of: number; degree: number; index: string; product: string; change: string }[];
+  terms: { of: number[]; nodes: number[][]; index: string; change: string }[];
   order: { name: string; kind: string; size: number }[];
   names: string[]; boards: string[]; fallen_heel: number; knot: number;
   conditions: { waves: string; still: string; water: boolean };
@@ -102,17 +102,26 @@ export function new_model(engine: Engine, page: SharedGear, bytes: Uint8Array) {
   // The arrays that sliders change, concatenated.
   page.touched.forEach((name) => { base.push(...numbers(name)); });
 
+  // Returns the weights of the changes at all nodes of a term's sliders: Lagrange's polynomials. The
+  // first slider varies fastest.
+  function node_weights(term: SharedGear['terms'][number], values: number[]): number[] {
+    return term.of.reduce((before, f, s) => {
+      const nodes = term.nodes[s], out: number[] = [];
+      nodes.forEach((node) => {
+        let weight = 1;
+        nodes.forEach((other) => { if (other !== node) weight *= (values[f] - other) / (node - other); });
+        before.forEach((product) => { out.push(product * weight); });
+      });
+      return out;
+    }, [1]);
+  }
   function fill(values: number[]) {
     const x = Float64Array.from(base);
     let at = 0;
-    // as in series_numbers() in R/share-series.R
     page.terms.forEach((term) => {
-      const index = numbers(term.index), change = numbers(term.change), product = numbers(term.product);
-      const { value, lower, upper } = fields[term.of], position = 2 * (values[term.of] - value) / (upper - lower);
-      index.forEach((i, k) => {
-        let sum = 0;
-        for (let d = term.degree - 1; d >= 0; d--) sum = (sum + change[index.length * d + k]) * position;
-        x[i] += sum * (product[k] ? x[i] / base[i] : 1);
+      const index = numbers(term.index), change = numbers(term.change), n = index.length;
+      node_weights(term, values).forEach((weight, c) => {
+        for (let k = 0; k < n; k++) x[index[k]] += change[n * c + k] * weight;
       });
     });
     page.touched.forEach((name) => {
