@@ -12,14 +12,15 @@ scene_json <- function(scene) {
 # Returns the data that the page unpacks, each from deflated().
 shared_parts <- function(state, model, tow) {
   wasm <- system.file("share", "engine.wasm.gz", package = "codend", mustWork = TRUE)
+  scene <- state_scene(state)
   parts <- list(
     viewer = packed_text(view_file("viewer.js")), tank = packed_text(view_file("tank.js", "app")),
     worker = packed_text(paste(view_file("engine.js", "share"), view_file("worker.js", "share"),
       sep = "\n;\n")),
     wasm = jsonlite::base64_enc(readBin(wasm, "raw", file.size(wasm))),
-    scene = packed_text(scene_json(state_scene(state))),
+    scene = packed_text(scene_json(scene)),
     model = packed_text(scene_json(model[setdiff(names(model), "body")])), arrays = model$body,
-    page = packed_text(scene_json(shared_page(state, model))),
+    page = packed_text(scene_json(shared_page(state, model, scene))),
     drawing = packed_text(drawing_svg(state$gear, "A3"))
   )
   if (is.null(tow)) return(parts)
@@ -43,9 +44,8 @@ write_shared_page <- function(file, state, parts) {
 }
 
 # Returns the data of the page's first messages and answers (web/src/share/page.ts).
-shared_page <- function(state, model) {
+shared_page <- function(state, model, scene) {
   gear <- state$gear
-  scene <- state_scene(state)
   found <- measures(state)
   checks <- sorted_checks()
   checks <- checks[names(checks) != "flutter"]
