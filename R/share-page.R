@@ -53,7 +53,6 @@ shared_page <- function(state, model, scene) {
   words <- page_strings(make_translator("en"))
   # the page shows measures by their English labels
   words$words <- words$words[!startsWith(names(words$words), "measure.")]
-  words$words$error_note <- sub(" Tick.*", "", words$words$error_note)
   about <- sprintf("Made by codend %s, %s. The engine settles a model of %s nodes in this page.
     The page works without a network and sends no data.", utils::packageVersion("codend"),
     format(Sys.Date()), big_number(state$mesh$nodes))
