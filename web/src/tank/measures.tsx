@@ -87,8 +87,10 @@ export function write(): void {
   const rows = (key: boolean) =>
     about.filter((one) => one.key === key).map((one) => row(one, measures, kept, compares));
   const others = rows(false);
-  render([of_measures(say('key_measures'), compares, rows(true)), note(say('error_note') +
-    (window.codendServer ? '' : ' ' + say('uncertainty_note')) + (level === undefined ? '' : ' ' + say('interval_note', { level })))], find('measures'));
+  const notes = [say('error_note'), window.codendServer ? '' : say('uncertainty_note'),
+    level === undefined ? '' : say('interval_note', { level })];
+  render([of_measures(say('key_measures'), compares, rows(true)), note(notes.filter(Boolean).join(' '))],
+    find('measures'));
   render(others.length ? of_measures(say('other_measures'), compares, others) : null, find('other_measures'));
   find('measures_more').hidden = !others.length;
 }
