@@ -74,6 +74,7 @@ ids <- lapply(pages, attributes_of, "id")
 dead_targets <- function(page) {
   targets <- unlist(lapply(c("href", "src"), attributes_of, html = pages[[page]]))
   targets <- unique(targets[!grepl("^([a-z]+:|//)", targets)])
+  if (!length(targets)) return(NULL)
   file <- utils::URLdecode(sub("[?#].*", "", targets))
   file <- ifelse(nzchar(file), file.path(dirname(page), file), page)
   file <- normalizePath(file, mustWork = FALSE)

@@ -25,7 +25,7 @@ interface Parts {
 // host: element of the viewer. Methods: picture(wide, worded) returns a canvas `wide` pixels wide, and
 // film(kind, seconds, wide, worded) a promise of a Blob.
 export function new_saver(host: HTMLElement, viewer: Filmed, parts: Parts) {
-  const turnSeconds = 12, towSeconds = 20;
+  const turnSeconds = 12, towSeconds = 20, fewestFrames = 24;
   const kinds = ['video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 
   // ---- labels as pixels -------------------------------------------------------------------------
@@ -143,7 +143,7 @@ export function new_saver(host: HTMLElement, viewer: Filmed, parts: Parts) {
     recorder.ondataavailable = (event) => { chunks.push(event.data); };
     filming = recorder;
     return new Promise((resolve) => {
-      let began: number | null = null;
+      let share = 0, before: number | null = null;
       recorder.onstop = () => {
         filming = null;
         if (kind !== 'tow') viewer.look({ turn: start });
@@ -152,8 +152,9 @@ export function new_saver(host: HTMLElement, viewer: Filmed, parts: Parts) {
       };
       function next(clock: number) {
         if (filming !== recorder) return;
-        began = began === null ? clock : began;
-        const share = Math.min((clock - began) / (1000 * seconds), 1);
+        // A slow computer draws few frames per second: it records a longer video, not fewer frames.
+        share = Math.min(share + Math.min((clock - (before ?? clock)) / (1000 * seconds), 1 / fewestFrames), 1);
+        before = clock;
         frame(share);
         tell(say('{n} % is recorded.', { n: Math.round(100 * share) }));
         if (share < 1) window.requestAnimationFrame(next);
