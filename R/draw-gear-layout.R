@@ -16,7 +16,9 @@ flat_panels <- function(si, joints) {
       if (panel$orientation != "square") width <- width / 2
     }
     data.frame(
-      name = name, upper = width[[1L]], lower = width[[2L]], depth = panel_depth(panel),
+      name = name, upper = width[[1L]], lower = width[[2L]],
+      # An edge without taper is as long as the panel is deep.
+      depth = edge_length(utils::modifyList(panel, list(lost_left = 0)), "left"),
       shift = panel$lost_left * if (panel$upper == panel$lower) {
         width[[1L]] / panel$upper
       } else {
@@ -86,12 +88,6 @@ hung_widths <- function(si, joints) {
     if (!is.na(last) && !is.na(ratio["lower", last])) width[, hanging] <- hung("upper", name)
   }
   width
-}
-
-# Returns the stretched depth (m): the length of an edge without taper.
-panel_depth <- function(panel) {
-  panel$lost_left <- 0
-  edge_length(panel, "left")
 }
 
 # Returns the hanging ratios of upper and lower edges (2 x panels), NA unless a rope runs along the

@@ -19,13 +19,12 @@ mesh_number <- function(meshes) {
   ifelse(abs(whole + quarters / 4 - meshes) < 1e-6, counted, short_number(round(meshes, 1), 7))
 }
 
-orientation_words <- c(
-  diamond = "", square = "square", turned = "T90", hexagonal = "hexagonal",
-  hexagonal_turned = "hexagonal T90"
-)
-
 mesh_text <- function(panel) {
-  words <- c(orientation_words[[panel$orientation]], if (panel$knot_diameter == 0) "knotless")
+  words <- c(
+    diamond = "", square = "square", turned = "T90", hexagonal = "hexagonal",
+    hexagonal_turned = "hexagonal T90"
+  )
+  words <- c(words[[panel$orientation]], if (panel$knot_diameter == 0) "knotless")
   paste(words[nzchar(words)], collapse = ", ")
 }
 
@@ -51,17 +50,14 @@ name_in_gear <- function(name, si) {
 rope_kind <- function(name, si) {
   rope <- si$ropes[[name]]
   own <- name_in_gear(name, si)
-  words <- if (is.na(rope$role)) general_name(own) else rope_text(own, rope$role)
+  words <- if (is.na(rope$role)) general_name(own) else {
+    # The tier in their names distinguishes hand ropes.
+    tier <- intersect(c("upper", "middle", "lower"), strsplit(own, "_", fixed = TRUE)[[1L]])
+    tier <- setdiff(tier, strsplit(rope$role, "_", fixed = TRUE)[[1L]])
+    paste(c(tier, gsub("_", " ", rope$role)), collapse = " ")
+  }
   make <- sprintf("%.6g", c(rope$length, rope$diameter, rope$axial_stiffness, rope$mass_per_length))
   paste(c(words, make), collapse = "|")
-}
-
-# Returns a role, with "upper", "middle" or "lower" if the rope's name contains it. This
-# distinguishes hand ropes.
-rope_text <- function(name, role) {
-  tier <- intersect(c("upper", "middle", "lower"), strsplit(name, "_", fixed = TRUE)[[1L]])
-  paste(c(tier[!tier %in% strsplit(role, "_", fixed = TRUE)[[1L]]], gsub("_", " ", role)),
-    collapse = " ")
 }
 
 # Returns a data frame, one row per item of the rope list. Columns: item (number), name, count,
@@ -126,17 +122,14 @@ piece_items <- function(si, grids = NULL) {
   name <- ifelse(is.na(role), own, gsub("_", " ", role))
   kind <- paste(name, pick("words", ""), sep = "|")
   first <- which(!duplicated(kind))
+  k <- seq_along(first) - 1L
   data.frame(
-    item = item_letters(length(first)), name = name[first], words = pick("words", "")[first],
+    item = paste0(LETTERS[k %% 26L + 1L], ifelse(k < 26L, "", k %/% 26L + 1L)), name = name[first],
+    words = pick("words", "")[first],
     count = vapply(first, function(k) sum(as.double(pick("count", 0))[kind == kind[k]]), 0),
     role = ifelse(role[first] %in% view_symbols$role, role[first], "other"),
     parts = I(lapply(first, function(k) part[kind == kind[k]])), ref = pick("ref", "")[first]
   )
-}
-
-item_letters <- function(n) {
-  k <- seq_len(n) - 1L
-  paste0(LETTERS[k %% 26L + 1L], ifelse(k < 26L, "", k %/% 26L + 1L))
 }
 
 grid_text <- function(grid) {

@@ -1,11 +1,3 @@
-# Netting of a plan drawing: columns of panel trapezia with labels and a table next to them. Gear is
-# in metres, the sheet in millimetres.
-
-# A wall longer than `longest_wall` times its depth gets different scales along and deep. Their
-# ratio is at most `steepest_scale`.
-longest_wall <- 6
-steepest_scale <- 20
-
 # Returns the columns of a layout, the upper panel first. true_size: TRUE to draw panels at full
 # length. Each column is a list. `panels`: data frame with corners (ul, ur, lr, ll), cutting rates
 # and `labelled`. `words`, `counts`: matrices of labels, one column per panel. `laced`: ropes and
@@ -40,14 +32,20 @@ net_columns <- function(figure, true_size = FALSE) {
   pair <- length(columns) > 1L && !anyNA(first) && all(nzchar(c(columns[[1]]$half,
     columns[[2]]$half)))
   if (pair) {
-    columns[[1]] <- turned_half(columns[[1]])
+    corners <- columns[[1]]$panels[c("ur", "ul", "ll", "lr")]
+    columns[[1]]$panels[c("ul", "ur", "lr", "ll")] <- -corners
+    columns[[1]][c("half", "outer", "turned")] <- list("left", "left", TRUE)
     columns[[2]]$joined <- TRUE
   }
-  rows <- lapply(columns, column_rows)
+  rows <- lapply(columns, function(column) {
+    told <- column$panels$labelled
+    words <- apply(column$words[, told, drop = FALSE], 2L, paste, collapse = "|")
+    paste(round(column$panels$y[told], 3), round(column$panels$depth[told], 3), words)
+  })
   for (k in seq_along(columns)) {
     columns[[k]]$number <- k
     columns[[k]]$laced <- column_laced(columns[[k]], figure)
-    columns[[k]]$rows <- !columns[[k]]$wall && (k == 1L || !same_rows(rows[[k]], rows[[1L]]))
+    columns[[k]]$rows <- !columns[[k]]$wall && (k == 1L || !all(rows[[k]] %in% rows[[1L]]))
   }
   columns
 }
@@ -108,25 +106,16 @@ flat_column <- function(panels, column, figure) {
   )
 }
 
-turned_half <- function(column) {
-  p <- column$panels
-  column$panels[c("ul", "ur", "lr", "ll")] <- -p[c("ur", "ul", "ll", "lr")]
-  column$half <- column$outer <- "left"
-  column$turned <- TRUE
-  column
-}
-
 # TRUE if panels are side by side, except for a window in its row.
-is_wall <- function(panels) any(shares_row(panels[!panels$hole, ]))
-
-shares_row <- function(panels) {
-  vapply(seq_len(nrow(panels)), function(k) {
+is_wall <- function(panels) {
+  panels <- panels[!panels$hole, ]
+  any(vapply(seq_len(nrow(panels)), function(k) {
     p <- panels[k, ]
     room <- 1e-6 * p$depth
     other <- panels[-k, ]
     beside <- pmin(abs(other$x - (p$x + p$upper)), abs(other$x + other$upper - p$x)) < room
     any(beside & abs(other$y - p$y) < room & other$upper > 0 & p$upper > 0)
-  }, NA)
+  }, NA))
 }
 
 # Returns the label texts of every panel of a column (`panel_text()`). Different panels of the same
@@ -144,29 +133,7 @@ panel_labels <- function(column, si) {
   words
 }
 
-column_rows <- function(column) {
-  told <- column$panels$labelled
-  p <- column$panels[told, ]
-  words <- apply(column$words[, told, drop = FALSE], 2L, paste, collapse = "|")
-  data.frame(name = p$name, y = p$y, depth = p$depth, words = words)
-}
-
-# TRUE if every row label also appears next to the first column.
-same_rows <- function(rows, first) {
-  key <- function(r) paste(round(r$y, 3), round(r$depth, 3), r$words)
-  all(key(rows) %in% key(first))
-}
-
 # ---- all columns ---------------------------------------------------------------------------------
-
-# Returns columns whose netting is listed elsewhere on the sheet: only names appear next to panels.
-listed_columns <- function(columns) {
-  lapply(columns, function(column) {
-    column$rows <- FALSE
-    column$named <- !column$wall
-    column
-  })
-}
 
 # Returns the netting list: a data frame, one row per make of netting.
 netting_items <- function(columns) {
@@ -246,20 +213,13 @@ columns_height <- function(columns) {
 column_reach <- function(column, figure, scale, look) {
   key <- paste(column$number, column$named, look$t, paste(signif(scale, 12), collapse = " "))
   known <- figure$reaches[[key]]
-  if (is.null(known)) {
-    known <- drawn_reach(column, figure, scale, look)
-    assign(key, known, envir = figure$reaches)
-  }
-  known
-}
-
-drawn_reach <- function(column, figure, scale, look) {
+  if (!is.null(known)) return(known)
   scratch <- new_sheet(c(1, 1))
   use <- new_page_use()
   draw_netting(scratch, column, figure, scale, c(0, 0), look, use)
   label_netting(scratch, column, figure, scale, c(0, 0), look, use)
   boxes <- vapply(scratch$items, item_box, numeric(4))
-  c(min(boxes[1, ]), max(boxes[3, ]))
+  figure$reaches[[key]] <- c(min(boxes[1, ]), max(boxes[3, ]))
 }
 
 # Height of the headings above the netting, in text lines: two lines of heading and the table's
@@ -608,13 +568,14 @@ fitting_scale <- function(columns, figure, room, height, look, true_size = FALSE
     max(c$panels$ur, c$panels$lr) - min(c$panels$ul, c$panels$ll)
   }, 0))
   alone <- length(columns) == 1L && !nzchar(columns[[1]]$half)
-  if (alone && !true_size && across > longest_wall * deepest) {
+  if (alone && !true_size && across > 6 * deepest) {
+    # A long wall gets different scales along and deep, with a ratio of at most 20.
     side <- if (wall) 4 * look$gap else columns_width(columns, figure, c(1e-6, 1e-6), look)
     free <- room - side - 2 * look$gap
     if (free <= 0) return(NULL)
     long <- 1000 / scale_series(1000 * across / free)[1]
     deep <- 1000 / scale_series(1000 * deepest / min(height, 0.6 * room))[1]
-    return(c(long, min(deep, steepest_scale * long)))
+    return(c(long, min(deep, 20 * long)))
   }
   tried <- scale_series(1000 * max(deepest / height, across / room))
   # Columns that fit at a scale may not fit at a smaller one, because counts move out of small

@@ -12,8 +12,11 @@ gear_sheet <- function(gear, page, true_size = FALSE) {
   figure <- plan_figure(gear)
   columns <- if (!is.null(figure$layout)) net_columns(figure, true_size)
   best <- NULL
-  ways <- list(columns, if (!is.null(columns)) listed_columns(columns))
-  for (way in unique(ways)) {
+  # With a separate list of netting, only names appear next to panels.
+  listed <- lapply(columns, function(column) {
+    replace(column, c("rows", "named"), list(FALSE, !column$wall))
+  })
+  for (way in unique(list(columns, if (!is.null(columns)) listed))) {
     # Prefer labels next to the panels unless a separate list lets the netting be much larger.
     before <- best
     for (t in sheet_text_sizes[[page]]) {
@@ -40,7 +43,7 @@ best_draft <- function(figure, columns, size, look, true_size, least = 0) {
   best <- NULL
   for (page in list(rev(size), size)) {
     frame <- c(sheet_margin[["left"]], sheet_margin[["other"]], page - sheet_margin[["other"]])
-    foot <- foot_height(figure, frame, look)
+    foot <- foot_title_height(look) + length(legend_lines(figure, frame, look)) * look$line + 1
     inner <- c(frame[1] + 2, frame[2] + foot + 2, frame[3] - 2, frame[4] - 2)
     blocks <- info_blocks(figure, columns, look)
     found <- best_arrangement(figure, columns, blocks, inner, look, true_size, least)
@@ -70,7 +73,9 @@ info_blocks <- function(figure, columns, look) {
 chunks <- function(n, most) unname(split(seq_len(n), (seq_len(n) - 1L) %/% most))
 
 straight_block <- function(straight, look) {
-  each <- vapply(straight, straight_height, 0, look = look)
+  each <- vapply(straight, function(rope) {
+    (5.2 + length(piece_lines(rope, straight_width(look), look))) * look$line
+  }, 0)
   list(
     wide = straight_width(look), high = sum(each), grows = FALSE, widens = TRUE,
     draw = function(sheet, left, top, wide, high) {
@@ -81,9 +86,11 @@ straight_block <- function(straight, look) {
 }
 
 rigging_block <- function(rigging, figure, look) {
-  size <- rigging_size(rigging, look)
+  layer <- rigging$nodes$layer
   list(
-    wide = size[1], high = size[2], grows = TRUE, widens = TRUE,
+    wide = (max(layer) + 1.5) * (8 * look$t + 2 * look$balloon),
+    high = (3 + max(table(layer), 2) * 4.2) * look$line + sum(next_space(rigging, look)),
+    grows = TRUE, widens = TRUE,
     draw = function(sheet, left, top, wide, high) {
       draw_rigging(sheet, figure, rigging, c(left, top - high, left + wide, top), look)
     }
@@ -137,16 +144,14 @@ text_block <- function(words, columns, refs, look, pitch = look$line, first = 0,
   )
 }
 
-rope_list_columns <- data.frame(
-  heading = c("Ropes", "length m", "\u00d8 mm", "E"),
-  component = c("rope", "length", "diameter", "hanging_ratio"),
-  field = c("", ".length", ".diameter", ".hanging_ratio"), across = c(0, 1, 0, 0)
-)
-
 rope_list <- function(rows, figure, look) {
   items <- figure$ropes[rows, ]
   words <- vapply(seq_len(nrow(items)), function(k) rope_item_text(items[k, ]), character(4))
-  columns <- rope_list_columns
+  columns <- data.frame(
+    heading = c("Ropes", "length m", "\u00d8 mm", "E"),
+    component = c("rope", "length", "diameter", "hanging_ratio"),
+    field = c("", ".length", ".diameter", ".hanging_ratio"), across = c(0, 1, 0, 0)
+  )
   if (!any(nzchar(words["hanging", ]))) columns$heading[4L] <- ""
   text_block(words, columns, paste0("ropes.", items$first), look, 2 * look$balloon + 0.6,
     2 * look$balloon + look$gap, function(sheet, x, y, k) {
@@ -333,8 +338,8 @@ draw_blocks <- function(sheet, draft) {
 
 # ---- title and legend ----------------------------------------------------------------------------
 
-legend_text <- function(figure) {
-  c(
+legend_lines <- function(figure, frame, look) {
+  words <- c(
     if (!is.null(figure$layout)) {
       c(
         width_rule(figure),
@@ -344,19 +349,11 @@ legend_text <- function(figure) {
     if (any(figure$ropes$laced)) "E hanging ratio.",
     if (!is.null(figure$ropes)) "Rope lengths are for one rope."
   )
-}
-
-legend_lines <- function(figure, frame, look) {
-  words <- legend_text(figure)
   if (!length(words)) return(character())
   wrap_text(paste(words, collapse = " "), frame[3] - frame[1] - 4, look$t)
 }
 
 foot_title_height <- function(look) 3.4 * look$line + 2
-
-foot_height <- function(figure, frame, look) {
-  foot_title_height(look) + length(legend_lines(figure, frame, look)) * look$line + 1
-}
 
 draw_foot <- function(sheet, figure, draft) {
   frame <- draft$frame

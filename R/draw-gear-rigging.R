@@ -68,8 +68,10 @@ plan_rigging <- function(si, ropes, pieces, frames = list(), start = character()
   }))
   # Braces from a frame to a rope, or across to its mirror image, only stiffen the model. They do
   # not exist on the gear and are left out.
-  frames <- frame_stretches(frames, found$of, found$places[on_free != ""])
-  stretches <- rbind(stretches, frames)
+  ends <- function(end) found$of(vapply(frames, `[[`, "", end))
+  struts <- data.frame(rope = rep(NA, length(frames)), from = ends("from"), to = ends("to"))
+  on_rope <- found$places[on_free != ""]
+  stretches <- rbind(stretches, struts[!(struts$from %in% on_rope | struts$to %in% on_rope), ])
   free <- c(free, list(list(length = NA_real_)))
   item <- c(item, NA)
   stretches$rope[is.na(stretches$rope)] <- length(free)
@@ -120,13 +122,6 @@ merged_rigging <- function(nodes, edges, class) {
   nodes$layer <- rigging_layers(nodes, edges)
   nodes$order <- rigging_order(nodes, edges)
   list(nodes = nodes, ropes = edges)
-}
-
-# Returns struts as stretches without a rope number, except struts that end at a point along a rope.
-frame_stretches <- function(frames, of, on_rope) {
-  ends <- function(end) of(vapply(frames, `[[`, "", end))
-  out <- data.frame(rope = rep(NA_integer_, length(frames)), from = ends("from"), to = ends("to"))
-  out[!(out$from %in% on_rope | out$to %in% on_rope), ]
 }
 
 # Returns the positions of rope ends and pieces: list(places (strings), held, motion (support in
@@ -256,14 +251,6 @@ crossings <- function(order, layer, edges) {
   same <- outer(layer[a], layer[a], "==") & outer(layer[b], layer[b], "==") &
     (layer[a] != layer[b])
   sum(same & outer(order[a], order[a], "-") * outer(order[b], order[b], "-") < 0) / 2
-}
-
-rigging_size <- function(rigging, look) {
-  most <- max(table(rigging$nodes$layer))
-  c(
-    (max(rigging$nodes$layer) + 1.5) * (8 * look$t + 2 * look$balloon),
-    3 * look$line + max(most, 2) * 4.2 * look$line + sum(next_space(rigging, look))
-  )
 }
 
 # Distance (mm) between ropes that join a node to its mirror image, such as a tickler chain from
@@ -423,16 +410,12 @@ label_rope_to_next <- function(sheet, line, rope, figure, look, use) {
   }
 }
 
-line_points <- function(line, share) {
-  long <- c(0, cumsum(sqrt(rowSums(diff(line)^2))))
-  cbind(
-    stats::approx(long, line[, 1], share * max(long), ties = "ordered")$y,
-    stats::approx(long, line[, 2], share * max(long), ties = "ordered")$y
-  )
-}
-
 label_rope <- function(sheet, line, rope, figure, frame, look, use) {
-  places <- line_points(line, c(0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1))
+  long <- c(0, cumsum(sqrt(rowSums(diff(line)^2))))
+  share <- c(0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2, 0.9, 0.1)
+  places <- apply(line, 2L, function(x) {
+    stats::approx(long, x, share * max(long), ties = "ordered")$y
+  })
   size <- rep(2 * look$balloon + 0.4, 2L)
   at <- find_space(use, places, size, lines = FALSE)
   if (is.null(at)) at <- places[1L, ]

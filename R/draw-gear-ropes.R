@@ -179,10 +179,6 @@ pieces_along <- function(ropes, figure) {
 }
 
 straight_width <- function(look) 34 * look$t
-straight_height <- function(rope, look) {
-  (5.2 + length(piece_lines(rope, straight_width(look), look))) * look$line
-}
-
 draw_straight <- function(sheet, rope, x, top, wide, look) {
   refs <- paste0("ropes.", rope$ropes)
   left <- x

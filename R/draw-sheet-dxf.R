@@ -39,12 +39,8 @@ sheet_dxf <- function(sheet) {
 
 dxf_codes <- function(...) {
   vapply(list(...), function(value) {
-    if (is.character(value)) value else dxf_number(value)
+    if (is.character(value)) value else svg_number(value, 4L)
   }, "")
-}
-
-dxf_number <- function(x) {
-  format(round(x, 4), trim = TRUE, scientific = FALSE, drop0trailing = TRUE, digits = 15)
 }
 
 dxf_section <- function(name, lines) {

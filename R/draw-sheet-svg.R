@@ -38,8 +38,8 @@ sheet_svg <- function(sheet, title, find_path = function(ref) ref) {
   )
 }
 
-svg_number <- function(x) {
-  format(round(x, 3), trim = TRUE, scientific = FALSE, drop0trailing = TRUE, digits = 15)
+svg_number <- function(x, digits = 3L) {
+  format(round(x, digits), trim = TRUE, scientific = FALSE, drop0trailing = TRUE, digits = 15)
 }
 
 svg_item <- function(item, high) {

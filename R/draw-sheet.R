@@ -161,14 +161,11 @@ paint_item <- function(item, small, line_width) {
   } else if (item$kind == "polygon") {
     graphics::polygon(item$x, item$y, col = item$fill, border = item$ink, lwd = lwd)
   } else {
-    dash <- device_dash(item$dash, lwd, line_width)
+    dash <- if (is.null(item$dash)) "solid" else {
+      # Multiples of the line width, 1 to 15, in hexadecimal.
+      steps <- pmin(15L, pmax(1L, as.integer(round(line_width(item$dash) / max(lwd, 1)))))
+      paste(as.hexmode(steps), collapse = "")
+    }
     graphics::lines(item$x, item$y, lwd = lwd, col = item$ink, lty = dash)
   }
-}
-
-# Converts a dash (mm) to the device's form: multiples of the line width, 1 to 15, in hexadecimal.
-device_dash <- function(dash, lwd, line_width) {
-  if (is.null(dash)) return("solid")
-  steps <- pmin(15L, pmax(1L, as.integer(round(line_width(dash) / max(lwd, 1)))))
-  paste(as.hexmode(steps), collapse = "")
 }
