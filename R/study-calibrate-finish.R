@@ -25,6 +25,8 @@ finish_calibration <- function(refined) {
       standardised = residual / error[k]
     )
   }))
+  by <- lapply(task$match, function(one) matched[matched$match == one$text, ])
+  rms <- function(x) sqrt(mean(x^2))
   found <- fields_covariance(task, model, used, error, at)
   covariance <- found$covariance
   values <- points_values(task$points, scaled)
@@ -42,24 +44,19 @@ finish_calibration <- function(refined) {
         prior_mean = prior[, 1L], prior_sd = prior[, 2L], row.names = NULL
       ),
       covariance = covariance, matched = matched,
-      match = match_table(task, matched, error), left_out = task$left_out,
+      match = data.frame(
+        text = vapply(task$match, `[[`, "", "text"), hauls = vapply(by, nrow, 0L), error = error,
+        estimated = vapply(task$match, function(one) is.na(one$error), NA),
+        bias = vapply(by, function(rows) mean(rows$residual), 0),
+        rms_begun = vapply(by, function(rows) rms(rows$measured - rows$begun), 0),
+        rms = vapply(by, function(rows) rms(rows$residual), 0)
+      ),
+      left_out = task$left_out,
       conditions = task$conditions, converged = fit$converged, misfit = fit$value,
       n_solves = task$points$count$n_solves, slopes = task$points$count$slopes,
       nodes = refined$nodes, accuracy = refined$accuracy, task = task, scaled = scaled
     ),
     class = "codend_calibration"
-  )
-}
-
-match_table <- function(task, matched, error) {
-  rms <- function(x) sqrt(mean(x^2))
-  by <- lapply(task$match, function(one) matched[matched$match == one$text, ])
-  data.frame(
-    text = vapply(task$match, `[[`, "", "text"), hauls = vapply(by, nrow, 0L), error = error,
-    estimated = vapply(task$match, function(one) is.na(one$error), NA),
-    bias = vapply(by, function(rows) mean(rows$residual), 0),
-    rms_begun = vapply(by, function(rows) rms(rows$measured - rows$begun), 0),
-    rms = vapply(by, function(rows) rms(rows$residual), 0)
   )
 }
 

@@ -118,17 +118,13 @@ reach_of <- function(object, level) {
   if (any(object$match$estimated)) stats::qt(share, object$task$freedom) else stats::qnorm(share)
 }
 
-# Returns the fall of the log-likelihood at the ends of an interval. With estimated errors it is
-# `n / 2 log(1 + t^2 / freedom)`, which is exact for a linear model.
-fall_of <- function(object, level) {
-  reach <- reach_of(object, level)
-  if (!any(object$match$estimated)) return(reach^2 / 2)
-  nobs(object) / 2 * log1p(reach^2 / object$task$freedom)
-}
-
 profile_ends <- function(object, k, level) {
   task <- object$task
-  wanted <- sqrt(fall_of(object, level))
+  reach <- reach_of(object, level)
+  # The fall of the log-likelihood at the ends; with estimated errors exact for a linear model.
+  wanted <- sqrt(if (!any(object$match$estimated)) reach^2 / 2 else {
+    nobs(object) / 2 * log1p(reach^2 / task$freedom)
+  })
   best <- object$scaled
   error <- object$fields$error[k] / task$points$width[k]
   if (!is.finite(error) || error <= 0) error <- 0.1
@@ -144,8 +140,8 @@ profile_ends <- function(object, k, level) {
     }
     limit <- if (way < 0) 0 else 1
     before <- c(best[k], 0)
-    x <- best[k] + way * reach_of(object, level) * error
-    for (step in seq_len(profile_steps)) {
+    x <- best[k] + way * reach * error
+    for (step in 1:12) {
       x <- min(max(x, 0), 1)
       now <- c(x, root(x))
       if (x == limit && now[2L] <= wanted) return(limit)
@@ -159,19 +155,12 @@ profile_ends <- function(object, k, level) {
     }
     x
   }
-  ends <- best[k] + widened_by(object, k) * (c(end_of(-1), end_of(1)) - best[k])
+  # The likelihood lacks the discretisation error, which widens the interval.
+  own <- object$fields$error[k]^2 - object$fields$mesh[k]^2
+  wider <- if (is.finite(own) && own > 0) object$fields$error[k] / sqrt(own) else 1
+  ends <- best[k] + wider * (c(end_of(-1), end_of(1)) - best[k])
   task$points$lower[k] + pmin(pmax(ends, 0), 1) * task$points$width[k]
 }
-
-# Returns the widening of an interval by the discretisation error, absent in the likelihood.
-widened_by <- function(object, k) {
-  fields <- object$fields
-  own <- fields$error[k]^2 - fields$mesh[k]^2
-  if (is.finite(own) && own > 0) fields$error[k] / sqrt(own) else 1
-}
-
-# Largest number of secant steps to an end of a profile.
-profile_steps <- 12L
 
 #' @rdname calibration_methods
 #' @importFrom stats predict

@@ -83,19 +83,16 @@ near_numbers <- function(work, si, by = unlist(si$multipliers)) {
   own <- list(
     gear = gear_numbers(si, work$netting, work$own), model = model_numbers(si, work$own)
   )
+  # Reuses the measure requests of the state unless their values changed.
+  asked <- c("measures", "vessel", "towing", "share_places")
   c(multiplied_numbers(own, si, by), list(
-    questions = near_questions(work, si),
+    questions = if (identical(si[asked], work$state$si[asked])) work$asked else {
+      questions_of(si, work$state$mesh, measure_request(si))
+    },
     blocked = if (is.null(si$catch)) 0 else
       first_of(si$catch$blocked[!is.na(si$catch$blocked)], work$state$mesh$catch$blocked),
     volume = 0
   ))
-}
-
-# Reuses the measure requests of the state unless their values changed.
-near_questions <- function(work, si) {
-  asked <- c("measures", "vessel", "towing", "share_places")
-  if (identical(si[asked], work$state$si[asked])) return(work$asked)
-  questions_of(si, work$state$mesh, measure_request(si))
 }
 
 in_display_units <- function(values, work) setNames(values[work$place] / work$unit, work$measures)
@@ -116,15 +113,6 @@ field_numbers <- function(work, field, share) {
     codend_error_plan = function(e) NULL
   )
   if (!is.null(si)) near_numbers(work, si)
-}
-
-# Returns the changes of measures, without jumps, with a field changed by +share and -share:
-# list(up, down), or NULL. `numbers`: inputs with the field changed by `little`.
-near_changes <- function(work, numbers, little, how, share, renewals) {
-  found <- engine_near_changes(work$near, numbers, share / little, how$tolerance, how$steps,
-    renewals, how$closes_in, how$reach / share)
-  work$cost$factorisations <- work$cost$factorisations + found$factorisations
-  if (length(found$down)) lapply(found[c("up", "down")], in_display_units, work = work)
 }
 
 values_at <- function(work, gear, si, mesh, position) {
@@ -166,11 +154,13 @@ tangent_derivatives <- function(work, field, how = exact_tangent) {
   if (is.null(numbers)) return(NULL)
   for (k in seq_along(how$shares)) {
     share <- how$shares[k]
-    sides <- if (identical(numbers, work$numbers)) {
-      list(up = 0 * work$values, down = 0 * work$values)
-    } else {
-      near_changes(work, numbers, little, how, share, how$renewals[k])
-    }
+    sides <- list(up = 0 * work$values, down = 0 * work$values)
+    if (identical(numbers, work$numbers)) break
+    found <- engine_near_changes(work$near, numbers, share / little, how$tolerance, how$steps,
+      how$renewals[k], how$closes_in, how$reach / share)
+    work$cost$factorisations <- work$cost$factorisations + found$factorisations
+    # Changes of measures, without jumps, with the field changed by +share and -share.
+    sides <- if (length(found$down)) lapply(found[c("up", "down")], in_display_units, work = work)
     if (!is.null(sides)) break
   }
   if (is.null(sides)) return(NULL)

@@ -143,18 +143,12 @@ format.codend_distribution <- function(x, ...) {
     trimws(paste(with_plain_numbers(format(number, digits = 15)), x$unit))
   }
   ends <- x$ends
-  cut <- if (x$kind == "normal") {
-    paste0(
+  said <- if (x$kind != "normal") paste("between", shown(ends[1L]), "and", shown(ends[2L])) else {
+    paste0("normal, mean ", shown(x$numbers[1L]), ", standard deviation ", shown(x$numbers[2L]),
       if (is.finite(ends[1L])) paste0(", at least ", shown(ends[1L])),
-      if (is.finite(ends[2L])) paste0(", at most ", shown(ends[2L]))
-    )
+      if (is.finite(ends[2L])) paste0(", at most ", shown(ends[2L])))
   }
-  said <- if (x$kind == "normal") {
-    paste0("normal, mean ", shown(x$numbers[1L]), ", standard deviation ", shown(x$numbers[2L]))
-  } else {
-    paste("between", shown(ends[1L]), "and", shown(ends[2L]))
-  }
-  paste0(said, cut, if (x$log) ", equal ratios", if (x$whole) ", whole numbers")
+  paste0(said, if (x$log) ", equal ratios", if (x$whole) ", whole numbers")
 }
 
 #' @export

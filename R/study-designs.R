@@ -73,7 +73,12 @@ designs <- function(..., how = NULL, number = NULL, seed = 1) {
     grid = grid_of(lapply(axes, axis_levels, number)),
     one_at_a_time = one_at_a_time(lapply(axes, axis_levels, number)),
     indices = pick_freeze(sobol_points(number, 2L * length(axes), seed)),
-    design_points(how, number, length(axes), seed)
+    random = with_seed(seed, matrix(stats::runif(number * length(axes)), number)),
+    latin = {
+      check_package("lhs", "A Latin hypercube")
+      with_seed(seed, lhs::randomLHS(number, length(axes)))
+    },
+    sobol = sobol_points(number, length(axes), seed)
   )
   columns <- lapply(seq_along(axes), function(k) {
     place <- shares[, k]
@@ -108,10 +113,8 @@ designs_number <- function(how, number, drawn) {
     if (!drawn) return(NULL)
     number <- first_of(number, 5)
     check_count("number", number, 2)
-  } else {
-    if (is.null(number)) {
-      abort_argument("{.arg number} is missing; it must be the number of designs.")
-    }
+  } else if (is.null(number)) {
+    abort_argument("{.arg number} is missing; it must be the number of designs.")
   }
   number
 }
@@ -246,17 +249,6 @@ one_at_a_time <- function(levels) {
     row <- row + length(levels[[k]])
   }
   rows
-}
-
-design_points <- function(how, number, width, seed) {
-  switch(how,
-    random = with_seed(seed, matrix(stats::runif(number * width), number)),
-    latin = {
-      check_package("lhs", "A Latin hypercube")
-      with_seed(seed, lhs::randomLHS(number, width))
-    },
-    sobol = sobol_points(number, width, seed)
-  )
 }
 
 sobol_points <- function(number, width, seed) {

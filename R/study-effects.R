@@ -132,10 +132,9 @@ pair_means <- function(study, name, pair) {
 # Returns the label of each group: the mean of its values, or its text.
 group_values <- function(study, field) {
   values <- split(study$x[[field]], study$group[[field]])
-  if (is.numeric(study$x[[field]])) {
-    return(vapply(values, mean, 0, USE.NAMES = FALSE))
-  }
-  vapply(values, `[[`, "", 1L, USE.NAMES = FALSE)
+  unname(if (is.numeric(study$x[[field]])) vapply(values, mean, 0) else {
+    vapply(values, `[[`, "", 1L)
+  })
 }
 
 sobol_indices <- function(x, measures, confidence, resamples, seed) {
@@ -214,13 +213,11 @@ effects_study <- function(x, measures, groups) {
 
 changing_measures <- function(x, measures) {
   known <- variations_measures(x)
-  if (is.null(measures)) {
-    return(Filter(function(name) {
-      value <- x[[name]][!is.na(x[[name]])]
-      length(value) > 1L && diff(range(value)) > 1e-9 * max(abs(value))
-    }, known))
-  }
-  chosen_measures(measures, known)
+  if (!is.null(measures)) return(chosen_measures(measures, known))
+  Filter(function(name) {
+    value <- x[[name]][!is.na(x[[name]])]
+    length(value) > 1L && diff(range(value)) > 1e-9 * max(abs(value))
+  }, known)
 }
 
 report_unsettled <- function(x) {

@@ -94,18 +94,14 @@ explained_cases <- function(fit, inputs, most) {
   lapply(chosen, function(k) {
     point <- at$points[[k]]
     all <- names(point$measures)
-    slopes <- if (length(inputs)) sensitivities(point$state, NULL, inputs, secants = FALSE)
-    list(
-      rows = which(task$case_of == k), case = k, point = point,
-      fields = clear(point_derivatives(task$cases[[k]], point, all)),
-      inputs = if (length(inputs)) {
-        by <- matrix(slopes$derivative * slopes$value, length(all),
-          dimnames = list(all, unique(slopes$field)))
-        clear(by)
-      },
-      value = if (length(inputs)) slopes$value[match(unique(slopes$field), slopes$field)],
-      unit = if (length(inputs)) slopes$unit[match(unique(slopes$field), slopes$field)]
-    )
+    case <- list(rows = which(task$case_of == k), case = k, point = point,
+      fields = clear(point_derivatives(task$cases[[k]], point, all)))
+    if (!length(inputs)) return(case)
+    slopes <- sensitivities(point$state, NULL, inputs, secants = FALSE)
+    first <- !duplicated(slopes$field)
+    by <- matrix(slopes$derivative * slopes$value, length(all),
+      dimnames = list(all, slopes$field[first]))
+    c(case, list(inputs = clear(by), value = slopes$value[first], unit = slopes$unit[first]))
   })
 }
 

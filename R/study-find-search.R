@@ -79,14 +79,19 @@ target_step <- function(task, found, held) {
 nearer_point <- function(task, found, step) {
   falls <- 2 * sum(found$miss * (found$slopes %*% step))
   settled <- FALSE
+  whole <- whole_fields(task$points$fields)
+  # Whole numbers leave a miss of half of the effect of one unit of each field.
+  rounding <- if (all(whole)) drop(abs(found$slopes) %*% (0.5 / task$size)) else 0
   for (share in 2^-(0:most_halvings)) {
-    values <- set_in_ranges(task, task$start + (found$place + share * step) * task$size)
+    values <- task$start + (found$place + share * step) * task$size
+    values[whole] <- round(values[whole])
+    values <- pmin(pmax(values, task$points$lower), task$points$lower + task$points$width)
     if (identical(values, found$point$values)) return(NULL)
     point <- settle_point(task$points, values, found$point$state)
     if (is.null(point)) next
     settled <- TRUE
-    nearer <- new_found(task, point, rounding_miss(task, found))
-    if (all(whole_fields(task$points$fields))) nearer$slopes <- secant_slopes(found, nearer)
+    nearer <- new_found(task, point, rounding)
+    if (all(whole)) nearer$slopes <- secant_slopes(found, nearer)
     reduced <- sum(nearer$miss^2) <= sum(found$miss^2) + least_reduction * share * falls
     if (isTRUE(reduced)) return(nearer)
   }
@@ -104,19 +109,6 @@ secant_slopes <- function(found, nearer) {
   step <- nearer$place - found$place
   off <- nearer$miss - found$miss - drop(found$slopes %*% step)
   found$slopes + outer(off, step) / sum(step^2)
-}
-
-set_in_ranges <- function(task, values) {
-  whole <- whole_fields(task$points$fields)
-  values[whole] <- round(values[whole])
-  pmin(pmax(values, task$points$lower), task$points$lower + task$points$width)
-}
-
-# Returns the miss by target that whole numbers leave: half of the effect of one unit of each field;
-# 0 if a field can take any value.
-rounding_miss <- function(task, found) {
-  if (!all(whole_fields(task$points$fields))) return(0)
-  drop(abs(found$slopes) %*% (0.5 / task$size))
 }
 
 # Searches again from the other ends of the ranges. Returns the better result.

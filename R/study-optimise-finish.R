@@ -17,15 +17,27 @@ finish_optimum <- function(task, runs) {
   state <- tried$point$state
   warn_of_doubts(state)
   kinks <- kinks_at(task, tried)
-  fields <- optimum_fields(task, tried, found$at)
+  fields <- task$points$fields
   result <- list(
     gear = tried$point$gear, state = state,
-    objective = optimum_objective(task, tried), fields = fields,
+    objective = optimum_objective(task, tried),
+    fields = data.frame(
+      field = field_names(fields), unit = vapply(fields, `[[`, "", "unit"),
+      begun = own_values(fields), value = tried$point$values, lower = lower_ends(fields),
+      upper = upper_ends(fields), at = found$at
+    ),
     keep = optimum_keep(task, tried, found$price), optimality = found$left,
     optimal = found$left <= most_optimality && tried$values$worst <= keep_tolerance,
     smooth = !nrow(kinks), kinks = kinks, nodes = state$mesh$nodes,
     accuracy = task_error(task, tried), history = optimum_history(task),
-    starts = optimum_starts(task, runs), n_solves = task$points$count$n_solves, ended = ended
+    starts = data.frame(
+      start = seq_along(runs),
+      objective = vapply(runs, function(run) first_of(run$best$values$objective, NA_real_), 0),
+      worst = vapply(runs, function(run) first_of(run$best$values$worst, NA_real_), 0),
+      n_solves = vapply(runs, function(run) as.integer(run$n_solves), 0L),
+      ended = vapply(runs, `[[`, "", "ended")
+    ),
+    n_solves = task$points$count$n_solves, ended = ended
   )
   if (!all(result$keep$holds)) {
     failed <- result$keep$text[!result$keep$holds]
@@ -101,15 +113,6 @@ optimum_objective <- function(task, tried) {
     error = task_errors(task, tried$point)$objective)
 }
 
-optimum_fields <- function(task, tried, at) {
-  fields <- task$points$fields
-  data.frame(
-    field = field_names(fields), unit = vapply(fields, `[[`, "", "unit"),
-    begun = own_values(fields), value = tried$point$values, lower = lower_ends(fields),
-    upper = upper_ends(fields), at = at
-  )
-}
-
 optimum_keep <- function(task, tried, price) {
   values <- tried$values
   error <- task_errors(task, tried$point)$keep
@@ -134,15 +137,5 @@ optimum_history <- function(task) {
       n_solves = vapply(rows, function(row) as.integer(row$n_solves), 0L), check.names = FALSE
     ),
     gaps = do.call(rbind, lapply(rows, `[[`, "gap"))
-  )
-}
-
-optimum_starts <- function(task, runs) {
-  data.frame(
-    start = seq_along(runs),
-    objective = vapply(runs, function(run) first_of(run$best$values$objective, NA_real_), 0),
-    worst = vapply(runs, function(run) first_of(run$best$values$worst, NA_real_), 0),
-    n_solves = vapply(runs, function(run) as.integer(run$n_solves), 0L),
-    ended = vapply(runs, `[[`, "", "ended")
   )
 }

@@ -128,7 +128,10 @@ optimise_gear <- function(gear, minimise, keep = NULL, change, nodes = NULL, net
   dimensions <- length(task$points$fields)
   places <- rbind(task$first, spread_points(max(starts, kinked_starts) - 1, dimensions))
   runs <- search_starts(task, places[seq_len(max(starts, 1)), , drop = FALSE], max_solves)
-  if (is_kinked(task, runs)) {
+  best <- best_run(runs)$best
+  kinked <- !is.null(best) &&
+    (optimality_of(task, best)$left > most_optimality || nrow(kinks_at(task, best)) > 0L)
+  if (kinked) {
     if (is.null(starts)) {
       others <- seq_len(kinked_starts)[-1L]
       runs <- c(runs, search_starts(task, places[others, , drop = FALSE], max_solves))
@@ -175,13 +178,6 @@ best_run <- function(runs) {
   best <- kept[[1L]]
   for (run in kept[-1L]) if (is_better(run$best$values, best$best$values)) best <- run
   best
-}
-
-# Returns TRUE if the best point violates the optimality conditions or lies at a kink.
-is_kinked <- function(task, runs) {
-  best <- best_run(runs)
-  if (is.null(best)) return(FALSE)
-  optimality_of(task, best$best)$left > most_optimality || nrow(kinks_at(task, best$best)) > 0L
 }
 
 # Continues the best search without derivatives, which describe only one side of a kink. COBYLA of

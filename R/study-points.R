@@ -133,11 +133,8 @@ derive_alone <- function(points, point, of) {
   list(numbers = as.vector(slopes), names = of, n_solves = points$count$n_solves)
 }
 
-# Step of a field for derivatives without a tangent, as a fraction of its range.
-side_share <- 0.01
-
 one_sided_derivatives <- function(points, point, k, of) {
-  step <- side_share * points$width[k]
+  step <- 0.01 * points$width[k]
   if (points$fields[[k]]$whole) step <- max(1, round(step))
   ends <- point$values[k] + c(-1, 1) * step
   ends <- pmin(pmax(ends, points$lower[k]), points$lower[k] + points$width[k])
@@ -160,8 +157,12 @@ one_sided_derivatives <- function(points, point, k, of) {
 # mesh. `exact`: field values before rounding; measures are extrapolated linearly to them.
 formula_point <- function(points, point, words, slopes = NULL, exact = point$values) {
   measured <- plain_measures(point$measures)
-  more <- corrected_by(points, point)
-  measured[names(more)] <- measured[names(more)] + more
+  off_mesh <- points$correction
+  if (!is.null(off_mesh)) {
+    more <- off_mesh$slope %*% (points_scaled(points, point$values) - off_mesh$at)
+    more <- off_mesh$value + drop(more)
+    measured[names(more)] <- measured[names(more)] + more
+  }
   found <- measured[words$column]
   names(found) <- words$name
   paths <- vapply(points$fields, function(field) field$paths[1L], "")
@@ -182,11 +183,4 @@ formula_point <- function(points, point, words, slopes = NULL, exact = point$val
 spread_points <- function(n, dimensions) {
   root <- stats::uniroot(function(x) x^(dimensions + 1) - x - 1, c(1, 2), tol = 1e-14)$root
   (0.5 + outer(seq_len(n), root^-seq_len(dimensions))) %% 1
-}
-
-# Returns the mesh correction of each measure; numeric() without a correction.
-corrected_by <- function(points, point) {
-  found <- points$correction
-  if (is.null(found)) return(numeric())
-  found$value + drop(found$slope %*% (points_scaled(points, point$values) - found$at))
 }

@@ -12,9 +12,6 @@
 # another: one process creates it, all others open it.
 
 study_file_version <- 4L
-mark_letters <- 12L
-
-store_file <- function(store, ...) file.path(store, ...)
 
 # ---- creation ------------------------------------------------------------------------------------
 
@@ -28,7 +25,7 @@ open_or_create <- function(study, store) {
   invisible(open_store(store))
 }
 
-is_store <- function(store) file.exists(store_file(store, "study.json"))
+is_store <- function(store) file.exists(file.path(store, "study.json"))
 
 # Creates the folder atomically, with `study.json`. Returns FALSE if the name is taken.
 claim_store <- function(study, store) {
@@ -38,8 +35,8 @@ claim_store <- function(study, store) {
   }
   path <- unwritten_path(store)
   on.exit(unlink(path, recursive = TRUE))
-  for (folder in c("", "rows", "tasks", "claims")) dir.create(store_file(path, folder))
-  write_text(study_text(study), store_file(path, "study.json"))
+  for (folder in c("", "rows", "tasks", "claims")) dir.create(file.path(path, folder))
+  write_text(study_text(study), file.path(path, "study.json"))
   # Renaming fails if the target is a non-empty folder, such as another study.
   if (suppressWarnings(file.rename(path, store))) return(TRUE)
   if (!file.exists(store)) abort_store(store, "could not be created.")
@@ -133,7 +130,7 @@ abort_store <- function(store, what, ...) abort_file(store, what, ..., argument 
 
 read_store_text <- function(store) {
   check_store_path(store)
-  file <- store_file(store, "study.json")
+  file <- file.path(store, "study.json")
   if (!file.exists(file)) abort_store(store, "is not a study: it has no file {.file study.json}.")
   text <- paste(readLines(file, encoding = "UTF-8", warn = FALSE), collapse = "\n")
   version <- tryCatch(jsonlite::fromJSON(text, simplifyVector = FALSE)$codend_study,
@@ -198,20 +195,20 @@ read_lines_of <- function(file) {
 
 # Returns the MARK in the file names of a study.
 store_mark <- function(store) {
-  substr(tools::md5sum(store_file(store, "study.json"))[[1L]], 1L, mark_letters)
+  substr(tools::md5sum(file.path(store, "study.json"))[[1L]], 1L, 12L)
 }
 
 row_file <- function(store, design, mark) {
-  store_file(store, "rows", sprintf("%07d-%s.json", as.integer(design), mark))
+  file.path(store, "rows", sprintf("%07d-%s.json", as.integer(design), mark))
 }
 
 row_files <- function(store, mark = store_mark(store)) {
-  list.files(store_file(store, "rows"), sprintf("^[0-9]+-%s[.]json$", mark), full.names = TRUE)
+  list.files(file.path(store, "rows"), sprintf("^[0-9]+-%s[.]json$", mark), full.names = TRUE)
 }
 
 task_files <- function(store, mark = store_mark(store)) {
   form <- sprintf("^[A-Za-z0-9-]+-%s[.]json$", mark)
-  list.files(store_file(store, "tasks"), form, full.names = TRUE)
+  list.files(file.path(store, "tasks"), form, full.names = TRUE)
 }
 
 designs_done <- function(store) done_finder(store)()
@@ -258,8 +255,8 @@ open_store <- function(store) {
 # Returns the initial state of every run, or NULL. The first process that needs it settles it.
 # Simultaneous processes write identical files.
 store_base <- function(store, study) {
-  file <- store_file(store, "base.nc")
-  none <- store_file(store, "base.none")
+  file <- file.path(store, "base.nc")
+  none <- file.path(store, "base.none")
   if (!file.exists(file) && !file.exists(none)) {
     found <- settle_first(study)
     if (is.null(found$state)) write_text(c(found$problem, ""), none) else {
@@ -277,7 +274,7 @@ run_task <- function(store, designs, told = function(done) NULL) {
   opened <- open_store(store)
   mark <- opened$mark[["mark"]]
   for (folder in c("rows", "tasks", "claims")) {
-    dir.create(store_file(store, folder), showWarnings = FALSE)
+    dir.create(file.path(store, folder), showWarnings = FALSE)
   }
   done_tasks <- done_finder(store, mark)
   is_done <- function(design) {
@@ -292,7 +289,7 @@ run_task <- function(store, designs, told = function(done) NULL) {
   }
   for (k in seq_along(designs)) {
     design <- designs[k]
-    claim <- store_file(store, "claims", sprintf("%07d", as.integer(design)))
+    claim <- file.path(store, "claims", sprintf("%07d", as.integer(design)))
     if (!file.exists(row_file(store, design, mark))) {
       if (dir.create(claim, showWarnings = FALSE)) {
         tryCatch(if (!is_done(design)) settle_design(design),
@@ -301,17 +298,17 @@ run_task <- function(store, designs, told = function(done) NULL) {
         later <- c(later, design)
       }
     }
-    template(k)
+    told(k)
   }
   for (design in later) {
     if (!is_done(design)) settle_design(design)
-    unlink(store_file(store, "claims", sprintf("%07d", as.integer(design))), recursive = TRUE)
+    unlink(file.path(store, "claims", sprintf("%07d", as.integer(design))), recursive = TRUE)
   }
   if (length(rows) > 1L) {
     # Host and process number make the name unique.
     name <- sprintf("%07d-%s-%d-%s.json", as.integer(names(rows)[1L]), this_host(), Sys.getpid(),
       mark)
-    write_text(c(unlist(rows, use.names = FALSE), ""), store_file(store, "tasks", name))
+    write_text(c(unlist(rows, use.names = FALSE), ""), file.path(store, "tasks", name))
     unlink(row_file(store, as.integer(names(rows)), mark))
   }
   length(rows)

@@ -46,8 +46,9 @@ trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = N
   ends <- lapply(1:2, function(k) {
     run <- find_optimum(tasks[[k]], tasks[[k]]$first, max_solves)
     alone <- finish_optimum(tasks[[k]], list(run))
-    # Among gears that are equally good in this objective, select the best in the other.
-    limit <- objective_of(tasks[[k]], alone) + end_share * tasks[[k]]$size
+    # Among gears that are equally good in this objective, select the best in the other. A loss of a
+    # thousandth of the initial value is permitted.
+    limit <- objective_of(tasks[[k]], alone) + 1e-3 * tasks[[k]]$size
     optimum_within(tasks[[3L - k]], tasks[[k]]$objective, limit, alone, max_solves)
   })
   second <- vapply(ends, function(end) objective_of(tasks[[2L]], end), 0)
@@ -73,13 +74,17 @@ trade_off <- function(gear, minimise, keep = NULL, change, points = 7, nodes = N
       gear_name = near$gear$plan$name)
 }
 
-# Permitted loss of an objective at the ends, as a fraction of its initial value.
-end_share <- 1e-3
-
 # Optimises a task with another objective limited to `limit`, from the optimum `near`.
 optimum_within <- function(task, objective, limit, near, most) {
   # The last digits of a settled gear depend on its start, but a resumed search repeats all limits.
-  task <- with_limit(task, objective, signif(limit, 6L))
+  limit <- signif(limit, 6L)
+  constant <- list(text = format(limit), call = limit, names = character(), slopes = list())
+  condition <- list(text = paste(objective$text, "<=", four_figures(limit)), left = objective,
+    right = constant, way = 1, equal = FALSE)
+  task$keep <- c(task$keep, list(condition))
+  task$limits <- c(task$limits, max(abs(limit), .Machine$double.xmin))
+  task$of <- union(task$of, formula_measures(task$words, list(objective)))
+  task$history <- new_search_history()
   base <- list(values = near$fields$value, gear = near$gear, state = near$state)
   place <- points_scaled(task$points, near$fields$value)
   finish_optimum(task, list(find_optimum(task, place, most, from = base)))
@@ -88,19 +93,6 @@ optimum_within <- function(task, objective, limit, near, most) {
 objective_of <- function(task, optimum) {
   point <- list(values = optimum$fields$value, measures = measures(optimum$state))
   evaluate_formula(task$objective, formula_point(task$points, point, task$words))$value
-}
-
-# Adds the condition that another objective is at most `limit`.
-with_limit <- function(task, objective, limit) {
-  constant <- list(text = format(limit), call = limit, names = character(), slopes = list())
-  condition <- list(text = paste(objective$text, "<=", four_figures(limit)), left = objective,
-    right = constant,
-    way = 1, equal = FALSE)
-  task$keep <- c(task$keep, list(condition))
-  task$limits <- c(task$limits, max(abs(limit), .Machine$double.xmin))
-  task$of <- union(task$of, formula_measures(task$words, list(objective)))
-  task$history <- new_search_history()
-  task
 }
 
 #' @rdname trade_off

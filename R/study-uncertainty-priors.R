@@ -18,12 +18,7 @@ known_priors <- function(gear, paths) {
     ends <- c(max(mean - normal_reach * sd, if (!is.null(source$multiplier)) 0.05 * own), mean +
       normal_reach * sd)
     ends <- range(ends, own + c(-0.01, 0.01) * abs(own))
-    words <- function(value) if (nzchar(number$unit)) {
-      paste(with_plain_numbers(format(value, digits = 15)), number$unit)
-    } else {
-      value
-    }
-    normal_value(words(mean), words(sd), words(ends[1L]), words(ends[2L]))
+    do.call(normal_value, numbers_in_units(c(mean, sd, ends), number))
   })
 }
 

@@ -434,15 +434,12 @@ sample_measures <- function(state, sources, correlation, samples, of) {
   as.matrix(as.data.frame(found, wide = TRUE)[found$settled, of, drop = FALSE])
 }
 
-# Number of draws of the sum of contributions.
-contribution_draws <- 2000L
-
 # Returns measures for draws of all sources from their contributions (JCGM 101:2008): a matrix with
 # a row per draw. Each source has one value in every interval of equal probability. The draws are
 # the same every time.
 measure_draws <- function(found) {
   sources <- found$sources
-  n <- contribution_draws
+  n <- 2000L
   level <- with_seed(1, vapply(seq_along(sources), function(k) sample.int(n), integer(n)))
   z <- source_draws((level - 0.5) / n, sources, found$correlation)
   change <- tcrossprod(pmin(z, 0), found$below) + tcrossprod(pmax(z, 0), found$above)

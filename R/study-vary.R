@@ -83,21 +83,17 @@ vary <- function(gear, ..., nodes = NULL, netting = NULL, accuracy = NULL, store
   if (only_create && is.null(store)) {
     abort_argument("With {.code tasks = 0}, {.arg store} must be the path of a new folder.")
   }
-  if (!is.null(store)) {
-    open_or_create(study, store)
-    if (!only_create) vary_stored(store, tasks)
-    return(read_study(store))
-  }
-  if (!is.null(future_workers())) {
+  if (is.null(store) && !is.null(future_workers())) {
     if (future_cluster()) {
       abort_argument("On a cluster, {.arg store} must be a folder on a file system that all
         machines share.")
     }
-    check_netcdf()
     store <- tempfile("study-")
     on.exit(unlink(store, recursive = TRUE))
+  }
+  if (!is.null(store)) {
     open_or_create(study, store)
-    vary_stored(store, tasks)
+    if (!only_create) vary_stored(store, tasks)
     return(read_study(store))
   }
   base <- settle_first(study)$state
