@@ -70,7 +70,8 @@ export function show(text: string): void {
 
 // ---- zoom and pan -------------------------------------------------------------------------------
 
-// Zooms so that the smallest letters are legible, and starts at the first panel.
+// Zooms so that the smallest letters are legible, and starts at the first panel and, if they fit,
+// the columns of text to its left.
 function open_view() {
   const place = find('drawing'), sizes = things('[data-path] text').map((one) => Number(one.getAttribute('font-size')));
   const least = sizes.length ? Math.min(...sizes) : 2.5;
@@ -79,8 +80,9 @@ function open_view() {
   const [first] = things('[data-component="panel"]');
   if (!first) return see_all();
   if (wide < whole[2]) {
-    const b = first.getBBox();
-    box[0] = Math.max(0, b.x + b.width / 2 - box[2] / 2);
+    const b = first.getBBox(), middle = b.x + b.width / 2;
+    const text = Math.min(...things('text').map((one) => one.getBBox().x)) - 2;
+    box[0] = Math.max(0, middle - 0.75 * box[2], Math.min(middle - 0.5 * box[2], text));
     box[1] = Math.max(0, b.y - 0.1 * box[3]);
   }
 }

@@ -36,7 +36,8 @@ export interface Graph {
 
 // Draws a measure against time or another variable as an SVG.
 export function new_graph(host: HTMLElement, about: About): Graph {
-  const space = 'http://www.w3.org/2000/svg', left = 48, right = 10, top = 8, foot = about.axis ? 34 : 16;
+  const space = 'http://www.w3.org/2000/svg', left = 48, right = 10;
+  const top = about.axis ? 22 : 8, foot = about.axis ? 34 : 16;
   let wide = 300, tall = 92, now = about.range[0], low = 0, high = 1, shown: Measured | null = null;
   let cursor: SVGElement | null = null, tip: SVGElement | null = null;
   const svg = document.createElementNS(space, 'svg');
@@ -130,7 +131,7 @@ export function new_graph(host: HTMLElement, about: About): Graph {
       });
     }
     cursor = add('line', { y1: top, y2: tall - foot, stroke: '#b3005c', 'stroke-width': 1.5 });
-    tip = write(wide - right, top + 9, 'end', '');
+    tip = write(wide - right, about.axis ? 11 : top + 9, 'end', '');
     mark(now);
   }
 
