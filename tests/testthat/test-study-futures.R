@@ -63,5 +63,7 @@ reported_steps <- function(call) {
 test_that("studies report rows and tows report percents to progressr", {
   skip_if_not_installed("progressr")
   expect_equal(reported_steps(vary("towed_cable", sixteen[1:3, ])), 3)
+  store <- file.path(test_folder(), "a.study")
+  expect_equal(reported_steps(vary("towed_cable", sixteen[1:3, ], store = store)), 3)
   expect_equal(reported_steps(tow("towed_cable", until = 4, every = 2, nodes = 20)), 100)
 })
