@@ -1,3 +1,6 @@
+# Netting of a plan drawing: columns of panel trapezia with labels and a table next to them. Gear is
+# in metres, the sheet in millimetres.
+
 # Returns the columns of a layout, the upper panel first. true_size: TRUE to draw panels at full
 # length. Each column is a list. `panels`: data frame with corners (ul, ur, lr, ll), cutting rates
 # and `labelled`. `words`, `counts`: matrices of labels, one column per panel. `laced`: ropes and
