@@ -39,7 +39,7 @@ sheet_dxf <- function(sheet) {
 
 dxf_codes <- function(...) {
   vapply(list(...), function(value) {
-    if (is.character(value)) value else svg_number(value, 4L)
+    if (is.character(value)) value else sheet_number(value, 4L)
   }, "")
 }
 

@@ -24,7 +24,7 @@ sheet_svg <- function(sheet, title, find_path = function(ref) ref) {
       " data-component=\"", escape_markup(about$component), "\">", drawn, "</g>"
     )
   }, "")
-  size <- svg_number(sheet$page)
+  size <- sheet_number(sheet$page, 3L)
   c(
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>",
     sprintf(paste0(
@@ -38,12 +38,8 @@ sheet_svg <- function(sheet, title, find_path = function(ref) ref) {
   )
 }
 
-svg_number <- function(x, digits = 3L) {
-  format(round(x, digits), trim = TRUE, scientific = FALSE, drop0trailing = TRUE, digits = 15)
-}
-
 svg_item <- function(item, high) {
-  n <- svg_number
+  n <- function(x) sheet_number(x, 3L)
   if (item$kind == "text") {
     # Every viewer must use the laid out width, in any font.
     return(paste0(

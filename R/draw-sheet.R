@@ -169,3 +169,8 @@ paint_item <- function(item, small, line_width) {
     graphics::lines(item$x, item$y, lwd = lwd, col = item$ink, lty = dash)
   }
 }
+
+# Returns numbers as text without exponents, with at most `digits` decimals.
+sheet_number <- function(x, digits) {
+  format(round(x, digits), trim = TRUE, scientific = FALSE, drop0trailing = TRUE, digits = 15)
+}
